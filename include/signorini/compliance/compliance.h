@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/elasticity/linear_system.h>
+#include <signorini/multiplier/coupling.h>
+#include <signorini/stiffness_inverse/stiffness_inverse.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <functional>
+
+namespace Signorini
+{
+/** The body without contact pressure, and what the foundation lacks or leaves. */
+struct FreeState
+{
+  /** U_0 = A^{-1} f, complete. */
+  NodalVector U;
+  /** F = G - D^T U_0: free opening of each patch (length^dim). Nothing touches if F >= 0. */
+  dealii::Vector<double> F;
+};
+
+/** F = G - D^T A^{-1} f, one solve. Collective. */
+template <int dim>
+FreeState solve_free_state(const StiffnessInverse &inverse,
+                           const DisplacementSpace<dim> &space,
+                           const DistributedVector &f,
+                           const Coupling &D,
+                           const dealii::Vector<double> &G);
+
+/**
+ * C = D^T A^{-1} D with the condensed coupling, one solve per column, symmetrised; m x m, on every
+ * rank. @p progress is called with the number of finished columns. Collective.
+ */
+template <int dim>
+dealii::FullMatrix<double>
+compute_compliance(const StiffnessInverse &inverse,
+                   const DisplacementSpace<dim> &space,
+                   const Coupling &condensed_D,
+                   const std::function<void(unsigned int)> &progress = {});
+} // namespace Signorini

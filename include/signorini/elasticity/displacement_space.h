@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/mesh/mesh.h>
+#include <signorini/scene/scene.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/vector.h>
+
+namespace Signorini
+{
+/** A vector whose rows are distributed over the ranks like those of A. */
+using DistributedVector = dealii::TrilinosWrappers::MPI::Vector;
+
+/** Nodal values U that every rank knows as a whole. */
+using NodalVector = dealii::Vector<double>;
+
+/**
+ * V^h: FE_Q(1) for each component, with the essential conditions of clamped, prescribed and roller
+ * sides.
+ */
+template <int dim>
+class DisplacementSpace
+{
+public:
+  DisplacementSpace(const Mesh<dim> &mesh, const Scene<dim> &scene);
+
+  const Mesh<dim> &mesh() const
+  {
+    return mesh_;
+  }
+  const dealii::FESystem<dim> &element() const
+  {
+    return element_;
+  }
+  const dealii::DoFHandler<dim> &dofs() const
+  {
+    return dofs_;
+  }
+  /** Constrained degrees of freedom: U = T U_free + k. */
+  const dealii::AffineConstraints<double> &constraints() const
+  {
+    return constraints_;
+  }
+  const dealii::IndexSet &locally_owned() const
+  {
+    return dofs_.locally_owned_dofs();
+  }
+  /** Zero vector with the distribution of the rows of A. */
+  DistributedVector make_vector() const;
+  /** All nodal values on every rank, the constrained ones filled in from the others. */
+  NodalVector complete(const DistributedVector &free_values) const;
+  /** The degrees of freedom of one of the mesh's cells. */
+  std::vector<dealii::types::global_dof_index>
+  cell_dofs(const typename dealii::Triangulation<dim>::active_cell_iterator &cell) const;
+
+private:
+  const Mesh<dim> &mesh_;
+  dealii::FESystem<dim> element_;
+  dealii::DoFHandler<dim> dofs_;
+  dealii::AffineConstraints<double> constraints_;
+};
+} // namespace Signorini

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/scene/geometry.h>
+
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/fe/mapping_q1.h>
+
+namespace Signorini
+{
+/**
+ * The quadrilateral mesh T^h of one level, with T^{2h} as its parents.
+ *
+ * Every rank knows the whole mesh; METIS decides who owns which cells, and with them rows of A.
+ */
+template <int dim>
+class Mesh
+{
+public:
+  /**
+   * Refines the coarse mesh @p level times. A distortion moves the interior vertices of
+   * @p coarsest_level, so that finer levels stay nested in it.
+   */
+  Mesh(const Geometry<dim> &geometry,
+       unsigned int coarsest_level,
+       unsigned int level,
+       MPI_Comm communicator);
+
+  const dealii::Triangulation<dim> &triangulation() const
+  {
+    return triangulation_;
+  }
+  const dealii::Mapping<dim> &mapping() const
+  {
+    return mapping_;
+  }
+  MPI_Comm communicator() const
+  {
+    return triangulation_.get_communicator();
+  }
+  /** Number of refinements of the coarse mesh. */
+  unsigned int level() const
+  {
+    return triangulation_.n_global_levels() - 1;
+  }
+  /** h: the longest edge (length). */
+  double longest_edge() const;
+  /** Whether T^{2h} exists, also below the level at which vertices were moved. */
+  bool has_parents() const;
+
+private:
+  dealii::parallel::shared::Triangulation<dim> triangulation_;
+  dealii::MappingQ1<dim> mapping_;
+  bool parents_are_nested_;
+};
+} // namespace Signorini

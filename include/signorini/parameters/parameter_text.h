@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/**
+ * One `set Name = value` of a parameter file or one `--set` of the command line, with the place it
+ * was read from.
+ */
+struct Assignment
+{
+  /** Subsections and name, joined by '/': "Solver/Tolerance". */
+  std::string path;
+  /** The value without comment and surrounding blanks. */
+  std::string value;
+  /** For messages: "scene.prm:12" or "--set". */
+  std::string place;
+};
+
+/**
+ * Splits the text of a parameter file into its assignments, in the order of the file.
+ *
+ * Understood are `subsection NAME`, `end`, `set NAME = VALUE`, comments from `#` to the end of the
+ * line, continuation lines (a backslash at the end), Windows line ends and a byte-order mark.
+ * Throws InputError for anything else, for unbalanced subsections and for an entry set twice.
+ */
+std::vector<Assignment> scan_parameter_text(const std::string &text, const std::string &file_name);
+
+/** Splits `Subsection/Parameter=value` of the option `--set`; throws InputError without '='. */
+Assignment scan_override(const std::string &argument);
+
+/** Reads a whole file; throws InputError when it cannot be read. */
+std::string read_text_file(const std::string &file_name);
+} // namespace Signorini

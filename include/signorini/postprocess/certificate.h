@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/elasticity/linear_system.h>
+#include <signorini/multiplier/coupling.h>
+#include <signorini/multiplier/multiplier_space.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+namespace Signorini
+{
+/** How well (U, P) satisfies (5): residuals relative to the scene's own scales. */
+struct Certificate
+{
+  /** |A U - D P - f|_2 on free degrees of freedom, relative to the largest of its terms. */
+  double stationarity = 0.;
+  /** Largest mean penetration max(W_tau)_+ / |tau|, relative to displacement and gap. */
+  double penetration = 0.;
+  /** max(P)_+ / max|P|. */
+  double sign = 0.;
+  /** |P^T W| relative to the energies. */
+  double complementarity = 0.;
+  /** Primal minus dual objective, relative to the energies. */
+  double duality_gap = 0.;
+  /** Reactions + loads + contact pressure, relative to the largest force. */
+  double force_balance = 0.;
+  /** The same for the moments about the body's centre. */
+  double moment_balance = 0.;
+  /** Patches on which pressure and opening vanish together (up to 1e-6). */
+  unsigned int degenerate_patches = 0;
+  /** J(u_h, p_H) of (22), the energy (force x length per thickness). */
+  double energy = 0.;
+
+  /** The largest of the residuals. */
+  double worst() const;
+};
+
+/** The level's solution and what it was computed from. */
+template <int dim>
+struct ContactSolution
+{
+  const NodalVector &U;
+  /** A^{-1} f. */
+  const NodalVector &free_U;
+  const dealii::Vector<double> &P;
+  const dealii::Vector<double> &F;
+  const dealii::Vector<double> &G;
+  /** Empty if nothing touches. */
+  const dealii::FullMatrix<double> &C;
+};
+
+/**
+ * Computes the certificate from the cells' integrals, without the assembled and factorised A.
+ * Collective.
+ */
+template <int dim>
+Certificate certify(const DisplacementSpace<dim> &space,
+                    const Scene<dim> &scene,
+                    const LinearSystem<dim> &system,
+                    const MultiplierSpace<dim> &multipliers,
+                    const Coupling &D,
+                    const ContactSolution<dim> &solution);
+} // namespace Signorini

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+namespace Signorini
+{
+/**
+ * The dual problem: min 1/2 P^T C P - P^T F over P <= bound, C symmetric positive definite, m x m.
+ *
+ * Its solution satisfies, with W = C P - F,  P <= bound,  W <= 0,  (P - bound)^T W = 0.
+ */
+struct BoundConstrainedQP
+{
+  using Vector = dealii::Vector<double>;
+
+  /** For the contact problem the bound is zero. @throws std::invalid_argument
+   * if the sizes do not fit or a diagonal entry of C is not positive. */
+  BoundConstrainedQP(dealii::FullMatrix<double> C, Vector F);
+  BoundConstrainedQP(dealii::FullMatrix<double> C, Vector F, Vector bound);
+
+  dealii::FullMatrix<double> C;
+  Vector F;
+  Vector bound;
+
+  unsigned int size() const
+  {
+    return F.size();
+  }
+  /** W = C P - F. */
+  Vector gradient(const Vector &P) const;
+  /** 1/2 P^T C P - P^T F. */
+  double energy(const Vector &P) const;
+  /**
+   * |P - min(bound, P - W/diag C)|_2 / max(|P|_2, |F/diag C|_2), 0 if both vanish: zero at the
+   * solution and nowhere else.
+   */
+  double kkt_residual(const Vector &P) const;
+};
+
+/** What a solver of the dual problem returns. */
+struct QPResult
+{
+  dealii::Vector<double> P;
+  /** Sweeps of projected SOR, or linear solves of an active set method. */
+  unsigned int iterations = 0;
+  double kkt_residual = 0.;
+  bool converged = false;
+  /** Projected SOR: the sweep at which the increment alone was small enough; else 0. */
+  unsigned int increment_iterations = 0;
+  /** Active set: whether a set came back and single exchanges had to end the search. */
+  bool cycled = false;
+};
+} // namespace Signorini

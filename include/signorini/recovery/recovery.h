@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/multiplier/coupling.h>
+#include <signorini/stiffness_inverse/stiffness_inverse.h>
+
+namespace Signorini
+{
+/** Step (iv) of the algorithm: U = A^{-1}(D P + f), (23). Collective. */
+template <int dim>
+NodalVector recover_displacement(const StiffnessInverse &inverse,
+                                 const DisplacementSpace<dim> &space,
+                                 const Coupling &condensed_D,
+                                 const dealii::Vector<double> &P,
+                                 const DistributedVector &f);
+} // namespace Signorini

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/scene/scene.h>
+
+namespace Signorini
+{
+/** The scene that a parameter file spells out by expressions. @throws InputError */
+Scene<2> make_described_scene(const Parameters &parameters);
+} // namespace Signorini

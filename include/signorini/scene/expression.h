@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/base/point.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace Signorini
+{
+/** Named numbers that expressions may use. */
+using Constants = std::map<std::string, double>;
+
+/**
+ * A formula in x, y (and z), parsed once by muParser.
+ *
+ * Known are the operators and functions of muParser (+ - * / ^ < > <= >= == != && || ?:, sin, cos,
+ * tan, exp, log, sqrt, abs, min, max, ...), besides them floor, ceil, pow, erf, erfc and if(c,a,b),
+ * the constant pi and the named constants. Evaluation is not thread-safe: copy the object, a copy
+ * has a parser of its own.
+ */
+template <int dim>
+class Expression
+{
+public:
+  /** @throws InputError beginning with @p where if the text cannot be parsed. */
+  Expression(const std::string &text, const Constants &constants, const std::string &where);
+  Expression(const Expression &other);
+  Expression(Expression &&other) noexcept;
+  Expression &operator=(const Expression &other) = delete;
+  ~Expression();
+
+  /** The value at a point; not finite where the formula is not defined. */
+  double operator()(const dealii::Point<dim> &x) const;
+
+  /** Whether the formula uses none of the coordinates. */
+  bool is_constant() const;
+
+  const std::string &text() const
+  {
+    return text_;
+  }
+  /** The place the formula was read from, for messages about its values. */
+  const std::string &where() const
+  {
+    return where_;
+  }
+
+private:
+  class Parser;
+
+  std::string text_;
+  Constants constants_;
+  std::string where_;
+  std::unique_ptr<Parser> parser_;
+};
+
+/**
+ * Reads "E=1, nu=0.3": each value is an expression of the constants before it.
+ * @throws InputError beginning with @p where.
+ */
+Constants read_constants(const std::string &text, const std::string &where);
+} // namespace Signorini

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/parameters/parameters.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/grid/tria.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/** A straight piece of the boundary with its own name and outward normal. */
+template <int dim>
+struct Side
+{
+  std::string name;
+  /** End points; the arc length s along the side is counted from @p start. */
+  dealii::Point<dim> start;
+  dealii::Point<dim> end;
+  /** Outward unit normal n. */
+  dealii::Tensor<1, dim> normal;
+
+  double length() const
+  {
+    return start.distance(end);
+  }
+  /** The point at arc length @p s. */
+  dealii::Point<dim> point(double s) const
+  {
+    return start + (s / length()) * (end - start);
+  }
+  /** Arc length of a point on the side. */
+  double arc_length(const dealii::Point<dim> &x) const
+  {
+    return (x - start) * (end - start) / length();
+  }
+};
+
+/** The body before it is meshed. */
+template <int dim>
+struct Geometry
+{
+  /** The boundary; the faces of sides[i] carry i as their boundary id in the coarse mesh. */
+  std::vector<Side<dim>> sides;
+  /** Makes the coarse mesh (level 0). */
+  std::function<void(dealii::Triangulation<dim> &)> make_coarse_mesh;
+  /** A corner of the bounding box, and the opposite one. */
+  dealii::Point<dim> lower;
+  dealii::Point<dim> upper;
+  /** Share of h by which interior vertices of the coarsest level are moved. */
+  double distortion = 0.;
+
+  double diameter() const
+  {
+    return lower.distance(upper);
+  }
+  /** @return the number of the side, or sides.size() if there is none of this name. */
+  std::size_t find_side(const std::string &name) const;
+  /** All names, for messages. */
+  std::vector<std::string> side_names() const;
+};
+
+/** Rectangle with @p cells coarse cells per direction; sides left, right, bottom, top. */
+Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
+                           const dealii::Point<2> &upper_right,
+                           const std::vector<unsigned int> &cells);
+
+/**
+ * Convex polygon, vertices counter-clockwise; side i joins vertex i with the next. Four vertices
+ * make one coarse cell; otherwise there is one per vertex, from the centroid of the vertices and
+ * the mid-points of the sides.
+ */
+Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices);
+
+/** The geometry that a parameter file describes. @throws InputError */
+Geometry<2> make_geometry(const Parameters &parameters);
+} // namespace Signorini

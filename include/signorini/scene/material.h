@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/scene/expression.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+/** Hooke's tensor E_ijkl(x) of (1) (force/area). */
+template <int dim>
+class Material
+{
+public:
+  virtual ~Material() = default;
+
+  /** E_ijkl at a point. @throws InputError where the data there is no material. */
+  virtual dealii::SymmetricTensor<4, dim> hooke(const dealii::Point<dim> &x) const = 0;
+
+  /** Whether E_ijkl is the same everywhere. */
+  virtual bool is_constant() const = 0;
+
+  /** The stress normal to the plane, for the von Mises stress; 0 where the law does not say. */
+  virtual double out_of_plane_stress(const dealii::Point<dim> &x,
+                                     const dealii::SymmetricTensor<2, dim> &strain) const = 0;
+};
+
+/** What the third direction does in two dimensions. */
+enum class PlaneState
+{
+  strain,
+  stress
+};
+
+/** sigma = lambda tr(eps) I + 2 mu eps, with lambda replaced by 2 lambda mu/(lambda + 2 mu) for
+ * plane stress. Young's modulus and Poisson's ratio may vary in space. */
+template <int dim>
+std::shared_ptr<const Material<dim>> make_isotropic(const Expression<dim> &youngs_modulus,
+                                                    const Expression<dim> &poissons_ratio,
+                                                    PlaneState plane_state);
+
+/** (s11,s22,s12) = C (e11,e22,2 e12) with the entries C11, C12, C13, C22, C23, C33; positive
+ * definite at every point. */
+std::shared_ptr<const Material<2>> make_general(const std::vector<Expression<2>> &entries);
+
+/** Moduli Q11, Q22, Q12, Q66 in axes that are rotated by @p degrees against the x-axis. */
+std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression<2>> &moduli,
+                                                    double degrees);
+} // namespace Signorini

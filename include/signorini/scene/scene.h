@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/scene/geometry.h>
+#include <signorini/scene/material.h>
+
+#include <deal.II/base/function.h>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/** What happens on a side of the body; every side has exactly one role. */
+enum class Role
+{
+  /** sigma n = 0. */
+  free,
+  /** u = 0. */
+  clamped,
+  /** u.n = 0, sigma_T = 0. */
+  roller,
+  /** u given. */
+  displacement,
+  /** sigma n given. */
+  traction,
+  /** u.n <= g, sigma_n <= 0, sigma_n (u.n - g) = 0, sigma_T = 0. */
+  contact
+};
+
+template <int dim>
+using FunctionPointer = std::shared_ptr<const dealii::Function<dim>>;
+
+/** The role of one side and the data that belongs to it. */
+template <int dim>
+struct BoundaryCondition
+{
+  Role role = Role::free;
+  /** Prescribed displacement or traction (dim components), or gap (one); else empty. */
+  FunctionPointer<dim> data;
+  /** Exact contact pressure p = sigma_n of a contact side, if known. */
+  FunctionPointer<dim> exact_pressure;
+};
+
+/** Problem (1): a body, its material, what holds it, loads it and stops it. */
+template <int dim>
+struct Scene
+{
+  std::string name;
+  /** One line that says what the scene shows. */
+  std::string title;
+  Geometry<dim> geometry;
+  /** boundary[i] belongs to geometry.sides[i]. */
+  std::vector<BoundaryCondition<dim>> boundary;
+  std::shared_ptr<const Material<dim>> material;
+  /** f of (1), dim components; empty means zero. */
+  FunctionPointer<dim> body_force;
+  /** u of (1) with its gradient, dim components; empty means unknown. */
+  FunctionPointer<dim> exact_displacement;
+  /** kinks[d]: coordinates x_d at which the data is not smooth. */
+  std::array<std::vector<double>, dim> kinks;
+
+  /** The numbers of the contact sides gamma_{c,i}, i = 1..n_g. */
+  std::vector<unsigned int> contact_sides() const;
+  /** Whether p is known on every contact side. */
+  bool has_exact_pressure() const;
+};
+
+/** The scene that the parameters name or describe. @throws InputError */
+Scene<2> make_scene(const Parameters &parameters);
+} // namespace Signorini

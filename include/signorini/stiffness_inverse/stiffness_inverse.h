@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <memory>
+#include <string>
+
+namespace Signorini
+{
+/** A^{-1}, factorised once and applied many times. */
+class StiffnessInverse
+{
+public:
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+  virtual ~StiffnessInverse() = default;
+
+  /**
+   * x = A^{-1} b. The residual of every solve is computed; one step of iterative refinement is
+   * taken when it is large. Collective.
+   * @throws ComputationError if |b - A x| > 1e-8 |b| remains.
+   */
+  void solve(Vector &x, const Vector &b) const;
+
+  /** How many times solve() was called. */
+  unsigned int n_solves() const
+  {
+    return n_solves_;
+  }
+  /** The largest |b - A x| / |b| so far. */
+  double largest_residual() const
+  {
+    return largest_residual_;
+  }
+
+protected:
+  explicit StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &A) : A_(A)
+  {
+  }
+
+private:
+  /** x = A^{-1} b by the factors alone. */
+  virtual void apply(Vector &x, const Vector &b) const = 0;
+
+  const dealii::TrilinosWrappers::SparseMatrix &A_;
+  mutable unsigned int n_solves_ = 0;
+  mutable double largest_residual_ = 0.;
+};
+
+/**
+ * Factorises A, which must outlive the result. @p name is a value of Solver/Linear solver.
+ * Collective. @throws ComputationError if the factorisation fails.
+ */
+std::unique_ptr<StiffnessInverse> factorise(const dealii::TrilinosWrappers::SparseMatrix &A,
+                                            const std::string &name);
+} // namespace Signorini

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// a(u,v) = int E_ijkl u_{k,l} v_{i,j}, cell by cell.
+
+#include <signorini/elasticity/cell_stiffness.h>
+
+namespace Signorini
+{
+namespace
+{
+const dealii::UpdateFlags stiffness_flags =
+  dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values;
+
+/** Edges from the first vertex: they tell congruent cells, up to translation. */
+template <int dim>
+std::vector<dealii::Tensor<1, dim>>
+shape_of(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
+{
+  std::vector<dealii::Tensor<1, dim>> shape;
+  for (const unsigned int v : cell->vertex_indices())
+    shape.push_back(cell->vertex(v) - cell->vertex(0));
+  return shape;
+}
+
+template <int dim>
+bool is_parallelogram(const std::vector<dealii::Tensor<1, dim>> &shape)
+{
+  static_assert(dim == 2, "the vertices of a hexahedron satisfy more conditions");
+  return (shape[3] - shape[2] - shape[1]).norm() < 1e-12 * shape[3].norm();
+}
+} // namespace
+
+template <int dim>
+CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space,
+                                  const Material<dim> &material,
+                                  const Kinks<dim> &kinks)
+  : material_(material)
+  , constant_(material.is_constant())
+  , kinks_(constant_ ? Kinks<dim>({}) : kinks)
+  , affine_values_(space.mesh().mapping(), space.element(), kinks_, 2, stiffness_flags)
+  , general_values_(space.mesh().mapping(), space.element(), kinks_, 4, stiffness_flags)
+  , matrix_(space.element().n_dofs_per_cell())
+{
+}
+
+template <int dim>
+bool CellStiffness<dim>::is_congruent(const CellIterator &cell) const
+{
+  if (!constant_ || shape_.empty())
+    return false;
+  const double size = shape_.back().norm();
+  for (const unsigned int v : cell->vertex_indices())
+    if ((cell->vertex(v) - cell->vertex(0) - shape_[v]).norm() > 1e-12 * size)
+      return false;
+  return true;
+}
+
+template <int dim>
+void CellStiffness<dim>::integrate(const dealii::FEValues<dim> &values)
+{
+  const dealii::FEValuesExtractors::Vector displacement(0);
+  const unsigned int n = values.dofs_per_cell;
+  std::vector<dealii::SymmetricTensor<2, dim>> strain(n), stress(n);
+  dealii::SymmetricTensor<4, dim> hooke = material_.hooke(values.quadrature_point(0));
+  matrix_ = 0.;
+  for (const unsigned int q : values.quadrature_point_indices())
+  {
+    if (!constant_)
+      hooke = material_.hooke(values.quadrature_point(q));
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      strain[i] = values[displacement].symmetric_gradient(i, q);
+      stress[i] = hooke * strain[i];
+    }
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        matrix_(i, j) += strain[i] * stress[j] * values.JxW(q);
+  }
+}
+
+template <int dim>
+const dealii::FullMatrix<double> &CellStiffness<dim>::operator()(const CellIterator &cell)
+{
+  if (is_congruent(cell))
+    return matrix_;
+  shape_ = shape_of<dim>(cell);
+  const bool exact_with_two_points = constant_ && is_parallelogram<dim>(shape_);
+  integrate((exact_with_two_points ? affine_values_ : general_values_).reinit(cell));
+  return matrix_;
+}
+
+template <int dim>
+DistributedVector internal_forces(const DisplacementSpace<dim> &space,
+                                  const Scene<dim> &scene,
+                                  const NodalVector &U)
+{
+  const Kinks<dim> kinks(scene.kinks);
+  CellStiffness<dim> stiffness(space, *scene.material, kinks);
+  DistributedVector forces = space.make_vector();
+  const unsigned int n = space.element().n_dofs_per_cell();
+  dealii::Vector<double> cell_U(n), cell_forces(n);
+  std::vector<dealii::types::global_dof_index> indices(n);
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      cell->get_dof_indices(indices);
+      cell->get_dof_values(U, cell_U);
+      stiffness(cell).vmult(cell_forces, cell_U);
+      forces.add(indices, cell_forces);
+    }
+  forces.compress(dealii::VectorOperation::add);
+  return forces;
+}
+
+template class CellStiffness<2>;
+template DistributedVector internal_forces(const DisplacementSpace<2> &,
+                                           const Scene<2> &,
+                                           const NodalVector &);
+} // namespace Signorini

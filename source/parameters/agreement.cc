@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// An error on one rank becomes the same error on all.
+
+#include <signorini/parameters/agreement.h>
+#include <signorini/parameters/exceptions.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <string>
+
+namespace Signorini
+{
+namespace
+{
+enum class Outcome
+{
+  success,
+  input_error,
+  computation_error,
+  other_error
+};
+
+[[noreturn]] void rethrow(const Outcome outcome, const std::string &message)
+{
+  if (outcome == Outcome::input_error)
+    throw InputError(message);
+  if (outcome == Outcome::computation_error)
+    throw ComputationError(message);
+  throw std::runtime_error(message);
+}
+} // namespace
+
+void agree(MPI_Comm communicator, const std::function<void()> &work)
+{
+  Outcome outcome = Outcome::success;
+  std::string message;
+  try
+  {
+    work();
+  }
+  catch (const InputError &error)
+  {
+    outcome = Outcome::input_error;
+    message = error.what();
+  }
+  catch (const ComputationError &error)
+  {
+    outcome = Outcome::computation_error;
+    message = error.what();
+  }
+  catch (const std::exception &error)
+  {
+    outcome = Outcome::other_error;
+    message = error.what();
+  }
+  const auto outcomes = dealii::Utilities::MPI::all_gather(
+    communicator, std::make_pair(static_cast<int>(outcome), message));
+  for (const auto &other : outcomes)
+    if (other.first != static_cast<int>(Outcome::success))
+      rethrow(static_cast<Outcome>(other.first), other.second);
+}
+} // namespace Signorini

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Texts of a parameter file taken apart: words, lists, numbers.
+
+#include <signorini/parameters/lists.h>
+
+#include <cmath>
+#include <cstdlib>
+
+namespace Signorini
+{
+std::string trim(const std::string &text)
+{
+  const char *blanks = " \t\r\n";
+  const auto first = text.find_first_not_of(blanks);
+  if (first == std::string::npos)
+    return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::vector<std::string> split_words(const std::string &text)
+{
+  std::vector<std::string> words;
+  std::string word;
+  for (const char c : text + " ")
+    if (c == ' ' || c == '\t' || c == ',')
+    {
+      if (!word.empty())
+        words.push_back(word);
+      word.clear();
+    }
+    else
+      word += c;
+  return words;
+}
+
+std::vector<std::string> split_list(const std::string &text, const char separator)
+{
+  std::vector<std::string> parts;
+  if (trim(text).empty())
+    return parts;
+  int depth = 0;
+  std::string part;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const bool doubled = (i > 0 && text[i - 1] == separator) ||
+                         (i + 1 < text.size() && text[i + 1] == separator);
+    const bool separates = text[i] == separator && depth == 0 && !(separator == '|' && doubled);
+    if (separates)
+    {
+      parts.push_back(trim(part));
+      part.clear();
+      continue;
+    }
+    depth += text[i] == '(' ? 1 : (text[i] == ')' ? -1 : 0);
+    part += text[i];
+  }
+  parts.push_back(trim(part));
+  return parts;
+}
+
+bool read_number(const std::string &text, double &number)
+{
+  const std::string trimmed = trim(text);
+  if (trimmed.empty())
+    return false;
+  char *end = nullptr;
+  number = std::strtod(trimmed.c_str(), &end);
+  return *end == '\0' && std::isfinite(number);
+}
+
+bool read_numbers(const std::string &text, std::vector<double> &numbers)
+{
+  numbers.clear();
+  for (const std::string &part : split_list(text, ','))
+  {
+    double number = 0;
+    if (!read_number(part, number))
+      return false;
+    numbers.push_back(number);
+  }
+  return true;
+}
+
+std::string join(const std::vector<std::string> &words, const std::string &separator)
+{
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : separator) + words[i];
+  return text;
+}
+} // namespace Signorini

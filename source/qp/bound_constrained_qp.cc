@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// min 1/2 P^T C P - P^T F over P <= bound: the problem, and the residual that judges every solver.
+
+#include <signorini/qp/bound_constrained_qp.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace Signorini
+{
+BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, Vector F_)
+  : BoundConstrainedQP(std::move(C_), F_, Vector(F_.size()))
+{
+}
+
+BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, Vector F_, Vector bound_)
+  : C(std::move(C_))
+  , F(std::move(F_))
+  , bound(std::move(bound_))
+{
+  if (C.m() != F.size() || C.n() != F.size() || bound.size() != F.size())
+    throw std::invalid_argument("The sizes of C, F and the bound do not fit together.");
+  for (unsigned int i = 0; i < size(); ++i)
+    if (!(C(i, i) > 0.))
+      throw std::invalid_argument("C has a diagonal entry that is not positive: row " +
+                                  std::to_string(i) + ".");
+}
+
+BoundConstrainedQP::Vector BoundConstrainedQP::gradient(const Vector &P) const
+{
+  Vector W(size());
+  if (size() > 0)
+    C.vmult(W, P);
+  W -= F;
+  return W;
+}
+
+double BoundConstrainedQP::energy(const Vector &P) const
+{
+  const Vector W = gradient(P);
+  return 0.5 * (P * W) - 0.5 * (P * F);
+}
+
+double BoundConstrainedQP::kkt_residual(const Vector &P) const
+{
+  const Vector W = gradient(P);
+  double residual = 0.;
+  double size_of_P = 0.;
+  double size_of_F = 0.;
+  for (unsigned int i = 0; i < size(); ++i)
+  {
+    const double r = P[i] - std::min(bound[i], P[i] - W[i] / C(i, i));
+    residual += r * r;
+    size_of_P += P[i] * P[i];
+    size_of_F += F[i] * F[i] / (C(i, i) * C(i, i));
+  }
+  const double scale = std::max(size_of_P, size_of_F);
+  return scale > 0. ? std::sqrt(residual / scale) : std::sqrt(residual);
+}
+} // namespace Signorini

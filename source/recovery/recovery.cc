@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// U = A^{-1}(D P + f), (23).
+
+#include <signorini/recovery/recovery.h>
+
+namespace Signorini
+{
+template <int dim>
+NodalVector recover_displacement(const StiffnessInverse &inverse,
+                                 const DisplacementSpace<dim> &space,
+                                 const Coupling &condensed_D,
+                                 const dealii::Vector<double> &P,
+                                 const DistributedVector &f)
+{
+  DistributedVector DP_plus_f(f);
+  condensed_D.add_product(P, DP_plus_f);
+  DP_plus_f.compress(dealii::VectorOperation::add);
+  DistributedVector U = space.make_vector();
+  inverse.solve(U, DP_plus_f);
+  return space.complete(U);
+}
+
+template NodalVector recover_displacement(const StiffnessInverse &,
+                                          const DisplacementSpace<2> &,
+                                          const Coupling &,
+                                          const dealii::Vector<double> &,
+                                          const DistributedVector &);
+} // namespace Signorini

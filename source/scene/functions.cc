@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Expressions as deal.II functions.
+
+#include <signorini/scene/functions.h>
+
+namespace Signorini
+{
+template <int dim>
+ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values,
+                                            std::vector<Expression<dim>> gradients,
+                                            const double h)
+  : dealii::AutoDerivativeFunction<dim>(h, values.size())
+  , values_(std::move(values))
+  , gradients_(std::move(gradients))
+{
+  Assert(gradients_.empty() || gradients_.size() == dim * values_.size(),
+         dealii::ExcDimensionMismatch(gradients_.size(), dim * values_.size()));
+  this->set_formula(dealii::AutoDerivativeFunction<dim>::FourthOrder);
+}
+
+template <int dim>
+double ExpressionFunction<dim>::value(const dealii::Point<dim> &x,
+                                      const unsigned int component) const
+{
+  return values_[component](x);
+}
+
+template <int dim>
+void ExpressionFunction<dim>::vector_value(const dealii::Point<dim> &x,
+                                           dealii::Vector<double> &values) const
+{
+  for (unsigned int c = 0; c < values_.size(); ++c)
+    values[c] = values_[c](x);
+}
+
+template <int dim>
+dealii::Tensor<1, dim> ExpressionFunction<dim>::gradient(const dealii::Point<dim> &x,
+                                                         const unsigned int component) const
+{
+  if (gradients_.empty())
+    return dealii::AutoDerivativeFunction<dim>::gradient(x, component);
+  dealii::Tensor<1, dim> gradient;
+  for (unsigned int d = 0; d < dim; ++d)
+    gradient[d] = gradients_[dim * component + d](x);
+  return gradient;
+}
+
+template class ExpressionFunction<2>;
+} // namespace Signorini

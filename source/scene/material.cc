@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// E_ijkl: isotropic, orthotropic and general, by expressions.
+
+#include <signorini/parameters/exceptions.h>
+#include <signorini/scene/material.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/physics/elasticity/standard_tensors.h>
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+template <int dim>
+[[noreturn]] void refuse_value(const std::string &where,
+                               const dealii::Point<dim> &x,
+                               const std::string &found,
+                               const std::string &allowed)
+{
+  std::ostringstream message;
+  message << where << ": found " << found << " at (" << x << "), allowed: " << allowed << ".";
+  throw InputError(message.str());
+}
+
+template <int dim>
+class Isotropic : public Material<dim>
+{
+public:
+  Isotropic(const Expression<dim> &youngs_modulus,
+            const Expression<dim> &poissons_ratio,
+            const PlaneState plane_state)
+    : youngs_modulus_(youngs_modulus)
+    , poissons_ratio_(poissons_ratio)
+    , plane_state_(plane_state)
+  {
+  }
+
+  dealii::SymmetricTensor<4, dim> hooke(const dealii::Point<dim> &x) const override
+  {
+    const Lame lame = lame_constants(x);
+    using Tensors = dealii::Physics::Elasticity::StandardTensors<dim>;
+    return lame.lambda * Tensors::IxI + 2. * lame.mu * Tensors::S;
+  }
+
+  bool is_constant() const override
+  {
+    return youngs_modulus_.is_constant() && poissons_ratio_.is_constant();
+  }
+
+  double out_of_plane_stress(const dealii::Point<dim> &x,
+                             const dealii::SymmetricTensor<2, dim> &strain) const override
+  {
+    return dim == 2 && plane_state_ == PlaneState::strain ? lame_constants(x).lambda * trace(strain)
+                                                          : 0.;
+  }
+
+private:
+  struct Lame
+  {
+    double lambda;
+    double mu;
+  };
+
+  Lame lame_constants(const dealii::Point<dim> &x) const
+  {
+    const double E = youngs_modulus_(x);
+    const double nu = poissons_ratio_(x);
+    if (!(E > 0. && std::isfinite(E)))
+      refuse_value(youngs_modulus_.where(), x, std::to_string(E), "a positive number everywhere");
+    if (!(nu > -1. && nu < 0.5))
+      refuse_value(poissons_ratio_.where(),
+                   x,
+                   std::to_string(nu),
+                   "a number between -1 and 0.5 (both excluded) everywhere");
+    const double mu = E / (2. * (1. + nu));
+    const bool plane_stress = dim == 2 && plane_state_ == PlaneState::stress;
+    const double lambda =
+      plane_stress ? E * nu / (1. - nu * nu) : E * nu / ((1. + nu) * (1. - 2. * nu));
+    return {lambda, mu};
+  }
+
+  Expression<dim> youngs_modulus_;
+  Expression<dim> poissons_ratio_;
+  PlaneState plane_state_;
+};
+
+/** C11, C12, C13, C22, C23, C33. */
+using VoigtMatrix = std::array<double, 6>;
+
+dealii::SymmetricTensor<4, 2> to_tensor(const VoigtMatrix &C)
+{
+  dealii::SymmetricTensor<4, 2> E;
+  E[0][0][0][0] = C[0];
+  E[0][0][1][1] = E[1][1][0][0] = C[1];
+  E[0][0][0][1] = E[0][1][0][0] = C[2];
+  E[1][1][1][1] = C[3];
+  E[1][1][0][1] = E[0][1][1][1] = C[4];
+  E[0][1][0][1] = C[5];
+  return E;
+}
+
+/** Sylvester's criterion. */
+bool is_positive_definite(const VoigtMatrix &C)
+{
+  const double minor = C[0] * C[3] - C[1] * C[1];
+  const double determinant = C[0] * (C[3] * C[5] - C[4] * C[4]) -
+                             C[1] * (C[1] * C[5] - C[4] * C[2]) + C[2] * (C[1] * C[4] - C[3] * C[2]);
+  return C[0] > 0. && minor > 0. && determinant > 0. && std::isfinite(determinant);
+}
+
+/** Moduli of an orthotropic material seen from axes turned by -angle. */
+VoigtMatrix rotate(const std::array<double, 4> &Q, const double angle)
+{
+  const double Q11 = Q[0], Q22 = Q[1], Q12 = Q[2], Q66 = Q[3];
+  const double c = std::cos(angle), s = std::sin(angle);
+  const double c2 = c * c, s2 = s * s, mixed = Q12 + 2. * Q66;
+  return {Q11 * c2 * c2 + 2. * mixed * s2 * c2 + Q22 * s2 * s2,
+          (Q11 + Q22 - 4. * Q66) * s2 * c2 + Q12 * (s2 * s2 + c2 * c2),
+          (Q11 - mixed) * s * c2 * c + (mixed - Q22) * s2 * s * c,
+          Q11 * s2 * s2 + 2. * mixed * s2 * c2 + Q22 * c2 * c2,
+          (Q11 - mixed) * s2 * s * c + (mixed - Q22) * s * c2 * c,
+          (Q11 + Q22 - 2. * Q12 - 2. * Q66) * s2 * c2 + Q66 * (s2 * s2 + c2 * c2)};
+}
+
+/** A law given by expressions for its Voigt matrix, or for moduli to be rotated into it. */
+class Anisotropic : public Material<2>
+{
+public:
+  Anisotropic(const std::vector<Expression<2>> &entries, const double degrees)
+    : entries_(entries)
+    , angle_(degrees * dealii::numbers::PI / 180.)
+  {
+  }
+
+  dealii::SymmetricTensor<4, 2> hooke(const dealii::Point<2> &x) const override
+  {
+    const VoigtMatrix C = voigt(x);
+    if (!is_positive_definite(C))
+      refuse_value(entries_[0].where(), x, "a tensor that is not positive definite", "a positive definite one");
+    return to_tensor(C);
+  }
+
+  bool is_constant() const override
+  {
+    for (const Expression<2> &entry : entries_)
+      if (!entry.is_constant())
+        return false;
+    return true;
+  }
+
+  double out_of_plane_stress(const dealii::Point<2> &,
+                             const dealii::SymmetricTensor<2, 2> &) const override
+  {
+    return 0.;
+  }
+
+private:
+  VoigtMatrix voigt(const dealii::Point<2> &x) const
+  {
+    const auto &e = entries_;
+    if (e.size() == 4)
+      return rotate({e[0](x), e[1](x), e[2](x), e[3](x)}, angle_);
+    return {e[0](x), e[1](x), e[2](x), e[3](x), e[4](x), e[5](x)};
+  }
+
+  std::vector<Expression<2>> entries_;
+  double angle_;
+};
+} // namespace
+
+template <int dim>
+std::shared_ptr<const Material<dim>> make_isotropic(const Expression<dim> &youngs_modulus,
+                                                    const Expression<dim> &poissons_ratio,
+                                                    const PlaneState plane_state)
+{
+  return std::make_shared<Isotropic<dim>>(youngs_modulus, poissons_ratio, plane_state);
+}
+
+std::shared_ptr<const Material<2>> make_general(const std::vector<Expression<2>> &entries)
+{
+  AssertDimension(entries.size(), 6);
+  return std::make_shared<Anisotropic>(entries, 0.);
+}
+
+std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression<2>> &moduli,
+                                                    const double degrees)
+{
+  AssertDimension(moduli.size(), 4);
+  return std::make_shared<Anisotropic>(moduli, degrees);
+}
+
+template std::shared_ptr<const Material<2>>
+make_isotropic(const Expression<2> &, const Expression<2> &, PlaneState);
+} // namespace Signorini

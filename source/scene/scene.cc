@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Problem (1) from the parameters: out of the catalogue, or described by expressions.
+
+#include <signorini/parameters/exceptions.h>
+#include <signorini/parameters/lists.h>
+#include <signorini/scene/catalogue.h>
+#include <signorini/scene/described.h>
+#include <signorini/scene/rigid_motions.h>
+#include <signorini/scene/scene.h>
+
+namespace Signorini
+{
+namespace
+{
+/** A catalogue scene fixes these subsections; its entries must stay at their defaults. */
+void refuse_description(const Parameters &parameters)
+{
+  for (const char *section : {"Constants/",
+                              "Geometry/",
+                              "Material/",
+                              "Boundary/",
+                              "Load/",
+                              "Contact/",
+                              "Exact solution/"})
+    for (const std::string &path : parameters.changes)
+      if (path.rfind(section, 0) == 0)
+        throw InputError(parameters.where(path) + ": the catalogue scene '" +
+                         parameters.scene.name +
+                         "' fixes this entry; leave it out, or set Scene/Name = described.");
+}
+
+void refuse_free_motions(const Scene<2> &scene, const Parameters &parameters)
+{
+  std::vector<std::string> names;
+  for (const RigidMotion &motion : free_rigid_motions(scene))
+    names.push_back(motion.name);
+  if (!names.empty())
+    throw InputError(parameters.file_name + ": Boundary: the clamped, prescribed and roller sides "
+                                            "leave " +
+                     join(names, " and ") +
+                     " of the body free (the stiffness matrix is singular); hold the body with "
+                     "Clamped, Displacement or Rollers.");
+}
+} // namespace
+
+template <int dim>
+std::vector<unsigned int> Scene<dim>::contact_sides() const
+{
+  std::vector<unsigned int> numbers;
+  for (unsigned int i = 0; i < boundary.size(); ++i)
+    if (boundary[i].role == Role::contact)
+      numbers.push_back(i);
+  return numbers;
+}
+
+template <int dim>
+bool Scene<dim>::has_exact_pressure() const
+{
+  for (const unsigned int i : contact_sides())
+    if (boundary[i].exact_pressure == nullptr)
+      return false;
+  return true;
+}
+
+Scene<2> make_scene(const Parameters &parameters)
+{
+  const std::string &name = parameters.scene.name;
+  Scene<2> scene;
+  if (name == "described")
+    scene = make_described_scene(parameters);
+  else
+  {
+    std::vector<std::string> names = {"described"};
+    const CatalogueEntry *found = nullptr;
+    for (const CatalogueEntry &entry : catalogue())
+    {
+      names.push_back(entry.name);
+      if (entry.name == name)
+        found = &entry;
+    }
+    if (found == nullptr)
+      throw InputError(parameters.where("Scene/Name") + ": found '" + name +
+                       "', allowed: " + join(names) + ".");
+    refuse_description(parameters);
+    scene = found->make();
+    scene.name = found->name;
+    scene.title = found->title;
+  }
+  refuse_free_motions(scene, parameters);
+  const DiscretizationParameters &discretization = parameters.discretization;
+  scene.kinks[0].insert(scene.kinks[0].end(),
+                        discretization.kinks_at_x.begin(),
+                        discretization.kinks_at_x.end());
+  scene.kinks[1].insert(scene.kinks[1].end(),
+                        discretization.kinks_at_y.begin(),
+                        discretization.kinks_at_y.end());
+  return scene;
+}
+
+template struct Scene<2>;
+} // namespace Signorini

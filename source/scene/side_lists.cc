@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Lists by boundary name: entries separated by '|', the name before the first ':'.
+
+#include "side_lists.h"
+
+#include <signorini/parameters/exceptions.h>
+#include <signorini/parameters/lists.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace Signorini
+{
+namespace
+{
+bool contains(const std::vector<std::string> &names, const std::string &name)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/** Expressions may hold a ':' of their own (c ? a : b); a name is a single word before it. */
+bool looks_like_a_name(const std::string &text)
+{
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](const unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-';
+  });
+}
+} // namespace
+
+SideTexts read_side_list(const std::string &text,
+                         const std::string &where,
+                         const std::vector<std::string> &sides)
+{
+  SideTexts entries;
+  for (const std::string &part : split_list(text, '|'))
+  {
+    const auto colon = part.find(':');
+    const std::string name = trim(part.substr(0, colon));
+    if (colon == std::string::npos || !contains(sides, name))
+      throw InputError(where + ": found '" + part + "', allowed: a side (" + join(sides) +
+                       "), ':' and its value.");
+    entries.emplace_back(name, trim(part.substr(colon + 1)));
+  }
+  return entries;
+}
+
+SideTexts read_contact_list(const std::string &text,
+                            const std::string &where,
+                            const std::vector<std::string> &sides,
+                            const std::vector<std::string> &contact_sides)
+{
+  const std::string first = trim(text.substr(0, text.find(':')));
+  SideTexts entries;
+  if (text.find(':') == std::string::npos || !looks_like_a_name(first))
+  {
+    for (const std::string &side : contact_sides)
+      entries.emplace_back(side, trim(text));
+    return entries;
+  }
+  for (const auto &entry : read_side_list(text, where, sides))
+  {
+    const bool repeated = std::any_of(
+      entries.begin(), entries.end(), [&](const auto &other) { return other.first == entry.first; });
+    if (repeated || !contains(contact_sides, entry.first))
+      throw InputError(where + ": found an entry for '" + entry.first +
+                       "', allowed: one for each contact side (" + join(contact_sides) + ").");
+    entries.push_back(entry);
+  }
+  for (const std::string &side : contact_sides)
+    if (std::none_of(entries.begin(), entries.end(), [&](const auto &entry) {
+          return entry.first == side;
+        }))
+      throw InputError(where + ": found no entry for the contact side '" + side +
+                       "', allowed: one for each contact side.");
+  return entries;
+}
+} // namespace Signorini

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A^{-1} by the sparse direct solvers of Trilinos (Amesos).
+
+#include <signorini/parameters/exceptions.h>
+#include <signorini/stiffness_inverse/stiffness_inverse.h>
+
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/trilinos_solver.h>
+
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+/** Residuals above this are refined once, and refused if they stay above the next. */
+constexpr double refine_above = 1e-12;
+constexpr double refuse_above = 1e-8;
+
+/** KLU (on one rank) or MUMPS (distributed), through Amesos. */
+class AmesosInverse : public StiffnessInverse
+{
+public:
+  AmesosInverse(const dealii::TrilinosWrappers::SparseMatrix &A, const std::string &type)
+    : StiffnessInverse(A)
+    , solver_(control_, dealii::TrilinosWrappers::SolverDirect::AdditionalData(false, type))
+  {
+    try
+    {
+      solver_.initialize(A);
+    }
+    catch (const dealii::ExceptionBase &)
+    {
+      throw ComputationError("The factorisation of the stiffness matrix by " + type +
+                             " failed: the matrix is singular, or memory ran out.");
+    }
+  }
+
+private:
+  void apply(Vector &x, const Vector &b) const override
+  {
+    solver_.solve(x, b);
+  }
+
+  mutable dealii::SolverControl control_;
+  mutable dealii::TrilinosWrappers::SolverDirect solver_;
+};
+} // namespace
+
+void StiffnessInverse::solve(Vector &x, const Vector &b) const
+{
+  ++n_solves_;
+  const double size = b.l2_norm();
+  apply(x, b);
+  Vector r(b);
+  const auto relative_residual = [&]() {
+    return size > 0. ? A_.residual(r, x, b) / size : 0.;
+  };
+  double residual = relative_residual();
+  if (!(residual < refine_above))
+  {
+    Vector correction(b);
+    apply(correction, r);
+    x += correction;
+    residual = relative_residual();
+  }
+  largest_residual_ = std::max(largest_residual_, residual);
+  if (!(residual < refuse_above))
+  {
+    std::ostringstream message;
+    message << "A linear solve left the residual |b - A x| = " << residual
+            << " |b|, more than 1e-8: the stiffness matrix is singular or too ill-conditioned.";
+    throw ComputationError(message.str());
+  }
+}
+
+std::unique_ptr<StiffnessInverse> factorise(const dealii::TrilinosWrappers::SparseMatrix &A,
+                                            const std::string &name)
+{
+  // MUMPS is the faster one from a few thousand unknowns on, and the only one that works on
+  // several ranks at once.
+  const bool klu = name == "amesos_klu";
+  return std::make_unique<AmesosInverse>(A, klu ? "Amesos_Klu" : "Amesos_Mumps");
+}
+} // namespace Signorini
