@@ -34,7 +34,7 @@ public:
   }
 
   /** Adds to @p vector and to the resultant. */
-  void add(const typename CellValues<dim>::CellIterator &cell, dealii::Vector<double> &vector)
+  void add(const typename FaceValues<dim>::CellIterator &cell, dealii::Vector<double> &vector)
   {
     if (scene_.body_force != nullptr)
       add_force(cell_values_.reinit(cell), *scene_.body_force, "Load/Body force", vector);

@@ -18,8 +18,6 @@ template <int dim>
 class CellValues
 {
 public:
-  using CellIterator = typename dealii::Triangulation<dim>::active_cell_iterator;
-
   CellValues(const dealii::Mapping<dim> &mapping,
              const dealii::FiniteElement<dim> &element,
              const Kinks<dim> &kinks,
@@ -31,6 +29,8 @@ public:
   {
   }
 
+  /** @param cell of the mesh, or of a DoFHandler where functions shall be evaluated. */
+  template <typename CellIterator>
   const dealii::FEValues<dim> &reinit(const CellIterator &cell)
   {
     dealii::FEValues<dim> *values = &plain_;

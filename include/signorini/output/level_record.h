@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/postprocess/certificate.h>
+
+#include <optional>
+
+namespace Signorini
+{
+/** Wall seconds of the stages of one level. */
+struct StageTimes
+{
+  double mesh = 0.;
+  double setup = 0.;
+  double assembly = 0.;
+  double factor = 0.;
+  double compliance = 0.;
+  double qp = 0.;
+  double recovery = 0.;
+  double postprocess = 0.;
+  double errors = 0.;
+  double output = 0.;
+
+  double total() const
+  {
+    return mesh + setup + assembly + factor + compliance + qp + recovery + postprocess + errors +
+           output;
+  }
+};
+
+/** One row of convergence.csv; what is not known or not asked for in a scene is empty. */
+struct LevelRecord
+{
+  unsigned int level = 0;
+  unsigned long long cells = 0;
+  unsigned long long dofs = 0;
+  unsigned int multipliers = 0;
+  /** h and H: longest edge, longest patch (length). */
+  double h = 0.;
+  double H = 0.;
+  unsigned int active = 0;
+  unsigned int qp_iterations = 0;
+  /** Projected SOR: the sweep at which the increment alone was small enough. */
+  std::optional<unsigned int> increment_iterations;
+  double kkt = 0.;
+  bool converged = true;
+  /** Whether a patch is no longer than a face (H = h). */
+  bool unstable = false;
+  std::optional<double> inf_sup;
+  double contact_force = 0.;
+  double max_pressure = 0.;
+  double contact_length = 0.;
+
+  std::optional<double> u_h1, u_l2, u_superclose_h1, u_post_h1;
+  std::optional<double> p_l2, p_post_l2;
+  std::optional<double> estimated_h1, estimated_relative;
+
+  Certificate certificate;
+  StageTimes times;
+  /** CPU seconds of the process so far, and its peak memory so far. */
+  double cpu_total = 0.;
+  double peak_memory_mb = 0.;
+
+  /** estimated_h1 / u_h1. */
+  std::optional<double> effectivity() const;
+  /** Whether the dual problem and the certificate are within @p tolerance. */
+  bool is_certified(double tolerance) const;
+};
+
+/** The bound on the certificate's residuals that belongs to a tolerance of the dual problem. */
+double certificate_bound(double tolerance);
+} // namespace Signorini

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// signorini [options] SCENE.prm
+
+#include "command_line.h"
+
+#include <signorini/parameters/exceptions.h>
+#include <signorini/parameters/parameters.h>
+#include <signorini/scene/catalogue.h>
+
+#include <deal.II/base/config.h>
+
+#include <boost/program_options.hpp>
+
+#include <Trilinos_version.h>
+
+#include <dlfcn.h>
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+namespace po = boost::program_options;
+
+/** The library that the BLAS calls end in: which one it is decides the speed. */
+std::string blas_in_use()
+{
+  if (void *const symbol = dlsym(RTLD_DEFAULT, "openblas_get_config"))
+  {
+    const auto get_config = reinterpret_cast<char *(*)()>(symbol);
+    return get_config();
+  }
+  Dl_info info = {};
+  void *const dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
+  const bool known = dgemm != nullptr && dladdr(dgemm, &info) != 0;
+  return std::string(known ? info.dli_fname : "unknown") +
+         " (the package libopenblas0-pthread is several times faster)";
+}
+
+std::string version_text()
+{
+  std::ostringstream text;
+  text << "signorini " << SIGNORINI_VERSION << "\n"
+       << "deal.II   " << DEAL_II_PACKAGE_VERSION << "\n"
+       << "Trilinos  " << TRILINOS_VERSION_STRING << "\n"
+       << "BLAS      " << blas_in_use() << "\n";
+  return text.str();
+}
+
+std::string help_text(const po::options_description &options)
+{
+  std::ostringstream text;
+  text << "Solves the Signorini problem: an elastic body pressed without friction against a rigid "
+          "foundation.\n\n"
+       << "usage: signorini [options] SCENE.prm\n\n"
+       << options
+       << "\nExit codes: 0 solved and certified; 1 the input is wrong; 2 not converged or not "
+          "certified (results are\nwritten and marked); 3 anything else.\n";
+  return text.str();
+}
+
+po::options_description describe_options()
+{
+  po::options_description options("options");
+  options.add_options()                                                               //
+    ("set",
+     po::value<std::vector<std::string>>()->value_name("'Subsection/Parameter=value'"),
+     "override a parameter, may be repeated")                                         //
+    ("output",
+     po::value<std::string>()->value_name("DIR"),
+     "where results go (default: results/<name of the .prm file>)")                   //
+    ("list-scenes", "the scenes known by name")                                       //
+    ("print-parameters", "every parameter with default, allowed values and meaning")  //
+    ("version", "versions of the program, deal.II, Trilinos and the BLAS in use")     //
+    ("help", "this text");
+  return options;
+}
+
+po::variables_map parse(const int argc, char **argv, const po::options_description &visible)
+{
+  po::options_description all;
+  all.add(visible).add_options()("scene", po::value<std::vector<std::string>>());
+  po::positional_options_description positional;
+  positional.add("scene", -1);
+  po::variables_map values;
+  // Guessing abbreviations would make new options break old command lines.
+  const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+  try
+  {
+    po::store(
+      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+      values);
+  }
+  catch (const po::error &error)
+  {
+    throw InputError(std::string("command line: ") + error.what() +
+                     "; --help lists what is allowed.");
+  }
+  return values;
+}
+} // namespace
+
+CommandLine read_command_line(const int argc, char **argv)
+{
+  const po::options_description options = describe_options();
+  const po::variables_map values = parse(argc, argv, options);
+  CommandLine command_line;
+  if (values.count("help") > 0)
+    command_line.text = help_text(options);
+  else if (values.count("version") > 0)
+    command_line.text = version_text();
+  else if (values.count("list-scenes") > 0)
+    command_line.text = describe_catalogue();
+  else if (values.count("print-parameters") > 0)
+    command_line.text = describe_parameters();
+  if (!command_line.text.empty())
+    return command_line;
+
+  if (values.count("scene") == 0)
+    throw InputError("command line: no parameter file is given, allowed: signorini [options] "
+                     "SCENE.prm (see --help).");
+  const auto files = values["scene"].as<std::vector<std::string>>();
+  if (files.size() > 1)
+    throw InputError("command line: found two parameter files, '" + files[0] + "' and '" +
+                     files[1] + "', allowed: one.");
+  command_line.parameter_file = files[0];
+  if (values.count("set") > 0)
+    command_line.overrides = values["set"].as<std::vector<std::string>>();
+  command_line.output = values.count("output") > 0
+                          ? std::filesystem::path(values["output"].as<std::string>())
+                          : "results" / std::filesystem::path(files[0]).stem();
+  if (command_line.output.empty())
+    throw InputError("--output: found '', allowed: the name of a directory.");
+  return command_line;
+}
+} // namespace Signorini

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// From the command line to an exit code: 0 certified, 1 wrong input, 2 not certified, 3 other.
+
+#include "command_line.h"
+
+#include <signorini/output/files.h>
+#include <signorini/parameters/agreement.h>
+#include <signorini/parameters/exceptions.h>
+#include <signorini/study/study.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
+#include <new>
+
+#include <unistd.h>
+
+namespace
+{
+using namespace Signorini;
+
+/** One line on a terminal that is overwritten; nothing in a log. */
+void show_progress(const std::string &text)
+{
+  static const std::string erase_line = "\r\033[K";
+  std::cerr << erase_line << text << std::flush;
+}
+
+int run(const CommandLine &command_line, MPI_Comm communicator)
+{
+  const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  const Parameters parameters =
+    read_parameters(command_line.parameter_file, command_line.overrides);
+  const Scene<2> scene = make_scene(parameters);
+  const std::filesystem::path &directory = command_line.output;
+  bool made_directory = false;
+  agree(communicator, [&]() {
+    made_directory = first_rank && !std::filesystem::exists(directory);
+    if (first_rank)
+      prepare_directory(directory);
+  });
+
+  std::ostream silence(nullptr);
+  const bool on_terminal = first_rank && isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+  const StudyReport report = {first_rank ? std::cout : silence,
+                              directory,
+                              on_terminal ? Progress(show_progress) : [](const std::string &) {}};
+  try
+  {
+    const StudyResult result = run_study(parameters, scene, communicator, report);
+    if (first_rank && !result.failure.empty())
+      std::cerr << "signorini: " << result.failure << std::endl;
+    return result.certified ? 0 : 2;
+  }
+  catch (const InputError &)
+  {
+    // Wrong input leaves nothing behind.
+    if (made_directory)
+      remove_if_unused(directory);
+    throw;
+  }
+}
+
+/** One line, from one rank. */
+void complain(const std::string &sentence)
+{
+  int initialized = 0;
+  MPI_Initialized(&initialized);
+  if (initialized == 0 || dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::cerr << "signorini: " << sentence << std::endl;
+}
+
+/** Ranks that failed alone must not leave the others waiting. */
+int leave_all_ranks(const int code)
+{
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    MPI_Abort(MPI_COMM_WORLD, code);
+  return code;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  try
+  {
+    const CommandLine command_line = read_command_line(argc, argv);
+    if (!command_line.text.empty())
+    {
+      std::cout << command_line.text;
+      return 0;
+    }
+    const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    try
+    {
+      return run(command_line, MPI_COMM_WORLD);
+    }
+    // Every rank reads the same input and meets the same InputError; see agree() for the rest.
+    catch (const InputError &error)
+    {
+      complain(error.what());
+      return 1;
+    }
+    catch (const ComputationError &error)
+    {
+      complain(error.what());
+      return 2;
+    }
+    catch (const std::bad_alloc &)
+    {
+      complain("there is not enough memory for this computation.");
+      return leave_all_ranks(3);
+    }
+    catch (const std::exception &error)
+    {
+      complain(std::string("an unexpected error occurred: ") + error.what());
+      return leave_all_ranks(3);
+    }
+  }
+  catch (const InputError &error)
+  {
+    complain(error.what());
+    return 1;
+  }
+}

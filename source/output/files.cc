@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Files appear complete or not at all.
+
+#include <signorini/output/files.h>
+#include <signorini/parameters/exceptions.h>
+
+#include <fstream>
+
+namespace Signorini
+{
+namespace
+{
+/** The name under which a file is written until it is complete. */
+std::filesystem::path temporary_name(const std::filesystem::path &path)
+{
+  return path.parent_path() / ("." + path.filename().string() + ".part");
+}
+
+/** Writes and flushes; returns whether every byte was taken. */
+bool try_to_write(const std::filesystem::path &path,
+                  const std::function<void(std::ostream &)> &write)
+{
+  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  if (!file)
+    return false;
+  write(file);
+  file.close();
+  return !file.fail();
+}
+} // namespace
+
+void prepare_directory(const std::filesystem::path &directory)
+{
+  std::error_code error;
+  const bool existed = std::filesystem::exists(directory, error);
+  std::filesystem::create_directories(directory, error);
+  const std::filesystem::path trial = temporary_name(directory / "trial");
+  const bool writable =
+    !error && try_to_write(trial, [](std::ostream &stream) { stream << "trial\n"; });
+  std::error_code ignored;
+  std::filesystem::remove(trial, ignored);
+  if (writable)
+    return;
+  if (!existed)
+    std::filesystem::remove(directory, ignored);
+  throw InputError("--output: found '" + directory.string() +
+                   "', allowed: a directory that can be made and written to.");
+}
+
+void remove_if_unused(const std::filesystem::path &directory)
+{
+  std::error_code ignored;
+  for (const auto &entry : std::filesystem::directory_iterator(directory, ignored))
+    if (entry.path().filename() != "parameters.prm")
+      return;
+  std::filesystem::remove(directory / "parameters.prm", ignored);
+  std::filesystem::remove(directory, ignored);
+}
+
+void write_file(const std::filesystem::path &path,
+                const std::function<void(std::ostream &)> &write)
+{
+  const std::filesystem::path temporary = temporary_name(path);
+  std::error_code error;
+  if (try_to_write(temporary, write))
+  {
+    std::filesystem::rename(temporary, path, error);
+    if (!error)
+      return;
+  }
+  std::filesystem::remove(temporary, error);
+  throw ComputationError("The file '" + path.string() +
+                         "' could not be written: the disk is full, or the directory has been "
+                         "removed or write-protected.");
+}
+} // namespace Signorini

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The body for ParaView: displacement, its recovery, stresses.
+
+#include <signorini/output/files.h>
+#include <signorini/output/solution_vtu.h>
+#include <signorini/postprocess/patch_interpolation.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/numerics/data_out.h>
+
+#include <cmath>
+#include <optional>
+
+namespace Signorini
+{
+namespace
+{
+/** sigma = E : eps(u) and the von Mises stress at the output points. */
+template <int dim>
+class StressPostprocessor : public dealii::DataPostprocessor<dim>
+{
+public:
+  explicit StressPostprocessor(const Material<dim> &material) : material_(material)
+  {
+  }
+
+  std::vector<std::string> get_names() const override
+  {
+    std::vector<std::string> names(dim * dim, "stress");
+    names.emplace_back("von_mises_stress");
+    return names;
+  }
+
+  std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation>
+  get_data_component_interpretation() const override
+  {
+    using namespace dealii::DataComponentInterpretation;
+    std::vector<DataComponentInterpretation> interpretation(dim * dim, component_is_part_of_tensor);
+    interpretation.push_back(component_is_scalar);
+    return interpretation;
+  }
+
+  dealii::UpdateFlags get_needed_update_flags() const override
+  {
+    return dealii::update_gradients | dealii::update_quadrature_points;
+  }
+
+  void
+  evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<dim> &inputs,
+                        std::vector<dealii::Vector<double>> &computed) const override
+  {
+    for (unsigned int q = 0; q < computed.size(); ++q)
+    {
+      dealii::Tensor<2, dim> gradient;
+      for (unsigned int i = 0; i < dim; ++i)
+        gradient[i] = inputs.solution_gradients[q][i];
+      const dealii::SymmetricTensor<2, dim> strain = symmetrize(gradient);
+      const dealii::Point<dim> &x = inputs.evaluation_points[q];
+      const dealii::SymmetricTensor<2, dim> stress = material_.hooke(x) * strain;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          computed[q][dim * i + j] = stress[i][j];
+      computed[q][dim * dim] = von_mises(stress, material_.out_of_plane_stress(x, strain));
+    }
+  }
+
+private:
+  /** sqrt(3/2 s:s), s the deviator of the stress in space. */
+  static double von_mises(const dealii::SymmetricTensor<2, dim> &stress, const double out_of_plane)
+  {
+    const double mean = (trace(stress) + (dim == 2 ? out_of_plane : 0.)) / 3.;
+    double sum = dim == 2 ? (out_of_plane - mean) * (out_of_plane - mean) : 0.;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j < dim; ++j)
+        sum += std::pow(stress[i][j] - (i == j ? mean : 0.), 2);
+    return std::sqrt(1.5 * sum);
+  }
+
+  const Material<dim> &material_;
+};
+
+/** pi^{2h} u_h as a function of degree two on T^h, for output only. */
+template <int dim>
+struct RecoveredField
+{
+  RecoveredField(const DisplacementSpace<dim> &space, const NodalVector &U)
+    : element(dealii::FE_Q<dim>(2), dim)
+    , dofs(space.mesh().triangulation())
+  {
+    dofs.distribute_dofs(element);
+    values.reinit(dofs.n_dofs());
+    const dealii::Quadrature<dim> nodes(element.base_element(0).get_unit_support_points());
+    dealii::FEValues<dim> at_nodes(
+      space.mesh().mapping(), space.element(), nodes, dealii::update_inverse_jacobians);
+    PatchInterpolation<dim> interpolation(space);
+    dealii::Vector<double> cell_values(element.n_dofs_per_cell());
+    auto cell = dofs.begin_active();
+    for (const auto &q1_cell : space.dofs().active_cell_iterators())
+    {
+      at_nodes.reinit(q1_cell);
+      const FieldValues<dim> &recovered = interpolation.evaluate(U, q1_cell, at_nodes);
+      for (unsigned int i = 0; i < cell_values.size(); ++i)
+      {
+        const auto component_and_node = element.system_to_component_index(i);
+        cell_values[i] = recovered.values[component_and_node.second][component_and_node.first];
+      }
+      cell->set_dof_values(cell_values, values);
+      ++cell;
+    }
+  }
+
+  dealii::FESystem<dim> element;
+  dealii::DoFHandler<dim> dofs;
+  NodalVector values;
+};
+
+/** On one rank through a temporary file; on several, all write into one. */
+template <int dim>
+void write_patches(const std::filesystem::path &path,
+                   const dealii::DataOut<dim> &data_out,
+                   MPI_Comm communicator)
+{
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+  {
+    write_file(path, [&](std::ostream &stream) { data_out.write_vtu(stream); });
+    return;
+  }
+  const std::filesystem::path temporary = path.string() + ".part";
+  data_out.write_vtu_in_parallel(temporary.string(), communicator);
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    std::filesystem::rename(temporary, path);
+}
+} // namespace
+
+template <int dim>
+void write_solution_vtu(const std::filesystem::path &path,
+                        const DisplacementSpace<dim> &space,
+                        const Scene<dim> &scene,
+                        const NodalVector &U)
+{
+  using namespace dealii::DataComponentInterpretation;
+  const std::vector<DataComponentInterpretation> vector(dim, component_is_part_of_vector);
+  const StressPostprocessor<dim> stress(*scene.material);
+  dealii::DataOut<dim> data_out;
+  data_out.set_flags(dealii::DataOutBase::VtkFlags(
+    space.mesh().level(), space.mesh().level(), false, dealii::DataOutBase::VtkFlags::best_speed));
+  data_out.add_data_vector(
+    space.dofs(), U, std::vector<std::string>(dim, "displacement"), vector);
+  std::optional<RecoveredField<dim>> recovered;
+  if (space.mesh().has_parents())
+  {
+    recovered.emplace(space, U);
+    data_out.add_data_vector(recovered->dofs,
+                             recovered->values,
+                             std::vector<std::string>(dim, "recovered_displacement"),
+                             vector);
+    data_out.add_data_vector(recovered->dofs, recovered->values, stress);
+  }
+  else
+    data_out.add_data_vector(space.dofs(), U, stress);
+  data_out.build_patches(space.mesh().mapping(), space.mesh().has_parents() ? 2 : 1);
+  write_patches(path, data_out, space.mesh().communicator());
+}
+
+void write_pvd(const std::filesystem::path &path,
+               const std::vector<std::pair<double, std::string>> &files)
+{
+  write_file(path, [&](std::ostream &stream) {
+    dealii::DataOutBase::write_pvd_record(stream, files);
+  });
+}
+
+template void write_solution_vtu(const std::filesystem::path &,
+                                 const DisplacementSpace<2> &,
+                                 const Scene<2> &,
+                                 const NodalVector &);
+} // namespace Signorini

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// One level, from the mesh to the certified answer.
+
+#include <signorini/compliance/compliance.h>
+#include <signorini/errors/displacement_errors.h>
+#include <signorini/errors/pressure_errors.h>
+#include <signorini/parameters/exceptions.h>
+#include <signorini/postprocess/contact_pressure.h>
+#include <signorini/postprocess/error_estimate.h>
+#include <signorini/qp/active_set.h>
+#include <signorini/qp/psor.h>
+#include <signorini/recovery/recovery.h>
+#include <signorini/study/level.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+namespace
+{
+template <int dim>
+MultiplierSpace<dim> make_multiplier_space(const DiscretizationParameters &parameters,
+                                           const Scene<dim> &scene,
+                                           const Mesh<dim> &mesh)
+{
+  std::vector<ContactFace<dim>> faces = find_contact_faces(mesh, scene);
+  ContactPartition partition = parameters.patches > 0
+                                 ? partition_equally(faces, parameters.patches)
+                                 : partition_by_ratio(faces, parameters.patch_ratio);
+  return MultiplierSpace<dim>(scene, std::move(faces), std::move(partition));
+}
+
+/** A patch without a free node next to it cannot feel or do anything. */
+void refuse_blind_patches(const Parameters &parameters, const Coupling &condensed_D)
+{
+  for (unsigned int tau = 0; tau < condensed_D.n_columns(); ++tau)
+    if (condensed_D.column(tau).empty())
+      throw InputError(parameters.where("Discretization/Coarsest level") + ": contact patch " +
+                       std::to_string(tau) +
+                       " sees no free mesh node on the coarsest level, allowed: a finer coarsest "
+                       "level, fewer patches or a larger patch ratio.");
+}
+
+/** F >= 0: P = 0 solves the dual problem, and C is not needed. */
+bool nothing_touches(const dealii::Vector<double> &F)
+{
+  return std::none_of(F.begin(), F.end(), [](const double opening) { return opening < 0.; });
+}
+
+QPResult solve_dual_problem(const SolverParameters &parameters,
+                            const BoundConstrainedQP &qp,
+                            const dealii::Vector<double> &start)
+{
+  try
+  {
+    if (parameters.contact_solver == "psor")
+      return solve_by_psor(
+        qp,
+        start.size() > 0 ? start : dealii::Vector<double>(qp.size()),
+        {parameters.relaxation, parameters.tolerance, parameters.maximum_iterations});
+    return solve_by_active_set(qp, start, {parameters.tolerance, parameters.maximum_iterations});
+  }
+  catch (const dealii::ExceptionBase &)
+  {
+    throw ComputationError("The compliance matrix C is not positive definite: the patches are too "
+                           "fine for the mesh (inf-sup condition); use longer patches.");
+  }
+}
+
+template <int dim>
+void describe_discretization(const Discretization<dim> &discretization, LevelRecord &record)
+{
+  const ContactPartition &partition = discretization.multipliers.partition();
+  record.level = discretization.mesh.level();
+  record.cells = discretization.mesh.triangulation().n_global_active_cells();
+  record.dofs = discretization.space.dofs().n_dofs();
+  record.multipliers = partition.patches.size();
+  record.h = discretization.mesh.longest_edge();
+  record.H = partition.longest_patch();
+  record.unstable = partition.has_unstable_patch();
+  record.times.mesh = discretization.mesh_seconds;
+  record.times.setup = discretization.setup_seconds;
+}
+
+/** C and P, only where something touches. */
+template <int dim>
+void solve_contact(const Parameters &parameters,
+                   const Discretization<dim> &discretization,
+                   const StiffnessInverse &inverse,
+                   const StartingPressure &start,
+                   const Progress &progress,
+                   StageClock &clock,
+                   LevelSolution<dim> &solution)
+{
+  const unsigned int m = discretization.multipliers.n_multipliers();
+  const unsigned int every = std::max(1U, m / 20);
+  solution.C = compute_compliance(
+    inverse, discretization.space, discretization.condensed_D, [&](const unsigned int done) {
+      if (done % every == 0)
+        progress("compliance: column " + std::to_string(done) + " of " + std::to_string(m));
+    });
+  clock.add_to(solution.record.times.compliance);
+  progress("dual problem");
+  const dealii::Vector<double> P_start =
+    start.patches.empty()
+      ? dealii::Vector<double>()
+      : transfer_pressure(
+          start.patches, start.P, discretization.multipliers.partition().patches);
+  const BoundConstrainedQP qp(solution.C, solution.F);
+  const QPResult result = solve_dual_problem(parameters.solver, qp, P_start);
+  solution.P = result.P;
+  solution.record.qp_iterations = result.iterations;
+  if (parameters.solver.contact_solver == "psor")
+    solution.record.increment_iterations = result.increment_iterations;
+  solution.record.kkt = result.kkt_residual;
+  solution.record.converged = result.converged;
+  clock.add_to(solution.record.times.qp);
+}
+
+/** What the answer amounts to, how good it is. */
+template <int dim>
+void judge(const Scene<dim> &scene,
+           const Discretization<dim> &discretization,
+           const LinearSystem<dim> &system,
+           const NodalVector &free_U,
+           LevelSolution<dim> &solution)
+{
+  LevelRecord &record = solution.record;
+  const ContactSummary summary = summarise_contact(discretization.multipliers, solution.P);
+  record.active = summary.active;
+  record.contact_length = summary.length;
+  record.contact_force = summary.normal_force;
+  record.max_pressure = summary.max_pressure;
+  record.certificate =
+    certify(discretization.space,
+            scene,
+            system,
+            discretization.multipliers,
+            discretization.D,
+            ContactSolution<dim>{
+              solution.U, free_U, solution.P, solution.F, discretization.G, solution.C});
+  if (discretization.mesh.has_parents())
+  {
+    const ErrorEstimate estimate = estimate_error(discretization.space, solution.U);
+    record.estimated_h1 = estimate.absolute;
+    record.estimated_relative = estimate.relative;
+  }
+}
+} // namespace
+
+template <int dim>
+Discretization<dim>::Discretization(const Parameters &parameters,
+                                    const Scene<dim> &scene,
+                                    const unsigned int level,
+                                    MPI_Comm communicator)
+  : mesh(scene.geometry, parameters.discretization.coarsest_level, level, communicator)
+  , mesh_seconds(clock_.lap())
+  , space(mesh, scene)
+  , multipliers(make_multiplier_space(parameters.discretization, scene, mesh))
+  , D(assemble_coupling(space, multipliers.faces(), multipliers.partition()))
+  , condensed_D(condense(D, space.constraints()))
+  , G(assemble_gap(multipliers, parameters.discretization.quadrature_points))
+  , setup_seconds(clock_.lap())
+{
+  refuse_blind_patches(parameters, condensed_D);
+  if (parameters.solver.require_stability && multipliers.partition().has_unstable_patch())
+    throw InputError(parameters.where("Solver/Require stability") +
+                     ": a contact patch is no longer than a face (H = h), which is not inf-sup "
+                     "stable, allowed: a Patch ratio of at least 2 and levels on which every side "
+                     "has at least two faces per patch.");
+}
+
+template <int dim>
+LevelSolution<dim> solve_level(const Parameters &parameters,
+                               const Scene<dim> &scene,
+                               const Discretization<dim> &discretization,
+                               const StartingPressure &start,
+                               const Progress &progress)
+{
+  const DisplacementSpace<dim> &space = discretization.space;
+  LevelSolution<dim> solution;
+  StageTimes &times = solution.record.times;
+  describe_discretization(discretization, solution.record);
+  StageClock clock;
+
+  progress("assembly");
+  const LinearSystem<dim> system =
+    assemble_linear_system(space, scene, parameters.discretization.quadrature_points);
+  clock.add_to(times.assembly);
+
+  progress("factorisation");
+  const auto inverse = factorise(system.A, parameters.solver.linear_solver);
+  clock.add_to(times.factor);
+
+  FreeState free = solve_free_state(*inverse, space, system.f, discretization.D, discretization.G);
+  solution.F = free.F;
+  solution.P.reinit(discretization.multipliers.n_multipliers());
+  clock.add_to(times.compliance);
+  if (nothing_touches(free.F))
+    solution.U = free.U;
+  else
+  {
+    solve_contact(parameters, discretization, *inverse, start, progress, clock, solution);
+    solution.U =
+      recover_displacement(*inverse, space, discretization.condensed_D, solution.P, system.f);
+    clock.add_to(times.recovery);
+  }
+
+  progress("certificate");
+  judge(scene, discretization, system, free.U, solution);
+  clock.add_to(times.postprocess);
+  return solution;
+}
+
+template <int dim>
+void add_errors(const Parameters &parameters,
+                const Scene<dim> &scene,
+                const Discretization<dim> &discretization,
+                LevelSolution<dim> &solution)
+{
+  StageClock clock;
+  const unsigned int n_points = parameters.discretization.quadrature_points + 1;
+  LevelRecord &record = solution.record;
+  if (scene.exact_displacement != nullptr)
+  {
+    const DisplacementErrors errors =
+      compute_displacement_errors(discretization.space, scene, solution.U, n_points);
+    record.u_h1 = errors.h1;
+    record.u_l2 = errors.l2;
+    record.u_superclose_h1 = errors.superclose_h1;
+    record.u_post_h1 = errors.post_h1;
+  }
+  if (scene.has_exact_pressure())
+  {
+    const PressureErrors errors =
+      compute_pressure_errors(discretization.multipliers, solution.P, n_points);
+    record.p_l2 = errors.l2;
+    record.p_post_l2 = errors.post_l2;
+  }
+  clock.add_to(record.times.errors);
+}
+
+template struct Discretization<2>;
+template LevelSolution<2> solve_level(const Parameters &,
+                                      const Scene<2> &,
+                                      const Discretization<2> &,
+                                      const StartingPressure &,
+                                      const Progress &);
+template void add_errors(const Parameters &,
+                         const Scene<2> &,
+                         const Discretization<2> &,
+                         LevelSolution<2> &);
+} // namespace Signorini

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The files of a run.
+
+#include "results_writer.h"
+
+#include <signorini/output/contact_line.h>
+#include <signorini/output/files.h>
+#include <signorini/output/matrix_market.h>
+#include <signorini/output/solution_vtu.h>
+#include <signorini/output/tables.h>
+#include <signorini/parameters/agreement.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace Signorini
+{
+namespace
+{
+/** Small files come from rank 0; if it cannot write one, all ranks hear of it. */
+void write_on_first_rank(MPI_Comm communicator, const std::function<void()> &write)
+{
+  agree(communicator, [&]() {
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      write();
+  });
+}
+} // namespace
+
+ResultsWriter::ResultsWriter(const Parameters &parameters,
+                             std::filesystem::path directory,
+                             MPI_Comm communicator)
+  : parameters_(parameters)
+  , directory_(std::move(directory))
+  , communicator_(communicator)
+{
+  if (directory_.empty())
+    return;
+  write_on_first_rank(communicator_, [&]() {
+    write_file(directory_ / "parameters.prm",
+               [&](std::ostream &stream) { stream << parameters_.echo; });
+  });
+}
+
+std::filesystem::path ResultsWriter::level_file(const char *name,
+                                                const unsigned int level,
+                                                const char *ending) const
+{
+  return directory_ /
+         (std::string(name) + "-" + dealii::Utilities::int_to_string(level, 2) + ending);
+}
+
+template <int dim>
+void ResultsWriter::write_fields(const Discretization<dim> &discretization,
+                                 const Scene<dim> &scene,
+                                 const LevelSolution<dim> &solution,
+                                 const bool last_level)
+{
+  if (directory_.empty())
+    return;
+  write_on_first_rank(communicator_, [&]() {
+    const auto line = trace_contact_line(
+      discretization.space, discretization.multipliers, solution.U, solution.P);
+    write_file(level_file("contact", solution.record.level, ".csv"),
+               [&](std::ostream &stream) { write_contact_csv(stream, line); });
+  });
+  const std::string &vtu = parameters_.output.vtu;
+  if (vtu == "all" || (vtu == "finest" && last_level))
+    write_vtu(discretization, scene, solution);
+  if (parameters_.output.compliance)
+    write_on_first_rank(communicator_, [&]() { write_dual_problem(discretization, solution); });
+}
+
+template <int dim>
+void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
+                              const Scene<dim> &scene,
+                              const LevelSolution<dim> &solution)
+{
+  const unsigned int level = solution.record.level;
+  const auto body = level_file("solution", level, ".vtu");
+  const auto contact = level_file("contact", level, ".vtu");
+  write_solution_vtu(body, discretization.space, scene, solution.U);
+  solution_files_.emplace_back(level, body.filename().string());
+  contact_files_.emplace_back(level, contact.filename().string());
+  write_on_first_rank(communicator_, [&]() {
+    const auto line = trace_contact_line(
+      discretization.space, discretization.multipliers, solution.U, solution.P);
+    write_file(contact, [&](std::ostream &stream) { write_contact_vtu(stream, line); });
+    write_pvd(directory_ / "solution.pvd", solution_files_);
+    write_pvd(directory_ / "contact.pvd", contact_files_);
+  });
+}
+
+template <int dim>
+void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization,
+                                       const LevelSolution<dim> &solution)
+{
+  const auto write = [&](const char *name, const auto &...what) {
+    write_file(level_file(name, solution.record.level, ".mtx"),
+               [&](std::ostream &stream) { write_matrix_market(stream, what...); });
+  };
+  write("F", solution.F);
+  write("G", discretization.G);
+  write("D", discretization.D, discretization.space.dofs().n_dofs());
+  if (solution.C.m() > 0)
+    write("C", solution.C);
+}
+
+void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels, const std::string &failure)
+{
+  if (directory_.empty())
+    return;
+  write_on_first_rank(communicator_, [&]() {
+    write_file(directory_ / "convergence.csv",
+               [&](std::ostream &stream) { write_convergence_csv(stream, levels); });
+    write_file(directory_ / "certificate.json", [&](std::ostream &stream) {
+      write_certificate(stream, levels, parameters_.solver.tolerance, failure);
+    });
+  });
+}
+
+template void ResultsWriter::write_fields(const Discretization<2> &,
+                                          const Scene<2> &,
+                                          const LevelSolution<2> &,
+                                          bool);
+} // namespace Signorini

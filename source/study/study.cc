@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Nested levels, coarsest to finest, each started from the one before.
+
+#include "results_writer.h"
+#include "scene_summary.h"
+
+#include <signorini/output/tables.h>
+#include <signorini/parameters/exceptions.h>
+#include <signorini/study/study.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <sys/resource.h>
+
+namespace Signorini
+{
+namespace
+{
+/** User and system seconds of this process. */
+double cpu_seconds()
+{
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval &time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+double peak_memory_mb()
+{
+  dealii::Utilities::System::MemoryStats memory = {};
+  dealii::Utilities::System::get_memory_stats(memory);
+  return static_cast<double>(memory.VmHWM) / 1024.;
+}
+
+/** Everything about one level; the level's large objects live no longer than this call. */
+template <int dim>
+LevelRecord run_level(const Parameters &parameters,
+                      const Scene<dim> &scene,
+                      const unsigned int level,
+                      MPI_Comm communicator,
+                      const Progress &progress,
+                      ResultsWriter &writer,
+                      StartingPressure &pressure)
+{
+  progress("mesh");
+  const Discretization<dim> discretization(parameters, scene, level, communicator);
+  LevelSolution<dim> solution =
+    solve_level(parameters,
+                scene,
+                discretization,
+                parameters.solver.warm_start ? pressure : StartingPressure(),
+                progress);
+  progress("errors");
+  add_errors(parameters, scene, discretization, solution);
+  progress("output");
+  StageClock clock;
+  const double &reached = solution.record.estimated_relative.value_or(1.);
+  const bool last = level == parameters.discretization.finest_level ||
+                    reached < parameters.discretization.target_error;
+  writer.write_fields(discretization, scene, solution, last);
+  clock.add_to(solution.record.times.output);
+  solution.record.cpu_total = cpu_seconds();
+  solution.record.peak_memory_mb = peak_memory_mb();
+  pressure = {discretization.multipliers.partition().patches, solution.P};
+  return solution.record;
+}
+
+void print_warnings(const LevelRecord &record, const double tolerance, std::ostream &screen)
+{
+  if (record.unstable)
+    screen << "Warning: on level " << record.level
+           << " a contact patch is no longer than a face (H = h), which is not inf-sup stable: "
+              "the pressure may oscillate. Take a patch ratio of 2 or more.\n";
+  if (!record.is_certified(tolerance))
+    screen << "Warning: level " << record.level << " is not certified: the KKT residual is "
+           << record.kkt << ", the largest residual of the certificate "
+           << record.certificate.worst() << ".\n";
+}
+} // namespace
+
+template <int dim>
+StudyResult run_study(const Parameters &parameters,
+                      const Scene<dim> &scene,
+                      MPI_Comm communicator,
+                      const StudyReport &report)
+{
+  const DiscretizationParameters &given = parameters.discretization;
+  const double tolerance = parameters.solver.tolerance;
+  StudyResult result;
+  ResultsWriter writer(parameters, report.directory, communicator);
+  print_scene(parameters, scene, report.screen);
+  const ScreenTable table(scene.exact_displacement != nullptr, scene.has_exact_pressure());
+  report.screen << table.header() << std::endl;
+  try
+  {
+    for (unsigned int level = given.coarsest_level; level <= given.finest_level; ++level)
+    {
+      const Progress progress = [&](const std::string &stage) {
+        report.progress("level " + std::to_string(level) + ": " + stage);
+      };
+      const LevelRecord record = run_level(
+        parameters, scene, level, communicator, progress, writer, result.pressure);
+      report.progress("");
+      report.screen << table.row(record, result.levels.empty() ? nullptr : &result.levels.back())
+                    << std::endl;
+      print_warnings(record, tolerance, report.screen);
+      result.levels.push_back(record);
+      writer.write_tables(result.levels, "");
+      if (record.estimated_relative.value_or(1.) < given.target_error)
+        break;
+    }
+  }
+  catch (const ComputationError &error)
+  {
+    result.failure = error.what();
+    writer.write_tables(result.levels, result.failure);
+  }
+  result.certified = result.failure.empty();
+  for (const LevelRecord &record : result.levels)
+    result.certified = result.certified && record.is_certified(tolerance);
+  print_verdict(parameters, result.levels, result.certified, report.screen);
+  return result;
+}
+
+template StudyResult
+run_study(const Parameters &, const Scene<2> &, MPI_Comm, const StudyReport &);
+} // namespace Signorini
