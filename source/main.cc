@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // From the command line to an exit code: 0 certified, 1 wrong input, 2 not certified, 3 other.
 
-#include "command_line.h"
-
 #include <signorini/output/files.h>
 #include <signorini/parameters/agreement.h>
 #include <signorini/parameters/exceptions.h>
@@ -12,8 +10,9 @@
 
 #include <iostream>
 #include <new>
-
 #include <unistd.h>
+
+#include "command_line.h"
 
 namespace
 {
@@ -30,20 +29,21 @@ int run(const CommandLine &command_line, MPI_Comm communicator)
 {
   const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   const Parameters parameters =
-    read_parameters(command_line.parameter_file, command_line.overrides);
+      read_parameters(command_line.parameter_file, command_line.overrides);
   const Scene<2> scene = make_scene(parameters);
   const std::filesystem::path &directory = command_line.output;
   bool made_directory = false;
-  agree(communicator, [&]() {
-    made_directory = first_rank && !std::filesystem::exists(directory);
-    if (first_rank)
-      prepare_directory(directory);
-  });
+  agree(communicator,
+        [&]()
+        {
+          made_directory = first_rank && !std::filesystem::exists(directory);
+          if (first_rank)
+            prepare_directory(directory);
+        });
 
   std::ostream silence(nullptr);
   const bool on_terminal = first_rank && isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
-  const StudyReport report = {first_rank ? std::cout : silence,
-                              directory,
+  const StudyReport report = {first_rank ? std::cout : silence, directory,
                               on_terminal ? Progress(show_progress) : [](const std::string &) {}};
   try
   {

@@ -21,15 +21,13 @@ template <int dim>
 class CellLoads
 {
 public:
-  CellLoads(const DisplacementSpace<dim> &space,
-            const Scene<dim> &scene,
-            const Kinks<dim> &kinks,
+  CellLoads(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Kinks<dim> &kinks,
             const unsigned int n_points)
-    : scene_(scene)
-    , kinks_(kinks)
-    , cell_values_(space.mesh().mapping(), space.element(), kinks, n_points, flags())
-    , face_values_(space.mesh().mapping(), space.element(), n_points, flags())
-    , value_(dim)
+      : scene_(scene)
+      , kinks_(kinks)
+      , cell_values_(space.mesh().mapping(), space.element(), kinks, n_points, flags())
+      , face_values_(space.mesh().mapping(), space.element(), n_points, flags())
+      , value_(dim)
   {
   }
 
@@ -64,10 +62,8 @@ private:
   }
 
   /** vector_i += sum_q force(x_q).phi_i(x_q) JxW_q. */
-  void add_force(const dealii::FEValuesBase<dim> &values,
-                 const dealii::Function<dim> &force,
-                 const char *name,
-                 dealii::Vector<double> &vector)
+  void add_force(const dealii::FEValuesBase<dim> &values, const dealii::Function<dim> &force,
+                 const char *name, dealii::Vector<double> &vector)
   {
     const auto &element = values.get_fe();
     for (const unsigned int q : values.quadrature_point_indices())
@@ -80,7 +76,8 @@ private:
         weighted[d] = value_[d] * values.JxW(q);
       resultant_.add(weighted, x);
       for (unsigned int i = 0; i < vector.size(); ++i)
-        vector[i] += weighted[element.system_to_component_index(i).first] * values.shape_value(i, q);
+        vector[i] +=
+            weighted[element.system_to_component_index(i).first] * values.shape_value(i, q);
     }
   }
 
@@ -111,12 +108,8 @@ void make_sparsity(const DisplacementSpace<dim> &space, dealii::TrilinosWrappers
   const MPI_Comm communicator = space.mesh().communicator();
   const dealii::IndexSet &owned = space.locally_owned();
   dealii::TrilinosWrappers::SparsityPattern sparsity(owned, owned, communicator);
-  dealii::DoFTools::make_sparsity_pattern(
-    space.dofs(),
-    sparsity,
-    space.constraints(),
-    false,
-    dealii::Utilities::MPI::this_mpi_process(communicator));
+  dealii::DoFTools::make_sparsity_pattern(space.dofs(), sparsity, space.constraints(), false,
+                                          dealii::Utilities::MPI::this_mpi_process(communicator));
   sparsity.compress();
   A.reinit(sparsity);
 }
@@ -133,8 +126,7 @@ Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator)
 
 template <int dim>
 LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
-                                         const Scene<dim> &scene,
-                                         const unsigned int n_points)
+                                         const Scene<dim> &scene, const unsigned int n_points)
 {
   const MPI_Comm communicator = space.mesh().communicator();
   const Kinks<dim> kinks(scene.kinks);
@@ -147,18 +139,20 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
   const unsigned int n = space.element().n_dofs_per_cell();
   dealii::Vector<double> cell_f(n);
   std::vector<dealii::types::global_dof_index> indices(n);
-  agree(communicator, [&]() {
-    for (const auto &cell : space.dofs().active_cell_iterators())
-      if (cell->is_locally_owned())
-      {
-        cell_f = 0.;
-        cell_loads.add(cell, cell_f);
-        cell->get_dof_indices(indices);
-        space.constraints().distribute_local_to_global(
-          stiffness(cell), cell_f, indices, system.A, system.f);
-        system.loads.add(indices, cell_f);
-      }
-  });
+  agree(communicator,
+        [&]()
+        {
+          for (const auto &cell : space.dofs().active_cell_iterators())
+            if (cell->is_locally_owned())
+            {
+              cell_f = 0.;
+              cell_loads.add(cell, cell_f);
+              cell->get_dof_indices(indices);
+              space.constraints().distribute_local_to_global(stiffness(cell), cell_f, indices,
+                                                             system.A, system.f);
+              system.loads.add(indices, cell_f);
+            }
+        });
   system.A.compress(dealii::VectorOperation::add);
   system.f.compress(dealii::VectorOperation::add);
   system.loads.compress(dealii::VectorOperation::add);
@@ -166,6 +160,6 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
   return system;
 }
 
-template LinearSystem<2>
-assemble_linear_system(const DisplacementSpace<2> &, const Scene<2> &, unsigned int);
+template LinearSystem<2> assemble_linear_system(const DisplacementSpace<2> &, const Scene<2> &,
+                                                unsigned int);
 } // namespace Signorini

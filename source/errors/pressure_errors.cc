@@ -11,8 +11,7 @@ namespace Signorini
 {
 template <int dim>
 PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
-                                       const dealii::Vector<double> &P,
-                                       const unsigned int n_points)
+                                       const dealii::Vector<double> &P, const unsigned int n_points)
 {
   const RecoveredPressure<dim> recovered(space, P);
   double l2 = 0.;
@@ -36,6 +35,6 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
   return {std::sqrt(l2), std::sqrt(post_l2)};
 }
 
-template PressureErrors
-compute_pressure_errors(const MultiplierSpace<2> &, const dealii::Vector<double> &, unsigned int);
+template PressureErrors compute_pressure_errors(const MultiplierSpace<2> &,
+                                                const dealii::Vector<double> &, unsigned int);
 } // namespace Signorini

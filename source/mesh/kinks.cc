@@ -18,8 +18,7 @@ constexpr double tolerance = 1e-10;
 using Polygon = std::vector<dealii::Point<2>>;
 
 /** The part of a convex polygon with sign * (x_d - position) >= 0. */
-Polygon
-clip(const Polygon &polygon, const unsigned int d, const double position, const double sign)
+Polygon clip(const Polygon &polygon, const unsigned int d, const double position, const double sign)
 {
   Polygon part;
   for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -40,9 +39,7 @@ clip(const Polygon &polygon, const unsigned int d, const double position, const 
 class PolygonRule
 {
 public:
-  explicit PolygonRule(const unsigned int n_points) : gauss_(n_points)
-  {
-  }
+  explicit PolygonRule(const unsigned int n_points) : gauss_(n_points) {}
 
   /** Quadrilaterals are mapped from the square, other polygons split into triangles. */
   void add(const Polygon &polygon)
@@ -59,10 +56,8 @@ public:
 
 private:
   /** Bilinear image of the square; with d = a it collapses to a triangle (Duffy). */
-  void add_quadrilateral(const dealii::Point<2> &a,
-                         const dealii::Point<2> &b,
-                         const dealii::Point<2> &c,
-                         const dealii::Point<2> &d)
+  void add_quadrilateral(const dealii::Point<2> &a, const dealii::Point<2> &b,
+                         const dealii::Point<2> &c, const dealii::Point<2> &d)
   {
     for (unsigned int q = 0; q < gauss_.size(); ++q)
     {
@@ -154,7 +149,7 @@ Kinks<dim>::quadrature(const typename dealii::Triangulation<dim>::cell_iterator 
                        const unsigned int n_points) const
 {
   std::vector<Polygon> pieces = {
-    {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}};
+      {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}};
   for (unsigned int d = 0; d < dim; ++d)
     for (const double position : positions_[d])
     {

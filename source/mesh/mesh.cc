@@ -8,15 +8,12 @@
 namespace Signorini
 {
 template <int dim>
-Mesh<dim>::Mesh(const Geometry<dim> &geometry,
-                const unsigned int coarsest_level,
-                const unsigned int level,
-                MPI_Comm communicator)
-  : triangulation_(communicator,
-                   dealii::Triangulation<dim>::none,
-                   /*allow_artificial_cells=*/false,
-                   dealii::parallel::shared::Triangulation<dim>::partition_metis)
-  , parents_are_nested_(level > 0 && (geometry.distortion == 0. || level > coarsest_level))
+Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int coarsest_level,
+                const unsigned int level, MPI_Comm communicator)
+    : triangulation_(communicator, dealii::Triangulation<dim>::none,
+                     /*allow_artificial_cells=*/false,
+                     dealii::parallel::shared::Triangulation<dim>::partition_metis)
+    , parents_are_nested_(level > 0 && (geometry.distortion == 0. || level > coarsest_level))
 {
   const unsigned int first = std::min(coarsest_level, level);
   geometry.make_coarse_mesh(triangulation_);

@@ -33,13 +33,9 @@ std::vector<double> grade(const std::vector<double> &cuts)
 } // namespace
 
 template <int dim>
-MultiplierSpace<dim>::MultiplierSpace(const Scene<dim> &scene,
-                                      std::vector<ContactFace<dim>> faces,
+MultiplierSpace<dim>::MultiplierSpace(const Scene<dim> &scene, std::vector<ContactFace<dim>> faces,
                                       ContactPartition partition)
-  : scene_(scene)
-  , kinks_(scene.kinks)
-  , faces_(std::move(faces))
-  , partition_(std::move(partition))
+    : scene_(scene), kinks_(scene.kinks), faces_(std::move(faces)), partition_(std::move(partition))
 {
 }
 
@@ -53,9 +49,8 @@ dealii::Vector<double> MultiplierSpace<dim>::lengths() const
 }
 
 template <int dim>
-typename MultiplierSpace<dim>::Rule MultiplierSpace<dim>::rule(const Piece &piece,
-                                                               const unsigned int n_points,
-                                                               const bool graded) const
+typename MultiplierSpace<dim>::Rule
+MultiplierSpace<dim>::rule(const Piece &piece, const unsigned int n_points, const bool graded) const
 {
   const Side<dim> &side = this->side(partition_.patches[piece.patch]);
   const double length = piece.end - piece.start;
@@ -65,8 +60,7 @@ typename MultiplierSpace<dim>::Rule MultiplierSpace<dim>::rule(const Piece &piec
   const bool touched = cuts.size() > 2 || kinks_.touch(start, side.point(piece.end));
   if (graded && touched)
     cuts = grade(cuts);
-  const dealii::Quadrature<1> quadrature =
-    split_quadrature(dealii::QGauss<1>(n_points), cuts);
+  const dealii::Quadrature<1> quadrature = split_quadrature(dealii::QGauss<1>(n_points), cuts);
   Rule rule;
   for (unsigned int q = 0; q < quadrature.size(); ++q)
   {

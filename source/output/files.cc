@@ -36,7 +36,7 @@ void prepare_directory(const std::filesystem::path &directory)
   std::filesystem::create_directories(directory, error);
   const std::filesystem::path trial = temporary_name(directory / "trial");
   const bool writable =
-    !error && try_to_write(trial, [](std::ostream &stream) { stream << "trial\n"; });
+      !error && try_to_write(trial, [](std::ostream &stream) { stream << "trial\n"; });
   std::error_code ignored;
   std::filesystem::remove(trial, ignored);
   if (writable)
@@ -57,8 +57,7 @@ void remove_if_unused(const std::filesystem::path &directory)
   std::filesystem::remove(directory, ignored);
 }
 
-void write_file(const std::filesystem::path &path,
-                const std::function<void(std::ostream &)> &write)
+void write_file(const std::filesystem::path &path, const std::function<void(std::ostream &)> &write)
 {
   const std::filesystem::path temporary = temporary_name(path);
   std::error_code error;

@@ -29,16 +29,15 @@ void print_number(std::ostream &stream, const std::optional<double> &value)
 }
 
 /** log(before/now) / log(h before/h now). */
-void print_order(std::ostream &stream,
-                 const std::optional<double> &value,
-                 const std::optional<double> &before,
-                 const double refinement)
+void print_order(std::ostream &stream, const std::optional<double> &value,
+                 const std::optional<double> &before, const double refinement)
 {
   stream << std::setw(order_width);
   // Rounding errors (patch tests) have no order.
   const bool meaningful = value && before && *value > 1e-13 && *before > 1e-13 && refinement > 1.;
   if (meaningful)
-    stream << std::fixed << std::setprecision(2) << std::log(*before / *value) / std::log(refinement);
+    stream << std::fixed << std::setprecision(2)
+           << std::log(*before / *value) / std::log(refinement);
   else
     stream << "-";
 }
@@ -59,8 +58,8 @@ constexpr ErrorColumn pressure_columns[] = {{"|p-pH|0", &LevelRecord::p_l2}};
 } // namespace
 
 ScreenTable::ScreenTable(const bool with_displacement_errors, const bool with_pressure_errors)
-  : with_displacement_errors_(with_displacement_errors)
-  , with_pressure_errors_(with_pressure_errors)
+    : with_displacement_errors_(with_displacement_errors)
+    , with_pressure_errors_(with_pressure_errors)
 {
 }
 
@@ -70,9 +69,8 @@ std::string ScreenTable::header() const
   line << "level" << std::setw(9) << "dofs" << std::setw(6) << "m" << std::setw(7) << "active"
        << std::setw(6) << "its" << std::setw(number_width) << "force" << std::setw(number_width)
        << "max p";
-  const auto name = [&](const ErrorColumn &column) {
-    line << std::setw(number_width) << column.name << std::setw(order_width) << "order";
-  };
+  const auto name = [&](const ErrorColumn &column)
+  { line << std::setw(number_width) << column.name << std::setw(order_width) << "order"; };
   if (with_displacement_errors_)
     for (const ErrorColumn &column : displacement_columns)
       name(column);
@@ -95,10 +93,10 @@ std::string ScreenTable::row(const LevelRecord &level, const LevelRecord *before
   print_number(line, level.contact_force);
   print_number(line, level.max_pressure);
   const double refinement = before == nullptr ? 0. : before->h / level.h;
-  const auto print = [&](const Error error) {
+  const auto print = [&](const Error error)
+  {
     print_number(line, level.*error);
-    print_order(
-      line, level.*error, before == nullptr ? std::nullopt : before->*error, refinement);
+    print_order(line, level.*error, before == nullptr ? std::nullopt : before->*error, refinement);
   };
   if (with_displacement_errors_)
     for (const ErrorColumn &column : displacement_columns)

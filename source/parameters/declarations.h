@@ -13,8 +13,8 @@ namespace Signorini
 /**
  * Binds the entries of a ParameterHandler to the members of a Parameters value.
  *
- * deal.II's handler keeps patterns, defaults and help; this class adds the two things a good message
- * needs: the set of known paths, and the allowed values in words.
+ * deal.II's handler keeps patterns, defaults and help; this class adds the two things a good
+ * message needs: the set of known paths, and the allowed values in words.
  */
 class Declarations
 {
@@ -34,10 +34,7 @@ private:
   template <typename T>
   void add(const std::string &name, T &value, const std::string &help);
   template <typename T, typename Pattern>
-  void add(const std::string &name,
-           T &value,
-           const std::string &help,
-           const Pattern &pattern,
+  void add(const std::string &name, T &value, const std::string &help, const Pattern &pattern,
            const std::string &allowed);
   void enter(const std::string &section);
   void leave();

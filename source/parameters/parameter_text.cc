@@ -18,9 +18,7 @@ namespace
 class Scanner
 {
 public:
-  explicit Scanner(std::string file_name) : file_name_(std::move(file_name))
-  {
-  }
+  explicit Scanner(std::string file_name) : file_name_(std::move(file_name)) {}
 
   void read_line(const std::string &line, const unsigned int number)
   {
@@ -82,7 +80,7 @@ std::vector<Assignment> scan_parameter_text(const std::string &text, const std::
   Scanner scanner(file_name);
   const std::string byte_order_mark = "\xEF\xBB\xBF";
   std::istringstream stream(
-    text.compare(0, byte_order_mark.size(), byte_order_mark) == 0 ? text.substr(3) : text);
+      text.compare(0, byte_order_mark.size(), byte_order_mark) == 0 ? text.substr(3) : text);
   std::string line;
   std::string logical_line;
   unsigned int number = 0;

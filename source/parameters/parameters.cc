@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // From the text of a parameter file and overrides to checked plain values.
 
-#include "declarations.h"
-
 #include <signorini/parameters/exceptions.h>
 #include <signorini/parameters/lists.h>
 #include <signorini/parameters/parameter_text.h>
 #include <signorini/parameters/parameters.h>
+
+#include "declarations.h"
 
 namespace Signorini
 {
@@ -35,8 +35,7 @@ bool Parameters::changed(const std::string &path) const
   return changes.count(path) > 0;
 }
 
-Parameters parse_parameters(const std::string &text,
-                            const std::string &file_name,
+Parameters parse_parameters(const std::string &text, const std::string &file_name,
                             const std::vector<std::string> &overrides)
 {
   Parameters parameters;

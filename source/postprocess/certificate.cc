@@ -28,10 +28,8 @@ struct NodalForces
 };
 
 template <int dim>
-NodalForces nodal_forces(const DisplacementSpace<dim> &space,
-                         const Scene<dim> &scene,
-                         const LinearSystem<dim> &system,
-                         const Coupling &D,
+NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                         const LinearSystem<dim> &system, const Coupling &D,
                          const ContactSolution<dim> &solution)
 {
   NodalForces forces;
@@ -54,8 +52,8 @@ double stationarity(const DisplacementSpace<dim> &space, const NodalForces &forc
   NodalVector condensed = forces.residual;
   space.constraints().condense(condensed);
   space.constraints().set_zero(condensed);
-  const double scale = std::max(
-    {forces.internal.l2_norm(), forces.loads.l2_norm(), forces.contact.l2_norm()});
+  const double scale =
+      std::max({forces.internal.l2_norm(), forces.loads.l2_norm(), forces.contact.l2_norm()});
   return relative(condensed.l2_norm(), scale);
 }
 
@@ -98,12 +96,9 @@ Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
 
 /** Balance of forces and moments between reactions, loads and contact. */
 template <int dim>
-void balance(const DisplacementSpace<dim> &space,
-             const Scene<dim> &scene,
-             const Resultant<dim> &applied,
-             const Resultant<dim> &contact,
-             const NodalForces &forces,
-             Certificate &certificate)
+void balance(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+             const Resultant<dim> &applied, const Resultant<dim> &contact,
+             const NodalForces &forces, Certificate &certificate)
 {
   Resultant<dim> reactions;
   double sum_of_sizes = 0.;
@@ -116,23 +111,20 @@ void balance(const DisplacementSpace<dim> &space,
   }
   const dealii::Tensor<1, dim> force = reactions.force + applied.force + contact.force;
   // About the centre of the body: the origin may be far away.
-  const dealii::Tensor<1, dim> centre = 0.5 * (scene.geometry.lower + (scene.geometry.upper -
-                                                                       dealii::Point<dim>()));
+  const dealii::Tensor<1, dim> centre =
+      0.5 * (scene.geometry.lower + (scene.geometry.upper - dealii::Point<dim>()));
   const double moment = reactions.moment + applied.moment + contact.moment -
                         (centre[0] * force[1] - centre[1] * force[0]);
-  const double scale =
-    std::max({sum_of_sizes, applied.force.norm(), contact.force.norm()});
+  const double scale = std::max({sum_of_sizes, applied.force.norm(), contact.force.norm()});
   certificate.force_balance = relative(force.norm(), scale);
   certificate.moment_balance =
-    relative(moment, scale * (scene.geometry.diameter() + centre.norm()));
+      relative(moment, scale * (scene.geometry.diameter() + centre.norm()));
 }
 
 /** Signs, penetration and complementarity of P and W = D^T U - G. */
 template <int dim>
-void check_contact(const MultiplierSpace<dim> &multipliers,
-                   const ContactSolution<dim> &solution,
-                   const dealii::Vector<double> &W,
-                   const double energy_scale,
+void check_contact(const MultiplierSpace<dim> &multipliers, const ContactSolution<dim> &solution,
+                   const dealii::Vector<double> &W, const double energy_scale,
                    Certificate &certificate)
 {
   const unsigned int m = W.size();
@@ -157,31 +149,19 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
 
 double Certificate::worst() const
 {
-  return std::max({stationarity,
-                   penetration,
-                   sign,
-                   complementarity,
-                   duality_gap,
-                   force_balance,
+  return std::max({stationarity, penetration, sign, complementarity, duality_gap, force_balance,
                    moment_balance});
 }
 
 template <int dim>
-Certificate certify(const DisplacementSpace<dim> &space,
-                    const Scene<dim> &scene,
-                    const LinearSystem<dim> &system,
-                    const MultiplierSpace<dim> &multipliers,
-                    const Coupling &D,
-                    const ContactSolution<dim> &solution)
+Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                    const LinearSystem<dim> &system, const MultiplierSpace<dim> &multipliers,
+                    const Coupling &D, const ContactSolution<dim> &solution)
 {
   Certificate certificate;
   const NodalForces forces = nodal_forces(space, scene, system, D, solution);
   certificate.stationarity = stationarity(space, forces);
-  balance(space,
-          scene,
-          system.applied,
-          contact_resultant(multipliers, solution.P),
-          forces,
+  balance(space, scene, system.applied, contact_resultant(multipliers, solution.P), forces,
           certificate);
 
   dealii::Vector<double> W = D.transpose_product(solution.U);
@@ -190,7 +170,7 @@ Certificate certify(const DisplacementSpace<dim> &space,
   const double work_of_loads = solution.U * forces.loads;
   const double work_of_gap = solution.P * solution.G;
   const double energy_scale =
-    std::max({strain_energy, std::abs(work_of_loads), std::abs(work_of_gap)});
+      std::max({strain_energy, std::abs(work_of_loads), std::abs(work_of_gap)});
   check_contact(multipliers, solution, W, energy_scale, certificate);
   // J of (22); [p, Bu - g] is P^T W.
   certificate.energy = strain_energy - work_of_loads - solution.P * W;
@@ -202,16 +182,12 @@ Certificate certify(const DisplacementSpace<dim> &space,
   NodalVector V = solution.U;
   V -= solution.free_U;
   const double primal = 0.5 * (V * forces.internal - V * forces.loads);
-  const double dual =
-    solution.P * solution.F - 0.5 * solution.C.matrix_norm_square(solution.P);
+  const double dual = solution.P * solution.F - 0.5 * solution.C.matrix_norm_square(solution.P);
   certificate.duality_gap = relative(primal - dual, std::max(energy_scale, std::abs(dual)));
   return certificate;
 }
 
-template Certificate certify(const DisplacementSpace<2> &,
-                             const Scene<2> &,
-                             const LinearSystem<2> &,
-                             const MultiplierSpace<2> &,
-                             const Coupling &,
+template Certificate certify(const DisplacementSpace<2> &, const Scene<2> &,
+                             const LinearSystem<2> &, const MultiplierSpace<2> &, const Coupling &,
                              const ContactSolution<2> &);
 } // namespace Signorini

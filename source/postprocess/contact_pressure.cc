@@ -25,15 +25,15 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const dealii
 template <int dim>
 RecoveredPressure<dim>::RecoveredPressure(const MultiplierSpace<dim> &space,
                                           const dealii::Vector<double> &P)
-  : patches_(space.partition().patches)
-  , P_(P)
+    : patches_(space.partition().patches), P_(P)
 {
 }
 
 template <int dim>
 double RecoveredPressure<dim>::operator()(const unsigned int patch, const double s) const
 {
-  const auto on_side = [&](const int t) {
+  const auto on_side = [&](const int t)
+  {
     return t >= 0 && t < static_cast<int>(patches_.size()) &&
            patches_[t].side == patches_[patch].side;
   };
@@ -44,7 +44,7 @@ double RecoveredPressure<dim>::operator()(const unsigned int patch, const double
   if (!on_side(next))
     return P_[patch];
   const double slope =
-    (P_[next] - P_[patch]) / (patches_[next].middle() - patches_[patch].middle());
+      (P_[next] - P_[patch]) / (patches_[next].middle() - patches_[patch].middle());
   return std::min(0., P_[patch] + slope * (s - patches_[patch].middle()));
 }
 
@@ -56,17 +56,15 @@ dealii::Vector<double> transfer_pressure(const std::vector<Patch> &from,
   std::size_t first = 0;
   for (std::size_t t = 0; t < to.size(); ++t)
   {
-    const auto before = [&](const Patch &patch) {
-      return patch.side < to[t].side || (patch.side == to[t].side && patch.end <= to[t].start);
-    };
+    const auto before = [&](const Patch &patch)
+    { return patch.side < to[t].side || (patch.side == to[t].side && patch.end <= to[t].start); };
     while (first < from.size() && before(from[first]))
       ++first;
     for (std::size_t k = first;
-         k < from.size() && from[k].side == to[t].side && from[k].start < to[t].end;
-         ++k)
+         k < from.size() && from[k].side == to[t].side && from[k].start < to[t].end; ++k)
     {
       const double overlap =
-        std::min(from[k].end, to[t].end) - std::max(from[k].start, to[t].start);
+          std::min(from[k].end, to[t].end) - std::max(from[k].start, to[t].start);
       transferred[t] += P[k] * std::max(overlap, 0.) / to[t].length();
     }
   }

@@ -88,13 +88,11 @@ void project(const BoundConstrainedQP &qp, Vector &P)
 }
 } // namespace
 
-QPResult solve_by_active_set(const BoundConstrainedQP &qp,
-                             const dealii::Vector<double> &start,
+QPResult solve_by_active_set(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
                              const ActiveSetOptions &options)
 {
   QPResult result;
-  ActiveSet active = start.size() == 0 ? ActiveSet(qp.size(), true)
-                                       : pressed(qp, start);
+  ActiveSet active = start.size() == 0 ? ActiveSet(qp.size(), true) : pressed(qp, start);
   std::set<ActiveSet> visited;
   bool settled = false;
   while (!settled && result.iterations < options.maximum_iterations)

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The list of scenes known by name.
 
-#include "catalogue_scenes.h"
-
 #include <signorini/scene/catalogue.h>
 
 #include <iomanip>
 #include <sstream>
+
+#include "catalogue_scenes.h"
 
 namespace Signorini
 {
 const std::vector<CatalogueEntry> &catalogue()
 {
   static const std::vector<CatalogueEntry> entries = {
-    {"A1", "smooth manufactured contact on half of a side, exact solution known", make_a1},
-    {"D1", "patch test: constant strain under full contact, exact on every mesh", make_patch_test},
-    {"block on parabola",
-     "elastic block pressed on a parabolic foundation, no exact solution",
-     make_block_on_parabola}};
+      {"A1", "smooth manufactured contact on half of a side, exact solution known", make_a1},
+      {"D1", "patch test: constant strain under full contact, exact on every mesh",
+       make_patch_test},
+      {"block on parabola", "elastic block pressed on a parabolic foundation, no exact solution",
+       make_block_on_parabola}};
   return entries;
 }
 

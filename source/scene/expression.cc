@@ -99,12 +99,9 @@ private:
 };
 
 template <int dim>
-Expression<dim>::Expression(const std::string &text,
-                            const Constants &constants,
+Expression<dim>::Expression(const std::string &text, const Constants &constants,
                             const std::string &where)
-  : text_(trim(text))
-  , constants_(constants)
-  , where_(where)
+    : text_(trim(text)), constants_(constants), where_(where)
 {
   const std::string misuse = find_misuse(text_);
   if (!misuse.empty())
@@ -125,10 +122,10 @@ Expression<dim>::Expression(const std::string &text,
 
 template <int dim>
 Expression<dim>::Expression(const Expression &other)
-  : text_(other.text_)
-  , constants_(other.constants_)
-  , where_(other.where_)
-  , parser_(std::make_unique<Parser>(other.text_, other.constants_))
+    : text_(other.text_)
+    , constants_(other.constants_)
+    , where_(other.where_)
+    , parser_(std::make_unique<Parser>(other.text_, other.constants_))
 {
 }
 
@@ -158,7 +155,8 @@ Constants read_constants(const std::string &text, const std::string &where)
     const auto equals = part.find('=');
     const std::string name = trim(part.substr(0, equals));
     if (equals == std::string::npos || !is_name(name))
-      throw InputError(where + ": found '" + part + "', allowed: name=number, separated by commas.");
+      throw InputError(where + ": found '" + part +
+                       "', allowed: name=number, separated by commas.");
     if (name == "x" || name == "y" || name == "z" || name == "pi" || constants.count(name) > 0)
       throw InputError(where + ": the name '" + name +
                        "' is taken; x, y, z and pi are known, and a constant is set once.");

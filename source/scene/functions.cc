@@ -7,11 +7,10 @@ namespace Signorini
 {
 template <int dim>
 ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values,
-                                            std::vector<Expression<dim>> gradients,
-                                            const double h)
-  : dealii::AutoDerivativeFunction<dim>(h, values.size())
-  , values_(std::move(values))
-  , gradients_(std::move(gradients))
+                                            std::vector<Expression<dim>> gradients, const double h)
+    : dealii::AutoDerivativeFunction<dim>(h, values.size())
+    , values_(std::move(values))
+    , gradients_(std::move(gradients))
 {
   Assert(gradients_.empty() || gradients_.size() == dim * values_.size(),
          dealii::ExcDimensionMismatch(gradients_.size(), dim * values_.size()));

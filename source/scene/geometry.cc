@@ -25,8 +25,7 @@ double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
   return a[0] * b[1] - a[1] * b[0];
 }
 
-std::vector<double> numbers_of(const Parameters &parameters,
-                               const std::string &path,
+std::vector<double> numbers_of(const Parameters &parameters, const std::string &path,
                                const std::string &text)
 {
   std::vector<double> numbers;
@@ -47,14 +46,13 @@ Geometry<2> read_rectangle(const Parameters &parameters)
       throw InputError(parameters.where("Geometry/Cells") + ": found '" + given.cells +
                        "', allowed: two integers from 1 to 10000.");
   if (!(upper[0] > lower[0] && upper[1] > lower[1]))
-    throw InputError(parameters.where("Geometry/Upper right") + ": found '" + given.upper_right +
-                     "', allowed: a point to the right of and above Lower left = " +
-                     given.lower_left + ".");
+    throw InputError(
+        parameters.where("Geometry/Upper right") + ": found '" + given.upper_right +
+        "', allowed: a point to the right of and above Lower left = " + given.lower_left + ".");
   if (!given.vertices.empty())
     throw InputError(parameters.where("Geometry/Vertices") +
                      ": vertices belong to Shape = polygon, found Shape = rectangle.");
-  return make_rectangle({lower[0], lower[1]},
-                        {upper[0], upper[1]},
+  return make_rectangle({lower[0], lower[1]}, {upper[0], upper[1]},
                         {static_cast<unsigned int>(cells[0]), static_cast<unsigned int>(cells[1])});
 }
 
@@ -160,8 +158,7 @@ std::vector<std::string> Geometry<dim>::side_names() const
   return names;
 }
 
-Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
-                           const dealii::Point<2> &upper_right,
+Geometry<2> make_rectangle(const dealii::Point<2> &lower_left, const dealii::Point<2> &upper_right,
                            const std::vector<unsigned int> &cells)
 {
   using P = dealii::Point<2>;
@@ -175,9 +172,10 @@ Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
                     {"right", lower_right, upper_right, P(1., 0.)},
                     {"bottom", lower_left, lower_right, P(0., -1.)},
                     {"top", upper_left, upper_right, P(0., 1.)}};
-  geometry.make_coarse_mesh = [=](dealii::Triangulation<2> &triangulation) {
-    dealii::GridGenerator::subdivided_hyper_rectangle(
-      triangulation, cells, lower_left, upper_right, true);
+  geometry.make_coarse_mesh = [=](dealii::Triangulation<2> &triangulation)
+  {
+    dealii::GridGenerator::subdivided_hyper_rectangle(triangulation, cells, lower_left, upper_right,
+                                                      true);
   };
   return geometry;
 }
@@ -190,18 +188,17 @@ Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
   for (std::size_t i = 0; i < n; ++i)
   {
     const dealii::Point<2> &next = vertices[(i + 1) % n];
-    geometry.sides.push_back({"side" + std::to_string(i),
-                              vertices[i],
-                              next,
-                              normal_to_the_right(vertices[i], next)});
+    geometry.sides.push_back(
+        {"side" + std::to_string(i), vertices[i], next, normal_to_the_right(vertices[i], next)});
     for (unsigned int d = 0; d < 2; ++d)
     {
       geometry.lower[d] = std::min(geometry.lower[d], next[d]);
       geometry.upper[d] = std::max(geometry.upper[d], next[d]);
     }
   }
-  geometry.make_coarse_mesh = [vertices, sides = geometry.sides](
-                                dealii::Triangulation<2> &triangulation) {
+  geometry.make_coarse_mesh =
+      [vertices, sides = geometry.sides](dealii::Triangulation<2> &triangulation)
+  {
     if (vertices.size() == 4)
       make_quadrilateral(vertices, triangulation);
     else

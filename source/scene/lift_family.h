@@ -19,8 +19,8 @@ using Derivatives = std::array<double, 4>;
  *     b = (p - C12* V') / C22*,         gamma = -(C13 V' + C23 b) / C33,
  *     C22* = C22 - C23^2 / C33,         C12* = C12 - C13 C23 / C33,
  *
- * which gives sigma_22 = p and sigma_12 = 0 on y = 0. With the gap g = -U + s, s >= 0 where p = 0 and
- * s = 0 where p < 0, all conditions of (1) hold.
+ * which gives sigma_22 = p and sigma_12 = 0 on y = 0. With the gap g = -U + s, s >= 0 where p = 0
+ * and s = 0 where p < 0, all conditions of (1) hold.
  */
 struct LiftFamily
 {
@@ -36,6 +36,7 @@ struct LiftFamily
   std::array<std::array<double, 3>, 3> C;
 };
 
-/** The unit square with all data and the exact solution of the family; the material is left open. */
+/** The unit square with all data and the exact solution of the family; the material is left open.
+ */
 Scene<2> make_lift_scene(const LiftFamily &family);
 } // namespace Signorini

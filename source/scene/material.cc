@@ -16,10 +16,8 @@ namespace Signorini
 namespace
 {
 template <int dim>
-[[noreturn]] void refuse_value(const std::string &where,
-                               const dealii::Point<dim> &x,
-                               const std::string &found,
-                               const std::string &allowed)
+[[noreturn]] void refuse_value(const std::string &where, const dealii::Point<dim> &x,
+                               const std::string &found, const std::string &allowed)
 {
   std::ostringstream message;
   message << where << ": found " << found << " at (" << x << "), allowed: " << allowed << ".";
@@ -30,12 +28,9 @@ template <int dim>
 class Isotropic : public Material<dim>
 {
 public:
-  Isotropic(const Expression<dim> &youngs_modulus,
-            const Expression<dim> &poissons_ratio,
+  Isotropic(const Expression<dim> &youngs_modulus, const Expression<dim> &poissons_ratio,
             const PlaneState plane_state)
-    : youngs_modulus_(youngs_modulus)
-    , poissons_ratio_(poissons_ratio)
-    , plane_state_(plane_state)
+      : youngs_modulus_(youngs_modulus), poissons_ratio_(poissons_ratio), plane_state_(plane_state)
   {
   }
 
@@ -72,14 +67,12 @@ private:
     if (!(E > 0. && std::isfinite(E)))
       refuse_value(youngs_modulus_.where(), x, std::to_string(E), "a positive number everywhere");
     if (!(nu > -1. && nu < 0.5))
-      refuse_value(poissons_ratio_.where(),
-                   x,
-                   std::to_string(nu),
+      refuse_value(poissons_ratio_.where(), x, std::to_string(nu),
                    "a number between -1 and 0.5 (both excluded) everywhere");
     const double mu = E / (2. * (1. + nu));
     const bool plane_stress = dim == 2 && plane_state_ == PlaneState::stress;
     const double lambda =
-      plane_stress ? E * nu / (1. - nu * nu) : E * nu / ((1. + nu) * (1. - 2. * nu));
+        plane_stress ? E * nu / (1. - nu * nu) : E * nu / ((1. + nu) * (1. - 2. * nu));
     return {lambda, mu};
   }
 
@@ -108,7 +101,8 @@ bool is_positive_definite(const VoigtMatrix &C)
 {
   const double minor = C[0] * C[3] - C[1] * C[1];
   const double determinant = C[0] * (C[3] * C[5] - C[4] * C[4]) -
-                             C[1] * (C[1] * C[5] - C[4] * C[2]) + C[2] * (C[1] * C[4] - C[3] * C[2]);
+                             C[1] * (C[1] * C[5] - C[4] * C[2]) +
+                             C[2] * (C[1] * C[4] - C[3] * C[2]);
   return C[0] > 0. && minor > 0. && determinant > 0. && std::isfinite(determinant);
 }
 
@@ -131,8 +125,7 @@ class Anisotropic : public Material<2>
 {
 public:
   Anisotropic(const std::vector<Expression<2>> &entries, const double degrees)
-    : entries_(entries)
-    , angle_(degrees * dealii::numbers::PI / 180.)
+      : entries_(entries), angle_(degrees * dealii::numbers::PI / 180.)
   {
   }
 
@@ -140,7 +133,8 @@ public:
   {
     const VoigtMatrix C = voigt(x);
     if (!is_positive_definite(C))
-      refuse_value(entries_[0].where(), x, "a tensor that is not positive definite", "a positive definite one");
+      refuse_value(entries_[0].where(), x, "a tensor that is not positive definite",
+                   "a positive definite one");
     return to_tensor(C);
   }
 
@@ -193,6 +187,6 @@ std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression
   return std::make_shared<Anisotropic>(moduli, degrees);
 }
 
-template std::shared_ptr<const Material<2>>
-make_isotropic(const Expression<2> &, const Expression<2> &, PlaneState);
+template std::shared_ptr<const Material<2>> make_isotropic(const Expression<2> &,
+                                                           const Expression<2> &, PlaneState);
 } // namespace Signorini

@@ -15,13 +15,8 @@ namespace
 /** A catalogue scene fixes these subsections; its entries must stay at their defaults. */
 void refuse_description(const Parameters &parameters)
 {
-  for (const char *section : {"Constants/",
-                              "Geometry/",
-                              "Material/",
-                              "Boundary/",
-                              "Load/",
-                              "Contact/",
-                              "Exact solution/"})
+  for (const char *section : {"Constants/", "Geometry/", "Material/", "Boundary/", "Load/",
+                              "Contact/", "Exact solution/"})
     for (const std::string &path : parameters.changes)
       if (path.rfind(section, 0) == 0)
         throw InputError(parameters.where(path) + ": the catalogue scene '" +
@@ -35,8 +30,9 @@ void refuse_free_motions(const Scene<2> &scene, const Parameters &parameters)
   for (const RigidMotion &motion : free_rigid_motions(scene))
     names.push_back(motion.name);
   if (!names.empty())
-    throw InputError(parameters.file_name + ": Boundary: the clamped, prescribed and roller sides "
-                                            "leave " +
+    throw InputError(parameters.file_name +
+                     ": Boundary: the clamped, prescribed and roller sides "
+                     "leave " +
                      join(names, " and ") +
                      " of the body free (the stiffness matrix is singular); hold the body with "
                      "Clamped, Displacement or Rollers.");
@@ -88,11 +84,9 @@ Scene<2> make_scene(const Parameters &parameters)
   }
   refuse_free_motions(scene, parameters);
   const DiscretizationParameters &discretization = parameters.discretization;
-  scene.kinks[0].insert(scene.kinks[0].end(),
-                        discretization.kinks_at_x.begin(),
+  scene.kinks[0].insert(scene.kinks[0].end(), discretization.kinks_at_x.begin(),
                         discretization.kinks_at_x.end());
-  scene.kinks[1].insert(scene.kinks[1].end(),
-                        discretization.kinks_at_y.begin(),
+  scene.kinks[1].insert(scene.kinks[1].end(), discretization.kinks_at_y.begin(),
                         discretization.kinks_at_y.end());
   return scene;
 }

@@ -22,8 +22,8 @@ class AmesosInverse : public StiffnessInverse
 {
 public:
   AmesosInverse(const dealii::TrilinosWrappers::SparseMatrix &A, const std::string &type)
-    : StiffnessInverse(A)
-    , solver_(control_, dealii::TrilinosWrappers::SolverDirect::AdditionalData(false, type))
+      : StiffnessInverse(A)
+      , solver_(control_, dealii::TrilinosWrappers::SolverDirect::AdditionalData(false, type))
   {
     try
     {
@@ -53,9 +53,7 @@ void StiffnessInverse::solve(Vector &x, const Vector &b) const
   const double size = b.l2_norm();
   apply(x, b);
   Vector r(b);
-  const auto relative_residual = [&]() {
-    return size > 0. ? A_.residual(r, x, b) / size : 0.;
-  };
+  const auto relative_residual = [&]() { return size > 0. ? A_.residual(r, x, b) / size : 0.; };
   double residual = relative_residual();
   if (!(residual < refine_above))
   {

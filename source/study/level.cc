@@ -20,13 +20,12 @@ namespace
 {
 template <int dim>
 MultiplierSpace<dim> make_multiplier_space(const DiscretizationParameters &parameters,
-                                           const Scene<dim> &scene,
-                                           const Mesh<dim> &mesh)
+                                           const Scene<dim> &scene, const Mesh<dim> &mesh)
 {
   std::vector<ContactFace<dim>> faces = find_contact_faces(mesh, scene);
   ContactPartition partition = parameters.patches > 0
-                                 ? partition_equally(faces, parameters.patches)
-                                 : partition_by_ratio(faces, parameters.patch_ratio);
+                                   ? partition_equally(faces, parameters.patches)
+                                   : partition_by_ratio(faces, parameters.patch_ratio);
   return MultiplierSpace<dim>(scene, std::move(faces), std::move(partition));
 }
 
@@ -47,17 +46,15 @@ bool nothing_touches(const dealii::Vector<double> &F)
   return std::none_of(F.begin(), F.end(), [](const double opening) { return opening < 0.; });
 }
 
-QPResult solve_dual_problem(const SolverParameters &parameters,
-                            const BoundConstrainedQP &qp,
+QPResult solve_dual_problem(const SolverParameters &parameters, const BoundConstrainedQP &qp,
                             const dealii::Vector<double> &start)
 {
   try
   {
     if (parameters.contact_solver == "psor")
       return solve_by_psor(
-        qp,
-        start.size() > 0 ? start : dealii::Vector<double>(qp.size()),
-        {parameters.relaxation, parameters.tolerance, parameters.maximum_iterations});
+          qp, start.size() > 0 ? start : dealii::Vector<double>(qp.size()),
+          {parameters.relaxation, parameters.tolerance, parameters.maximum_iterations});
     return solve_by_active_set(qp, start, {parameters.tolerance, parameters.maximum_iterations});
   }
   catch (const dealii::ExceptionBase &)
@@ -84,28 +81,25 @@ void describe_discretization(const Discretization<dim> &discretization, LevelRec
 
 /** C and P, only where something touches. */
 template <int dim>
-void solve_contact(const Parameters &parameters,
-                   const Discretization<dim> &discretization,
-                   const StiffnessInverse &inverse,
-                   const StartingPressure &start,
-                   const Progress &progress,
-                   StageClock &clock,
-                   LevelSolution<dim> &solution)
+void solve_contact(const Parameters &parameters, const Discretization<dim> &discretization,
+                   const StiffnessInverse &inverse, const StartingPressure &start,
+                   const Progress &progress, StageClock &clock, LevelSolution<dim> &solution)
 {
   const unsigned int m = discretization.multipliers.n_multipliers();
   const unsigned int every = std::max(1U, m / 20);
-  solution.C = compute_compliance(
-    inverse, discretization.space, discretization.condensed_D, [&](const unsigned int done) {
-      if (done % every == 0)
-        progress("compliance: column " + std::to_string(done) + " of " + std::to_string(m));
-    });
+  solution.C = compute_compliance(inverse, discretization.space, discretization.condensed_D,
+                                  [&](const unsigned int done)
+                                  {
+                                    if (done % every == 0)
+                                      progress("compliance: column " + std::to_string(done) +
+                                               " of " + std::to_string(m));
+                                  });
   clock.add_to(solution.record.times.compliance);
   progress("dual problem");
   const dealii::Vector<double> P_start =
-    start.patches.empty()
-      ? dealii::Vector<double>()
-      : transfer_pressure(
-          start.patches, start.P, discretization.multipliers.partition().patches);
+      start.patches.empty() ? dealii::Vector<double>()
+                            : transfer_pressure(start.patches, start.P,
+                                                discretization.multipliers.partition().patches);
   const BoundConstrainedQP qp(solution.C, solution.F);
   const QPResult result = solve_dual_problem(parameters.solver, qp, P_start);
   solution.P = result.P;
@@ -119,11 +113,8 @@ void solve_contact(const Parameters &parameters,
 
 /** What the answer amounts to, how good it is. */
 template <int dim>
-void judge(const Scene<dim> &scene,
-           const Discretization<dim> &discretization,
-           const LinearSystem<dim> &system,
-           const NodalVector &free_U,
-           LevelSolution<dim> &solution)
+void judge(const Scene<dim> &scene, const Discretization<dim> &discretization,
+           const LinearSystem<dim> &system, const NodalVector &free_U, LevelSolution<dim> &solution)
 {
   LevelRecord &record = solution.record;
   const ContactSummary summary = summarise_contact(discretization.multipliers, solution.P);
@@ -132,13 +123,9 @@ void judge(const Scene<dim> &scene,
   record.contact_force = summary.normal_force;
   record.max_pressure = summary.max_pressure;
   record.certificate =
-    certify(discretization.space,
-            scene,
-            system,
-            discretization.multipliers,
-            discretization.D,
-            ContactSolution<dim>{
-              solution.U, free_U, solution.P, solution.F, discretization.G, solution.C});
+      certify(discretization.space, scene, system, discretization.multipliers, discretization.D,
+              ContactSolution<dim>{solution.U, free_U, solution.P, solution.F, discretization.G,
+                                   solution.C});
   if (discretization.mesh.has_parents())
   {
     const ErrorEstimate estimate = estimate_error(discretization.space, solution.U);
@@ -149,18 +136,16 @@ void judge(const Scene<dim> &scene,
 } // namespace
 
 template <int dim>
-Discretization<dim>::Discretization(const Parameters &parameters,
-                                    const Scene<dim> &scene,
-                                    const unsigned int level,
-                                    MPI_Comm communicator)
-  : mesh(scene.geometry, parameters.discretization.coarsest_level, level, communicator)
-  , mesh_seconds(clock_.lap())
-  , space(mesh, scene)
-  , multipliers(make_multiplier_space(parameters.discretization, scene, mesh))
-  , D(assemble_coupling(space, multipliers.faces(), multipliers.partition()))
-  , condensed_D(condense(D, space.constraints()))
-  , G(assemble_gap(multipliers, parameters.discretization.quadrature_points))
-  , setup_seconds(clock_.lap())
+Discretization<dim>::Discretization(const Parameters &parameters, const Scene<dim> &scene,
+                                    const unsigned int level, MPI_Comm communicator)
+    : mesh(scene.geometry, parameters.discretization.coarsest_level, level, communicator)
+    , mesh_seconds(clock_.lap())
+    , space(mesh, scene)
+    , multipliers(make_multiplier_space(parameters.discretization, scene, mesh))
+    , D(assemble_coupling(space, multipliers.faces(), multipliers.partition()))
+    , condensed_D(condense(D, space.constraints()))
+    , G(assemble_gap(multipliers, parameters.discretization.quadrature_points))
+    , setup_seconds(clock_.lap())
 {
   refuse_blind_patches(parameters, condensed_D);
   if (parameters.solver.require_stability && multipliers.partition().has_unstable_patch())
@@ -171,11 +156,9 @@ Discretization<dim>::Discretization(const Parameters &parameters,
 }
 
 template <int dim>
-LevelSolution<dim> solve_level(const Parameters &parameters,
-                               const Scene<dim> &scene,
+LevelSolution<dim> solve_level(const Parameters &parameters, const Scene<dim> &scene,
                                const Discretization<dim> &discretization,
-                               const StartingPressure &start,
-                               const Progress &progress)
+                               const StartingPressure &start, const Progress &progress)
 {
   const DisplacementSpace<dim> &space = discretization.space;
   LevelSolution<dim> solution;
@@ -185,7 +168,7 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
 
   progress("assembly");
   const LinearSystem<dim> system =
-    assemble_linear_system(space, scene, parameters.discretization.quadrature_points);
+      assemble_linear_system(space, scene, parameters.discretization.quadrature_points);
   clock.add_to(times.assembly);
 
   progress("factorisation");
@@ -202,7 +185,7 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   {
     solve_contact(parameters, discretization, *inverse, start, progress, clock, solution);
     solution.U =
-      recover_displacement(*inverse, space, discretization.condensed_D, solution.P, system.f);
+        recover_displacement(*inverse, space, discretization.condensed_D, solution.P, system.f);
     clock.add_to(times.recovery);
   }
 
@@ -213,10 +196,8 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
 }
 
 template <int dim>
-void add_errors(const Parameters &parameters,
-                const Scene<dim> &scene,
-                const Discretization<dim> &discretization,
-                LevelSolution<dim> &solution)
+void add_errors(const Parameters &parameters, const Scene<dim> &scene,
+                const Discretization<dim> &discretization, LevelSolution<dim> &solution)
 {
   StageClock clock;
   const unsigned int n_points = parameters.discretization.quadrature_points + 1;
@@ -224,7 +205,7 @@ void add_errors(const Parameters &parameters,
   if (scene.exact_displacement != nullptr)
   {
     const DisplacementErrors errors =
-      compute_displacement_errors(discretization.space, scene, solution.U, n_points);
+        compute_displacement_errors(discretization.space, scene, solution.U, n_points);
     record.u_h1 = errors.h1;
     record.u_l2 = errors.l2;
     record.u_superclose_h1 = errors.superclose_h1;
@@ -233,7 +214,7 @@ void add_errors(const Parameters &parameters,
   if (scene.has_exact_pressure())
   {
     const PressureErrors errors =
-      compute_pressure_errors(discretization.multipliers, solution.P, n_points);
+        compute_pressure_errors(discretization.multipliers, solution.P, n_points);
     record.p_l2 = errors.l2;
     record.p_post_l2 = errors.post_l2;
   }
@@ -241,13 +222,9 @@ void add_errors(const Parameters &parameters,
 }
 
 template struct Discretization<2>;
-template LevelSolution<2> solve_level(const Parameters &,
-                                      const Scene<2> &,
-                                      const Discretization<2> &,
-                                      const StartingPressure &,
+template LevelSolution<2> solve_level(const Parameters &, const Scene<2> &,
+                                      const Discretization<2> &, const StartingPressure &,
                                       const Progress &);
-template void add_errors(const Parameters &,
-                         const Scene<2> &,
-                         const Discretization<2> &,
+template void add_errors(const Parameters &, const Scene<2> &, const Discretization<2> &,
                          LevelSolution<2> &);
 } // namespace Signorini

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Nested levels, coarsest to finest, each started from the one before.
 
-#include "results_writer.h"
-#include "scene_summary.h"
-
 #include <signorini/output/tables.h>
 #include <signorini/parameters/exceptions.h>
 #include <signorini/study/study.h>
@@ -11,6 +8,9 @@
 #include <deal.II/base/utilities.h>
 
 #include <sys/resource.h>
+
+#include "results_writer.h"
+#include "scene_summary.h"
 
 namespace Signorini
 {
@@ -21,9 +21,8 @@ double cpu_seconds()
 {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval &time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
+  const auto seconds = [](const timeval &time)
+  { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -36,22 +35,15 @@ double peak_memory_mb()
 
 /** Everything about one level; the level's large objects live no longer than this call. */
 template <int dim>
-LevelRecord run_level(const Parameters &parameters,
-                      const Scene<dim> &scene,
-                      const unsigned int level,
-                      MPI_Comm communicator,
-                      const Progress &progress,
-                      ResultsWriter &writer,
-                      StartingPressure &pressure)
+LevelRecord run_level(const Parameters &parameters, const Scene<dim> &scene,
+                      const unsigned int level, MPI_Comm communicator, const Progress &progress,
+                      ResultsWriter &writer, StartingPressure &pressure)
 {
   progress("mesh");
   const Discretization<dim> discretization(parameters, scene, level, communicator);
   LevelSolution<dim> solution =
-    solve_level(parameters,
-                scene,
-                discretization,
-                parameters.solver.warm_start ? pressure : StartingPressure(),
-                progress);
+      solve_level(parameters, scene, discretization,
+                  parameters.solver.warm_start ? pressure : StartingPressure(), progress);
   progress("errors");
   add_errors(parameters, scene, discretization, solution);
   progress("output");
@@ -81,9 +73,7 @@ void print_warnings(const LevelRecord &record, const double tolerance, std::ostr
 } // namespace
 
 template <int dim>
-StudyResult run_study(const Parameters &parameters,
-                      const Scene<dim> &scene,
-                      MPI_Comm communicator,
+StudyResult run_study(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator,
                       const StudyReport &report)
 {
   const DiscretizationParameters &given = parameters.discretization;
@@ -97,11 +87,10 @@ StudyResult run_study(const Parameters &parameters,
   {
     for (unsigned int level = given.coarsest_level; level <= given.finest_level; ++level)
     {
-      const Progress progress = [&](const std::string &stage) {
-        report.progress("level " + std::to_string(level) + ": " + stage);
-      };
-      const LevelRecord record = run_level(
-        parameters, scene, level, communicator, progress, writer, result.pressure);
+      const Progress progress = [&](const std::string &stage)
+      { report.progress("level " + std::to_string(level) + ": " + stage); };
+      const LevelRecord record =
+          run_level(parameters, scene, level, communicator, progress, writer, result.pressure);
       report.progress("");
       report.screen << table.row(record, result.levels.empty() ? nullptr : &result.levels.back())
                     << std::endl;
@@ -124,6 +113,5 @@ StudyResult run_study(const Parameters &parameters,
   return result;
 }
 
-template StudyResult
-run_study(const Parameters &, const Scene<2> &, MPI_Comm, const StudyReport &);
+template StudyResult run_study(const Parameters &, const Scene<2> &, MPI_Comm, const StudyReport &);
 } // namespace Signorini

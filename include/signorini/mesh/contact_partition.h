@@ -51,8 +51,8 @@ struct ContactPartition
 };
 
 /**
- * Patches of @p ratio consecutive faces; where it does not divide the faces of a side, the last patch
- * is the longer one.
+ * Patches of @p ratio consecutive faces; where it does not divide the faces of a side, the last
+ * patch is the longer one.
  */
 template <int dim>
 ContactPartition partition_by_ratio(const std::vector<ContactFace<dim>> &faces, unsigned int ratio);

@@ -35,9 +35,8 @@ public:
    * A rule on the reference cell that integrates on the pieces of a (straight-sided) cell, with
    * @p n_points Gauss points per direction on each.
    */
-  dealii::Quadrature<dim>
-  quadrature(const typename dealii::Triangulation<dim>::cell_iterator &cell,
-             unsigned int n_points) const;
+  dealii::Quadrature<dim> quadrature(const typename dealii::Triangulation<dim>::cell_iterator &cell,
+                                     unsigned int n_points) const;
 
 private:
   std::array<std::vector<double>, dim> positions_;

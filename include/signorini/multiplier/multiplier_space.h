@@ -16,8 +16,7 @@ template <int dim>
 class MultiplierSpace
 {
 public:
-  MultiplierSpace(const Scene<dim> &scene,
-                  std::vector<ContactFace<dim>> faces,
+  MultiplierSpace(const Scene<dim> &scene, std::vector<ContactFace<dim>> faces,
                   ContactPartition partition);
 
   /** m. */
@@ -45,7 +44,8 @@ public:
   dealii::Vector<double> lengths() const;
 
   /**
-   * Points and weights for integrals over a piece, cut at kinks, with @p n_points on each part; with
+   * Points and weights for integrals over a piece, cut at kinks, with @p n_points on each part;
+   * with
    * @p graded, geometrically refined towards kinks, for functions that are only continuous there.
    */
   struct Rule

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <functional>
-
 #include <mpi.h>
+
+#include <functional>
 
 namespace Signorini
 {

@@ -20,8 +20,8 @@ struct FieldValues
 };
 
 /**
- * pi^{2h}: the function of degree two per direction on each cell of T^{2h} that takes the 3^dim nodal
- * values of its children. Evaluated cell by cell of T^h, without unknowns of its own.
+ * pi^{2h}: the function of degree two per direction on each cell of T^{2h} that takes the 3^dim
+ * nodal values of its children. Evaluated cell by cell of T^h, without unknowns of its own.
  *
  * Needs Mesh::has_parents().
  */
@@ -37,8 +37,7 @@ public:
    * pi^{2h} of the nodal values @p U at the points of @p fe_values, which is at @p cell and knows
    * its inverse Jacobians.
    */
-  const FieldValues<dim> &evaluate(const NodalVector &U,
-                                   const CellIterator &cell,
+  const FieldValues<dim> &evaluate(const NodalVector &U, const CellIterator &cell,
                                    const dealii::FEValues<dim> &fe_values);
 
 private:

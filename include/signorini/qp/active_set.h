@@ -24,7 +24,6 @@ struct ActiveSetOptions
  *
  * @param start the first active set is taken from it; empty: every patch is active.
  */
-QPResult solve_by_active_set(const BoundConstrainedQP &qp,
-                             const dealii::Vector<double> &start,
+QPResult solve_by_active_set(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
                              const ActiveSetOptions &options);
 } // namespace Signorini

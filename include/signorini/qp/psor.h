@@ -19,15 +19,14 @@ struct PsorOptions
 double psor_sweep(const BoundConstrainedQP &qp, double relaxation, dealii::Vector<double> &P);
 
 /**
- * The algorithm (i)-(iii):  lambda_i = -(sum_{j<i} C_ij P_j^{k+1} + sum_{j>i} C_ij P_j^k - F_i)/C_ii,
- * P_i^{k+1} = min(bound_i, (1 - omega) P_i^k + omega lambda_i).
+ * The algorithm (i)-(iii):  lambda_i = -(sum_{j<i} C_ij P_j^{k+1} + sum_{j>i} C_ij P_j^k -
+ * F_i)/C_ii, P_i^{k+1} = min(bound_i, (1 - omega) P_i^k + omega lambda_i).
  *
  * It stops when |P^{k+1} - P^k| <= tolerance |P^{k+1}| and the KKT residual is below the tolerance,
  * and goes on while the increments fall so slowly that the error, estimated from them, is above 50
  * times the tolerance.
  * @throws std::invalid_argument for omega outside (0, 2).
  */
-QPResult solve_by_psor(const BoundConstrainedQP &qp,
-                       const dealii::Vector<double> &start,
+QPResult solve_by_psor(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
                        const PsorOptions &options);
 } // namespace Signorini

@@ -65,8 +65,7 @@ struct Geometry
 };
 
 /** Rectangle with @p cells coarse cells per direction; sides left, right, bottom, top. */
-Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
-                           const dealii::Point<2> &upper_right,
+Geometry<2> make_rectangle(const dealii::Point<2> &lower_left, const dealii::Point<2> &upper_right,
                            const std::vector<unsigned int> &cells);
 
 /**

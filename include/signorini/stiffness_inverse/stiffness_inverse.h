@@ -36,9 +36,7 @@ public:
   }
 
 protected:
-  explicit StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &A) : A_(A)
-  {
-  }
+  explicit StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &A) : A_(A) {}
 
 private:
   /** x = A^{-1} b by the factors alone. */

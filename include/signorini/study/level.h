@@ -18,9 +18,7 @@ namespace Signorini
 template <int dim>
 struct Discretization
 {
-  Discretization(const Parameters &parameters,
-                 const Scene<dim> &scene,
-                 unsigned int level,
+  Discretization(const Parameters &parameters, const Scene<dim> &scene, unsigned int level,
                  MPI_Comm communicator);
 
 private:
@@ -62,22 +60,18 @@ struct LevelSolution
 using Progress = std::function<void(const std::string &)>;
 
 /**
- * Solves (5) on one level: A and f, the factorisation, F, where something touches C and P, then U, the
- * certificate, and the error estimate. Collective.
+ * Solves (5) on one level: A and f, the factorisation, F, where something touches C and P, then U,
+ * the certificate, and the error estimate. Collective.
  *
  * @param start pressure of the level before; without patches: none.
  */
 template <int dim>
-LevelSolution<dim> solve_level(const Parameters &parameters,
-                               const Scene<dim> &scene,
+LevelSolution<dim> solve_level(const Parameters &parameters, const Scene<dim> &scene,
                                const Discretization<dim> &discretization,
-                               const StartingPressure &start,
-                               const Progress &progress);
+                               const StartingPressure &start, const Progress &progress);
 
 /** Adds the errors against the exact solution, as far as it is known. Collective. */
 template <int dim>
-void add_errors(const Parameters &parameters,
-                const Scene<dim> &scene,
-                const Discretization<dim> &discretization,
-                LevelSolution<dim> &solution);
+void add_errors(const Parameters &parameters, const Scene<dim> &scene,
+                const Discretization<dim> &discretization, LevelSolution<dim> &solution);
 } // namespace Signorini
