@@ -49,18 +49,23 @@ bool nothing_touches(const dealii::Vector<double> &F)
 QPResult solve_dual_problem(const SolverParameters &parameters, const BoundConstrainedQP &qp,
                             const dealii::Vector<double> &start)
 {
+  const auto by_psor = [&]()
+  {
+    return solve_by_psor(
+        qp, start.size() > 0 ? start : dealii::Vector<double>(qp.size()),
+        {parameters.relaxation, parameters.tolerance, parameters.maximum_iterations});
+  };
+  if (parameters.contact_solver == "psor")
+    return by_psor();
   try
   {
-    if (parameters.contact_solver == "psor")
-      return solve_by_psor(
-          qp, start.size() > 0 ? start : dealii::Vector<double>(qp.size()),
-          {parameters.relaxation, parameters.tolerance, parameters.maximum_iterations});
     return solve_by_active_set(qp, start, {parameters.tolerance, parameters.maximum_iterations});
   }
   catch (const dealii::ExceptionBase &)
   {
-    throw ComputationError("The compliance matrix C is not positive definite: the patches are too "
-                           "fine for the mesh (inf-sup condition); use longer patches.");
+    // Patches finer than the mesh make C singular: many pressures give the same displacement, and
+    // sweeps find one of them where no factorisation can.
+    return by_psor();
   }
 }
 
