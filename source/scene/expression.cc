@@ -46,6 +46,26 @@ std::string find_misuse(const std::string &text)
   return trim(text).empty() ? "it is empty" : "";
 }
 
+/** The functions that muParser lacks. */
+void define_functions(mu::Parser &parser)
+{
+  parser.DefineFun("floor", static_cast<double (*)(double)>(std::floor));
+  parser.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
+  parser.DefineFun("pow", static_cast<double (*)(double, double)>(std::pow));
+  parser.DefineFun("erf", static_cast<double (*)(double)>(std::erf));
+  parser.DefineFun("erfc", static_cast<double (*)(double)>(std::erfc));
+  parser.DefineFun("if", choose);
+}
+
+/** Whether a constant cannot have this name because formulas know it already. */
+bool is_taken(const std::string &name)
+{
+  mu::Parser parser;
+  define_functions(parser);
+  return name == "x" || name == "y" || name == "z" || name == "pi" ||
+         parser.GetFunDef().count(name) > 0;
+}
+
 bool is_name(const std::string &text)
 {
   if (text.empty() || (std::isalpha(static_cast<unsigned char>(text[0])) == 0 && text[0] != '_'))
@@ -67,12 +87,7 @@ public:
     parser_.DefineConst("pi", dealii::numbers::PI);
     for (const auto &constant : constants)
       parser_.DefineConst(constant.first, constant.second);
-    parser_.DefineFun("floor", static_cast<double (*)(double)>(std::floor));
-    parser_.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
-    parser_.DefineFun("pow", static_cast<double (*)(double, double)>(std::pow));
-    parser_.DefineFun("erf", static_cast<double (*)(double)>(std::erf));
-    parser_.DefineFun("erfc", static_cast<double (*)(double)>(std::erfc));
-    parser_.DefineFun("if", choose);
+    define_functions(parser_);
     for (unsigned int d = 0; d < dim; ++d)
       parser_.DefineVar(coordinate_names[d], &coordinates_[d]);
     parser_.SetExpr(text);
@@ -157,9 +172,10 @@ Constants read_constants(const std::string &text, const std::string &where)
     if (equals == std::string::npos || !is_name(name))
       throw InputError(where + ": found '" + part +
                        "', allowed: name=number, separated by commas.");
-    if (name == "x" || name == "y" || name == "z" || name == "pi" || constants.count(name) > 0)
+    if (is_taken(name) || constants.count(name) > 0)
       throw InputError(where + ": the name '" + name +
-                       "' is taken; x, y, z and pi are known, and a constant is set once.");
+                       "' is taken; x, y, z, pi and the functions are known, and a constant is set "
+                       "once.");
     const Expression<1> value(part.substr(equals + 1), constants, where);
     const double number = value(dealii::Point<1>(0.));
     if (!value.is_constant() || !std::isfinite(number))

@@ -44,5 +44,32 @@ dealii::Tensor<1, dim> ExpressionFunction<dim>::gradient(const dealii::Point<dim
   return gradient;
 }
 
+// The base class would take differences in all of these, whether or not gradients are given.
+template <int dim>
+void ExpressionFunction<dim>::vector_gradient(const dealii::Point<dim> &x,
+                                              std::vector<dealii::Tensor<1, dim>> &gradients) const
+{
+  for (unsigned int c = 0; c < values_.size(); ++c)
+    gradients[c] = gradient(x, c);
+}
+
+template <int dim>
+void ExpressionFunction<dim>::gradient_list(const std::vector<dealii::Point<dim>> &points,
+                                            std::vector<dealii::Tensor<1, dim>> &gradients,
+                                            const unsigned int component) const
+{
+  for (std::size_t q = 0; q < points.size(); ++q)
+    gradients[q] = gradient(points[q], component);
+}
+
+template <int dim>
+void ExpressionFunction<dim>::vector_gradient_list(
+    const std::vector<dealii::Point<dim>> &points,
+    std::vector<std::vector<dealii::Tensor<1, dim>>> &gradients) const
+{
+  for (std::size_t q = 0; q < points.size(); ++q)
+    vector_gradient(points[q], gradients[q]);
+}
+
 template class ExpressionFunction<2>;
 } // namespace Signorini

@@ -25,6 +25,14 @@ public:
   void vector_value(const dealii::Point<dim> &x, dealii::Vector<double> &values) const override;
   dealii::Tensor<1, dim> gradient(const dealii::Point<dim> &x,
                                   unsigned int component = 0) const override;
+  void vector_gradient(const dealii::Point<dim> &x,
+                       std::vector<dealii::Tensor<1, dim>> &gradients) const override;
+  void gradient_list(const std::vector<dealii::Point<dim>> &points,
+                     std::vector<dealii::Tensor<1, dim>> &gradients,
+                     unsigned int component = 0) const override;
+  void
+  vector_gradient_list(const std::vector<dealii::Point<dim>> &points,
+                       std::vector<std::vector<dealii::Tensor<1, dim>>> &gradients) const override;
 
 private:
   std::vector<Expression<dim>> values_;
