@@ -244,6 +244,17 @@ std::size_t edit_distance(const std::string &a, const std::string &b)
   }
   return row[b.size()];
 }
+
+/** Whether two values mean the same, however blanks and digits are written. */
+bool is_same_value(std::string a, std::string b)
+{
+  double first = 0., second = 0.;
+  if (read_number(a, first) && read_number(b, second))
+    return first == second;
+  for (std::string *const text : {&a, &b})
+    text->erase(std::remove(text->begin(), text->end(), ' '), text->end());
+  return a == b;
+}
 } // namespace
 
 void Declarations::refuse_unknown(const std::string &path, const std::string &where) const
@@ -272,7 +283,7 @@ bool Declarations::assign(const std::string &path, const std::string &value,
   const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
   try
   {
-    handler_.set(name, value);
+    handler_.set(name, value.empty() ? defaults_[path] : value);
   }
   catch (const dealii::ExceptionBase &)
   {
@@ -280,7 +291,7 @@ bool Declarations::assign(const std::string &path, const std::string &value,
   }
   if (slash != std::string::npos)
     handler_.leave_subsection();
-  return join(split_words(value), "") != join(split_words(defaults_[path]), "");
+  return !value.empty() && !is_same_value(value, defaults_[path]);
 }
 
 std::string Declarations::print(const bool with_help) const

@@ -22,7 +22,8 @@ public:
   explicit Declarations(Parameters &parameters);
 
   /**
-   * Sets one entry; throws InputError if it is unknown or its value is not allowed.
+   * Sets one entry, an empty value means its default; throws InputError if it is unknown or its
+   * value is not allowed.
    * @return whether the value differs from the default.
    */
   bool assign(const std::string &path, const std::string &value, const std::string &where);

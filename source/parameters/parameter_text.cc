@@ -5,6 +5,8 @@
 #include <signorini/parameters/lists.h>
 #include <signorini/parameters/parameter_text.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -107,11 +109,14 @@ std::vector<Assignment> scan_parameter_text(const std::string &text, const std::
 
 Assignment scan_override(const std::string &argument)
 {
-  const auto equals = argument.find('=');
-  if (equals == std::string::npos || trim(argument.substr(0, equals)).empty())
-    throw InputError("--set: found '" + argument +
-                     "', but 'Subsection/Parameter=value' is expected.");
-  return {trim(argument.substr(0, equals)), trim(argument.substr(equals + 1)), "--set"};
+  // An override is one line, like the file it stands in for.
+  std::string line = argument;
+  std::replace_if(
+      line.begin(), line.end(), [](const unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  const auto equals = line.find('=');
+  if (equals == std::string::npos || trim(line.substr(0, equals)).empty())
+    throw InputError("--set: found '" + line + "', but 'Subsection/Parameter=value' is expected.");
+  return {trim(line.substr(0, equals)), trim(line.substr(equals + 1)), "--set"};
 }
 
 std::string read_text_file(const std::string &file_name)
