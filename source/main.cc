@@ -32,13 +32,12 @@ int run(const CommandLine &command_line, MPI_Comm communicator)
       read_parameters(command_line.parameter_file, command_line.overrides);
   const Scene<2> scene = make_scene(parameters);
   const std::filesystem::path &directory = command_line.output;
-  bool made_directory = false;
+  std::filesystem::path made;
   agree(communicator,
         [&]()
         {
-          made_directory = first_rank && !std::filesystem::exists(directory);
           if (first_rank)
-            prepare_directory(directory);
+            made = prepare_directory(directory);
         });
 
   std::ostream silence(nullptr);
@@ -55,8 +54,7 @@ int run(const CommandLine &command_line, MPI_Comm communicator)
   catch (const InputError &)
   {
     // Wrong input leaves nothing behind.
-    if (made_directory)
-      remove_if_unused(directory);
+    remove_if_unused(directory, made);
     throw;
   }
 }

@@ -27,34 +27,60 @@ bool try_to_write(const std::filesystem::path &path,
   file.close();
   return !file.fail();
 }
+
+/** The outermost of the directories above and including @p directory that is not there. */
+std::filesystem::path outermost_missing(const std::filesystem::path &directory)
+{
+  std::filesystem::path missing;
+  std::error_code error;
+  for (std::filesystem::path path = directory;
+       !path.empty() && !std::filesystem::exists(path, error); path = path.parent_path())
+    missing = path;
+  return missing;
+}
+
+/** Removes @p directory and those above it up to @p outermost, as far as they are empty. */
+void remove_empty(const std::filesystem::path &directory, const std::filesystem::path &outermost)
+{
+  std::error_code ignored;
+  if (outermost.empty())
+    return;
+  for (std::filesystem::path path = directory; !path.empty(); path = path.parent_path())
+  {
+    std::filesystem::remove(path, ignored);
+    if (path == outermost)
+      return;
+  }
+}
 } // namespace
 
-void prepare_directory(const std::filesystem::path &directory)
+std::filesystem::path prepare_directory(const std::filesystem::path &directory)
 {
   std::error_code error;
-  const bool existed = std::filesystem::exists(directory, error);
+  const std::filesystem::path outermost = outermost_missing(directory);
   std::filesystem::create_directories(directory, error);
   const std::filesystem::path trial = temporary_name(directory / "trial");
   const bool writable =
       !error && try_to_write(trial, [](std::ostream &stream) { stream << "trial\n"; });
-  std::error_code ignored;
-  std::filesystem::remove(trial, ignored);
+  std::filesystem::remove(trial, error);
   if (writable)
-    return;
-  if (!existed)
-    std::filesystem::remove(directory, ignored);
+    return outermost;
+  remove_empty(directory, outermost);
   throw InputError("--output: found '" + directory.string() +
                    "', allowed: a directory that can be made and written to.");
 }
 
-void remove_if_unused(const std::filesystem::path &directory)
+void remove_if_unused(const std::filesystem::path &directory,
+                      const std::filesystem::path &outermost)
 {
   std::error_code ignored;
+  if (outermost.empty())
+    return;
   for (const auto &entry : std::filesystem::directory_iterator(directory, ignored))
     if (entry.path().filename() != "parameters.prm")
       return;
   std::filesystem::remove(directory / "parameters.prm", ignored);
-  std::filesystem::remove(directory, ignored);
+  remove_empty(directory, outermost);
 }
 
 void write_file(const std::filesystem::path &path, const std::function<void(std::ostream &)> &write)
