@@ -200,6 +200,24 @@ void check_finite(const FunctionPointer<2> &function, const std::vector<dealii::
       }
 }
 
+/** A gradient that is given by expressions; differences may leave the body. */
+void check_gradient(const Parameters &parameters, const Scene<2> &scene,
+                    const std::vector<dealii::Point<2>> &points)
+{
+  if (parameters.exact.displacement_gradient.empty())
+    return;
+  for (const dealii::Point<2> &x : points)
+    for (unsigned int c = 0; c < 2; ++c)
+      if (!std::isfinite(scene.exact_displacement->gradient(x, c).norm()))
+      {
+        std::ostringstream message;
+        message << parameters.where("Exact solution/Displacement gradient")
+                << ": the gradient of component " << c + 1 << " has no value at (" << x
+                << "), allowed: finite values on the whole body.";
+        throw InputError(message.str());
+      }
+}
+
 /** Evaluates everything once where the integrals will, so that nonsense is found before work. */
 void check_values(const Parameters &parameters, const Scene<2> &scene)
 {
@@ -208,6 +226,7 @@ void check_values(const Parameters &parameters, const Scene<2> &scene)
     scene.material->hooke(x);
   check_finite(scene.body_force, body, parameters.where("Load/Body force"));
   check_finite(scene.exact_displacement, body, parameters.where("Exact solution/Displacement"));
+  check_gradient(parameters, scene, body);
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
   {
     const BoundaryCondition<2> &condition = scene.boundary[i];

@@ -60,7 +60,7 @@ RigidMotion name_motion(const dealii::Tensor<1, 2> &t, const double rotation,
   const double omega = rotation / size;
   if (std::abs(rotation) < 1e-6)
   {
-    const double sign = t[0] + t[1] < 0 ? -1. : 1.;
+    const double sign = (std::abs(t[0]) > 1e-6 ? t[0] : t[1]) < 0 ? -1. : 1.;
     name << "the translation along (" << rounded(sign * t[0]) << ", " << rounded(sign * t[1])
          << ")";
   }
