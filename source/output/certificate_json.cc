@@ -28,6 +28,8 @@ void write_certificate(std::ostream &stream, const std::vector<LevelRecord> &lev
                     {"inf_sup", level.inf_sup ? Json(*level.inf_sup) : Json(nullptr)},
                     {"degenerate_patches", c.degenerate_patches},
                     {"kkt", level.kkt},
+                    {"linear_solves", level.linear_solves},
+                    {"linear_residual", level.linear_residual},
                     {"certified", level.is_certified(tolerance)}});
   }
   const bool certified =

@@ -3,12 +3,14 @@
 
 #include <signorini/output/files.h>
 #include <signorini/output/solution_vtu.h>
+#include <signorini/parameters/exceptions.h>
 #include <signorini/postprocess/patch_interpolation.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/numerics/data_out.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace Signorini
@@ -52,16 +54,29 @@ public:
       for (unsigned int i = 0; i < dim; ++i)
         gradient[i] = inputs.solution_gradients[q][i];
       const dealii::SymmetricTensor<2, dim> strain = symmetrize(gradient);
-      const dealii::Point<dim> &x = inputs.evaluation_points[q];
-      const dealii::SymmetricTensor<2, dim> stress = material_.hooke(x) * strain;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          computed[q][dim * i + j] = stress[i][j];
-      computed[q][dim * dim] = von_mises(stress, material_.out_of_plane_stress(x, strain));
+      evaluate(inputs.evaluation_points[q], strain, computed[q]);
     }
   }
 
 private:
+  void evaluate(const dealii::Point<dim> &x, const dealii::SymmetricTensor<2, dim> &strain,
+                dealii::Vector<double> &computed) const
+  {
+    try
+    {
+      const dealii::SymmetricTensor<2, dim> stress = material_.hooke(x) * strain;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = 0; j < dim; ++j)
+          computed[dim * i + j] = stress[i][j];
+      computed[dim * dim] = von_mises(stress, material_.out_of_plane_stress(x, strain));
+    }
+    catch (const InputError &)
+    {
+      // Mesh nodes may be the only points where the material's data has no value.
+      computed = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+
   /** sqrt(3/2 s:s), s the deviator of the stress in space. */
   static double von_mises(const dealii::SymmetricTensor<2, dim> &stress, const double out_of_plane)
   {

@@ -194,6 +194,9 @@ LevelSolution<dim> solve_level(const Parameters &parameters, const Scene<dim> &s
     clock.add_to(times.recovery);
   }
 
+  solution.record.linear_solves = inverse->n_solves();
+  solution.record.linear_residual = inverse->largest_residual();
+
   progress("certificate");
   judge(scene, discretization, system, free.U, solution);
   clock.add_to(times.postprocess);

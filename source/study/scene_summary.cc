@@ -63,6 +63,10 @@ void print_verdict(const Parameters &parameters, const std::vector<LevelRecord> 
     if (finest.estimated_relative)
       screen << ", estimated error " << 100. * *finest.estimated_relative << " % (H1)";
     screen << ".\n";
+    if (finest.increment_iterations)
+      screen << "Projected SOR: of " << finest.qp_iterations
+             << " sweeps, the increment alone was small after " << *finest.increment_iterations
+             << ".\n";
   }
   screen << (certified ? "Certified: KKT residuals below "
                        : "NOT certified: not all KKT residuals are below ")

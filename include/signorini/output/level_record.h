@@ -55,6 +55,10 @@ struct LevelRecord
   std::optional<double> p_l2, p_post_l2;
   std::optional<double> estimated_h1, estimated_relative;
 
+  /** Solves with the factors of A, and the largest |b - A x| / |b| among them. */
+  unsigned int linear_solves = 0;
+  double linear_residual = 0.;
+
   Certificate certificate;
   StageTimes times;
   /** CPU seconds of the process so far, and its peak memory so far. */
