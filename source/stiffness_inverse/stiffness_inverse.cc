@@ -7,6 +7,7 @@
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/trilinos_solver.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace Signorini
@@ -17,8 +18,15 @@ namespace
 constexpr double refine_above = 1e-12;
 constexpr double refuse_above = 1e-8;
 
+/** A number in [-1, 1) without a pattern that a kernel could be orthogonal to (a hash of i). */
+double irregular_number(const dealii::types::global_dof_index i)
+{
+  const unsigned long long hash = (static_cast<unsigned long long>(i) + 1) * 0x9E3779B97F4A7C15ULL;
+  return std::ldexp(static_cast<double>((hash ^ (hash >> 29U)) & 0xFFFFFFFFULL), -31) - 1.;
+}
+
 /** KLU (on one rank) or MUMPS (distributed), through Amesos. */
-class AmesosInverse : public StiffnessInverse
+class AmesosInverse final : public StiffnessInverse
 {
 public:
   AmesosInverse(const dealii::TrilinosWrappers::SparseMatrix &A, const std::string &type)
@@ -34,12 +42,21 @@ public:
       throw ComputationError("The factorisation of the stiffness matrix by " + type +
                              " failed: the matrix is singular, or memory ran out.");
     }
+    refuse_singular_matrix();
   }
 
 private:
   void apply(Vector &x, const Vector &b) const override
   {
-    solver_.solve(x, b);
+    try
+    {
+      solver_.solve(x, b);
+    }
+    catch (const dealii::ExceptionBase &)
+    {
+      throw ComputationError("A linear solve failed: the stiffness matrix is singular, or memory "
+                             "ran out.");
+    }
   }
 
   mutable dealii::SolverControl control_;
@@ -70,6 +87,18 @@ void StiffnessInverse::solve(Vector &x, const Vector &b) const
             << " |b|, more than 1e-8: the stiffness matrix is singular or too ill-conditioned.";
     throw ComputationError(message.str());
   }
+}
+
+void StiffnessInverse::refuse_singular_matrix() const
+{
+  Vector b(A_.locally_owned_range_indices(), A_.get_mpi_communicator());
+  for (const auto i : A_.locally_owned_range_indices())
+    b(i) = irregular_number(i);
+  b.compress(dealii::VectorOperation::insert);
+  Vector x(b);
+  solve(x, b);
+  n_solves_ = 0;
+  largest_residual_ = 0.;
 }
 
 std::unique_ptr<StiffnessInverse> factorise(const dealii::TrilinosWrappers::SparseMatrix &A,

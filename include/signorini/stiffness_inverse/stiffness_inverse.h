@@ -38,6 +38,13 @@ public:
 protected:
   explicit StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &A) : A_(A) {}
 
+  /**
+   * One solve, not counted, for a b that no kernel is orthogonal to: factors of a singular matrix
+   * betray themselves there, but not for loads in its range. Called once by the derived classes.
+   * @throws ComputationError
+   */
+  void refuse_singular_matrix() const;
+
 private:
   /** x = A^{-1} b by the factors alone. */
   virtual void apply(Vector &x, const Vector &b) const = 0;

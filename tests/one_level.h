@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/study/level.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "random_numbers.h"
+
+/** A scene from the text of a parameter file, and its discretization on one level. */
+struct OneLevel
+{
+  OneLevel(const std::string &text, const unsigned int level)
+      : parameters(Signorini::parse_parameters(text, "test"))
+      , scene(Signorini::make_scene(parameters))
+      , discretization(parameters, scene, level, MPI_COMM_WORLD)
+  {
+  }
+  OneLevel(const OneLevel &) = delete;
+
+  const Signorini::DisplacementSpace<2> &space() const
+  {
+    return discretization.space;
+  }
+  const Signorini::MultiplierSpace<2> &multipliers() const
+  {
+    return discretization.multipliers;
+  }
+  Signorini::LevelSolution<2> solve() const
+  {
+    return Signorini::solve_level(parameters, scene, discretization, Signorini::StartingPressure(),
+                                  [](const std::string &) {});
+  }
+
+  Signorini::Parameters parameters;
+  Signorini::Scene<2> scene;
+  Signorini::Discretization<2> discretization;
+};
+
+/** "subsection SECTION / set NAME = VALUE / end" for short parameter texts. */
+inline std::string entry(const std::string &section, const std::string &name,
+                         const std::string &value)
+{
+  return "subsection " + section + "\nset " + name + " = " + value + "\nend\n";
+}
+
+using Field = std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)>;
+
+/** The field's values at all nodes, on every rank. */
+inline Signorini::NodalVector nodal_values(const Signorini::DisplacementSpace<2> &space,
+                                           const Field &field)
+{
+  Signorini::NodalVector U(space.dofs().n_dofs());
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      for (unsigned int d = 0; d < 2; ++d)
+        U[cell->vertex_dof_index(v, d)] = field(cell->vertex(v))[d];
+  return U;
+}
+
+/** max |a_i - b_i|. */
+inline double distance(const dealii::Vector<double> &a, const dealii::Vector<double> &b)
+{
+  dealii::Vector<double> difference(a);
+  difference -= b;
+  return difference.size() == 0 ? 0. : difference.linfty_norm();
+}

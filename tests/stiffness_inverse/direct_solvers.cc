@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Amesos' direct solvers: known answers, counted solves, and singular matrices.
+
+#include <signorini/elasticity/linear_system.h>
+#include <signorini/parameters/exceptions.h>
+#include <signorini/stiffness_inverse/stiffness_inverse.h>
+
+#include "one_level.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+const char *const solvers[] = {"automatic", "amesos_klu", "amesos_mumps"};
+
+struct System
+{
+  System(Scene<2> given_scene, const unsigned int level)
+      : scene(std::move(given_scene))
+      , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
+      , space(mesh, scene)
+      , A(std::move(assemble_linear_system(space, scene, 3).A))
+  {
+  }
+
+  DistributedVector distribute(const dealii::Vector<double> &values) const
+  {
+    DistributedVector vector = space.make_vector();
+    for (const auto i : space.locally_owned())
+      vector(i) = values[i];
+    vector.compress(dealii::VectorOperation::insert);
+    return vector;
+  }
+  DistributedVector random_vector(const unsigned int seed) const
+  {
+    return distribute(RandomNumbers(seed).vector(space.dofs().n_dofs()));
+  }
+
+  Scene<2> scene;
+  Mesh<2> mesh;
+  DisplacementSpace<2> space;
+  dealii::TrilinosWrappers::SparseMatrix A;
+};
+
+const std::string clamped = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
+
+Scene<2> held()
+{
+  return make_scene(parse_parameters(clamped, "test"));
+}
+
+/** The same body with nothing that holds it. */
+Scene<2> loose()
+{
+  Scene<2> scene = held();
+  for (auto &condition : scene.boundary)
+    condition.role = Role::free;
+  return scene;
+}
+
+/** Held against all motions but one. */
+Scene<2> sliding()
+{
+  Scene<2> scene = loose();
+  scene.boundary[scene.geometry.find_side("left")].role = Role::roller;
+  return scene;
+}
+
+double relative_distance(DistributedVector a, const DistributedVector &b)
+{
+  a -= b;
+  return a.l2_norm() / b.l2_norm();
+}
+
+void known_answers(Checks &checks)
+{
+  const System system(held(), 3);
+  const DistributedVector exact = system.random_vector(1), other = system.random_vector(2);
+  DistributedVector b = system.space.make_vector(), x = b, b_other = b;
+  system.A.vmult(b, exact);
+  system.A.vmult(b_other, other);
+  for (const std::string name : solvers)
+  {
+    const auto inverse = factorise(system.A, name);
+    checks.that(name + ": no solve yet", inverse->n_solves() == 0);
+    inverse->solve(x, b);
+    checks.near(name + ": known answer", relative_distance(x, exact), 0., 1e-12);
+    inverse->solve(x, b_other);
+    checks.near(name + ": second right-hand side", relative_distance(x, other), 0., 1e-12);
+    b_other *= 1e12;
+    inverse->solve(x, b_other);
+    x *= 1e-12;
+    b_other *= 1e-12;
+    checks.near(name + ": large right-hand side", relative_distance(x, other), 0., 1e-12);
+    x = 1.;
+    inverse->solve(x, system.space.make_vector());
+    checks.near(name + ": b = 0", x.linfty_norm(), 0., 0.);
+    checks.that(name + ": solves are counted", inverse->n_solves() == 4);
+    checks.between(name + ": residual", inverse->largest_residual(), 1e-18, 1e-12);
+  }
+}
+
+/** Right-hand sides in and outside the range of A. */
+void singular(Checks &checks, const std::string &body, const System &system)
+{
+  DistributedVector in_range = system.space.make_vector();
+  system.A.vmult(in_range, system.random_vector(3));
+  const std::pair<const char *, DistributedVector> right_hand_sides[] = {
+      {"any load", system.random_vector(4)}, {"balanced load", in_range}};
+  for (const std::string name : solvers)
+    for (const auto &b : right_hand_sides)
+      checks.throws<ComputationError>(body + ", " + b.first + ", " + name, "singular",
+                                      [&]()
+                                      {
+                                        const auto inverse = factorise(system.A, name);
+                                        DistributedVector x = system.space.make_vector();
+                                        inverse->solve(x, b.second);
+                                      });
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+  known_answers(checks);
+  for (const unsigned int level : {0U, 1U, 3U, 5U})
+  {
+    singular(checks, "loose body, level " + std::to_string(level), System(loose(), level));
+    singular(checks, "sliding body, level " + std::to_string(level), System(sliding(), level));
+  }
+  return checks.exit_code();
+}
