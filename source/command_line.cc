@@ -62,14 +62,16 @@ po::options_description describe_options()
 {
   po::options_description options("options");
   options.add_options() //
-      ("set", po::value<std::vector<std::string>>()->value_name("'Subsection/Parameter=value'"),
-       "override a parameter, may be repeated") //
-      ("output", po::value<std::string>()->value_name("DIR"),
-       "where results go (default: results/<name of the .prm file>)")                  //
-      ("list-scenes", "the scenes known by name")                                      //
-      ("print-parameters", "every parameter with default, allowed values and meaning") //
-      ("version", "versions of the program, deal.II, Trilinos and the BLAS in use")    //
-      ("help", "this text");
+    ("set",
+     po::value<std::vector<std::string>>()->value_name("'Subsection/Parameter=value'"),
+     "override a parameter, may be repeated") //
+    ("output",
+     po::value<std::string>()->value_name("DIR"),
+     "where results go (default: results/<name of the .prm file>)")                  //
+    ("list-scenes", "the scenes known by name")                                      //
+    ("print-parameters", "every parameter with default, allowed values and meaning") //
+    ("version", "versions of the program, deal.II, Trilinos and the BLAS in use")    //
+    ("help", "this text");
   return options;
 }
 
@@ -85,8 +87,8 @@ po::variables_map parse(const int argc, char **argv, const po::options_descripti
   try
   {
     po::store(
-        po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-        values);
+      po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+      values);
   }
   catch (const po::error &error)
   {
@@ -124,8 +126,8 @@ CommandLine read_command_line(const int argc, char **argv)
   if (values.count("set") > 0)
     command_line.overrides = values["set"].as<std::vector<std::string>>();
   command_line.output = values.count("output") > 0
-                            ? std::filesystem::path(values["output"].as<std::string>())
-                            : "results" / std::filesystem::path(files[0]).stem();
+                          ? std::filesystem::path(values["output"].as<std::string>())
+                          : "results" / std::filesystem::path(files[0]).stem();
   if (command_line.output.empty())
     throw InputError("--output: found '', allowed: the name of a directory.");
   return command_line;

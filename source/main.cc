@@ -29,7 +29,7 @@ int run(const CommandLine &command_line, MPI_Comm communicator)
 {
   const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   const Parameters parameters =
-      read_parameters(command_line.parameter_file, command_line.overrides);
+    read_parameters(command_line.parameter_file, command_line.overrides);
   const Scene<2> scene = make_scene(parameters);
   const std::filesystem::path &directory = command_line.output;
   std::filesystem::path made;
@@ -42,7 +42,8 @@ int run(const CommandLine &command_line, MPI_Comm communicator)
 
   std::ostream silence(nullptr);
   const bool on_terminal = first_rank && isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
-  const StudyReport report = {first_rank ? std::cout : silence, directory,
+  const StudyReport report = {first_rank ? std::cout : silence,
+                              directory,
                               on_terminal ? Progress(show_progress) : [](const std::string &) {}};
   try
   {

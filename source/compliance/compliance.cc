@@ -6,8 +6,10 @@
 namespace Signorini
 {
 template <int dim>
-FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
-                           const DistributedVector &f, const Coupling &D,
+FreeState solve_free_state(const StiffnessInverse &inverse,
+                           const DisplacementSpace<dim> &space,
+                           const DistributedVector &f,
+                           const Coupling &D,
                            const dealii::Vector<double> &G)
 {
   DistributedVector U_0 = space.make_vector();
@@ -20,9 +22,10 @@ FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSp
 }
 
 template <int dim>
-dealii::FullMatrix<double>
-compute_compliance(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
-                   const Coupling &condensed_D, const std::function<void(unsigned int)> &progress)
+dealii::FullMatrix<double> compute_compliance(const StiffnessInverse &inverse,
+                                              const DisplacementSpace<dim> &space,
+                                              const Coupling &condensed_D,
+                                              const std::function<void(unsigned int)> &progress)
 {
   const unsigned int m = condensed_D.n_columns();
   dealii::FullMatrix<double> C(m, m);
@@ -48,8 +51,10 @@ compute_compliance(const StiffnessInverse &inverse, const DisplacementSpace<dim>
   return C;
 }
 
-template FreeState solve_free_state(const StiffnessInverse &, const DisplacementSpace<2> &,
-                                    const DistributedVector &, const Coupling &,
+template FreeState solve_free_state(const StiffnessInverse &,
+                                    const DisplacementSpace<2> &,
+                                    const DistributedVector &,
+                                    const Coupling &,
                                     const dealii::Vector<double> &);
 template dealii::FullMatrix<double> compute_compliance(const StiffnessInverse &,
                                                        const DisplacementSpace<2> &,

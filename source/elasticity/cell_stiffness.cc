@@ -8,7 +8,7 @@ namespace Signorini
 namespace
 {
 const dealii::UpdateFlags stiffness_flags =
-    dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values;
+  dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values;
 
 /** Edges from the first vertex: they tell congruent cells, up to translation. */
 template <int dim>
@@ -31,13 +31,14 @@ bool is_parallelogram(const std::vector<dealii::Tensor<1, dim>> &shape)
 
 template <int dim>
 CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space,
-                                  const Material<dim> &material, const Kinks<dim> &kinks)
-    : material_(material)
-    , constant_(material.is_constant())
-    , kinks_(constant_ ? Kinks<dim>({}) : kinks)
-    , affine_values_(space.mesh().mapping(), space.element(), kinks_, 2, stiffness_flags)
-    , general_values_(space.mesh().mapping(), space.element(), kinks_, 4, stiffness_flags)
-    , matrix_(space.element().n_dofs_per_cell())
+                                  const Material<dim> &material,
+                                  const Kinks<dim> &kinks)
+  : material_(material)
+  , constant_(material.is_constant())
+  , kinks_(constant_ ? Kinks<dim>({}) : kinks)
+  , affine_values_(space.mesh().mapping(), space.element(), kinks_, 2, stiffness_flags)
+  , general_values_(space.mesh().mapping(), space.element(), kinks_, 4, stiffness_flags)
+  , matrix_(space.element().n_dofs_per_cell())
 {
 }
 
@@ -88,7 +89,8 @@ const dealii::FullMatrix<double> &CellStiffness<dim>::operator()(const CellItera
 }
 
 template <int dim>
-DistributedVector internal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+DistributedVector internal_forces(const DisplacementSpace<dim> &space,
+                                  const Scene<dim> &scene,
                                   const NodalVector &U)
 {
   const Kinks<dim> kinks(scene.kinks);
@@ -110,6 +112,7 @@ DistributedVector internal_forces(const DisplacementSpace<dim> &space, const Sce
 }
 
 template class CellStiffness<2>;
-template DistributedVector internal_forces(const DisplacementSpace<2> &, const Scene<2> &,
+template DistributedVector internal_forces(const DisplacementSpace<2> &,
+                                           const Scene<2> &,
                                            const NodalVector &);
 } // namespace Signorini

@@ -30,12 +30,12 @@ dealii::AffineConstraints<double> make_constraints(const Mesh<dim> &mesh,
       rollers.insert(i);
   }
   dealii::AffineConstraints<double> constraints;
-  dealii::VectorTools::interpolate_boundary_values(mesh.mapping(), dofs, displacements,
-                                                   constraints);
+  dealii::VectorTools::interpolate_boundary_values(
+    mesh.mapping(), dofs, displacements, constraints);
   // Where a roller meets a clamped or prescribed side, the entries above stay.
   if (!rollers.empty())
-    dealii::VectorTools::compute_no_normal_flux_constraints(dofs, 0, rollers, constraints,
-                                                            mesh.mapping());
+    dealii::VectorTools::compute_no_normal_flux_constraints(
+      dofs, 0, rollers, constraints, mesh.mapping());
   constraints.close();
   return constraints;
 }
@@ -43,7 +43,9 @@ dealii::AffineConstraints<double> make_constraints(const Mesh<dim> &mesh,
 
 template <int dim>
 DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh, const Scene<dim> &scene)
-    : mesh_(mesh), element_(dealii::FE_Q<dim>(1), dim), dofs_(mesh.triangulation())
+  : mesh_(mesh)
+  , element_(dealii::FE_Q<dim>(1), dim)
+  , dofs_(mesh.triangulation())
 {
   dofs_.distribute_dofs(element_);
   constraints_ = make_constraints(mesh, dofs_, scene);
@@ -65,10 +67,10 @@ NodalVector DisplacementSpace<dim>::complete(const DistributedVector &free_value
 
 template <int dim>
 std::vector<dealii::types::global_dof_index> DisplacementSpace<dim>::cell_dofs(
-    const typename dealii::Triangulation<dim>::active_cell_iterator &cell) const
+  const typename dealii::Triangulation<dim>::active_cell_iterator &cell) const
 {
   const typename dealii::DoFHandler<dim>::active_cell_iterator dof_cell(
-      &mesh_.triangulation(), cell->level(), cell->index(), &dofs_);
+    &mesh_.triangulation(), cell->level(), cell->index(), &dofs_);
   std::vector<dealii::types::global_dof_index> indices(element_.n_dofs_per_cell());
   dof_cell->get_dof_indices(indices);
   return indices;

@@ -2,12 +2,10 @@
 // A and f of (22): one pass over the cells.
 
 #include <signorini/elasticity/cell_stiffness.h>
+#include <signorini/elasticity/h1_gram_matrix.h>
 #include <signorini/elasticity/linear_system.h>
 #include <signorini/parameters/agreement.h>
 #include <signorini/parameters/exceptions.h>
-
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/sparsity_tools.h>
 
 #include <cmath>
 #include <sstream>
@@ -21,13 +19,15 @@ template <int dim>
 class CellLoads
 {
 public:
-  CellLoads(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Kinks<dim> &kinks,
+  CellLoads(const DisplacementSpace<dim> &space,
+            const Scene<dim> &scene,
+            const Kinks<dim> &kinks,
             const unsigned int n_points)
-      : scene_(scene)
-      , kinks_(kinks)
-      , cell_values_(space.mesh().mapping(), space.element(), kinks, n_points, flags())
-      , face_values_(space.mesh().mapping(), space.element(), n_points, flags())
-      , value_(dim)
+    : scene_(scene)
+    , kinks_(kinks)
+    , cell_values_(space.mesh().mapping(), space.element(), kinks, n_points, flags())
+    , face_values_(space.mesh().mapping(), space.element(), n_points, flags())
+    , value_(dim)
   {
   }
 
@@ -62,8 +62,10 @@ private:
   }
 
   /** vector_i += sum_q force(x_q).phi_i(x_q) JxW_q. */
-  void add_force(const dealii::FEValuesBase<dim> &values, const dealii::Function<dim> &force,
-                 const char *name, dealii::Vector<double> &vector)
+  void add_force(const dealii::FEValuesBase<dim> &values,
+                 const dealii::Function<dim> &force,
+                 const char *name,
+                 dealii::Vector<double> &vector)
   {
     const auto &element = values.get_fe();
     for (const unsigned int q : values.quadrature_point_indices())
@@ -77,7 +79,7 @@ private:
       resultant_.add(weighted, x);
       for (unsigned int i = 0; i < vector.size(); ++i)
         vector[i] +=
-            weighted[element.system_to_component_index(i).first] * values.shape_value(i, q);
+          weighted[element.system_to_component_index(i).first] * values.shape_value(i, q);
     }
   }
 
@@ -101,19 +103,6 @@ private:
   Resultant<dim> resultant_;
 };
 
-/** The couplings of A, rows distributed. */
-template <int dim>
-void make_sparsity(const DisplacementSpace<dim> &space, dealii::TrilinosWrappers::SparseMatrix &A)
-{
-  const MPI_Comm communicator = space.mesh().communicator();
-  const dealii::IndexSet &owned = space.locally_owned();
-  dealii::TrilinosWrappers::SparsityPattern sparsity(owned, owned, communicator);
-  dealii::DoFTools::make_sparsity_pattern(space.dofs(), sparsity, space.constraints(), false,
-                                          dealii::Utilities::MPI::this_mpi_process(communicator));
-  sparsity.compress();
-  A.reinit(sparsity);
-}
-
 template <int dim>
 Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator)
 {
@@ -126,16 +115,14 @@ Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator)
 
 template <int dim>
 LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
-                                         const Scene<dim> &scene, const unsigned int n_points)
+                                         const Scene<dim> &scene,
+                                         const unsigned int n_points)
 {
   const MPI_Comm communicator = space.mesh().communicator();
   const Kinks<dim> kinks(scene.kinks);
   CellStiffness<dim> stiffness(space, *scene.material, kinks);
   CellLoads<dim> cell_loads(space, scene, kinks, n_points);
-  LinearSystem<dim> system;
-  make_sparsity(space, system.A);
-  system.f = space.make_vector();
-  system.loads = space.make_vector();
+  LinearSystem<dim> system = {make_matrix(space), space.make_vector(), space.make_vector(), {}};
   const unsigned int n = space.element().n_dofs_per_cell();
   dealii::Vector<double> cell_f(n);
   std::vector<dealii::types::global_dof_index> indices(n);
@@ -148,8 +135,8 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
               cell_f = 0.;
               cell_loads.add(cell, cell_f);
               cell->get_dof_indices(indices);
-              space.constraints().distribute_local_to_global(stiffness(cell), cell_f, indices,
-                                                             system.A, system.f);
+              space.constraints().distribute_local_to_global(
+                stiffness(cell), cell_f, indices, system.A, system.f);
               system.loads.add(indices, cell_f);
             }
         });
@@ -160,6 +147,7 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
   return system;
 }
 
-template LinearSystem<2> assemble_linear_system(const DisplacementSpace<2> &, const Scene<2> &,
+template LinearSystem<2> assemble_linear_system(const DisplacementSpace<2> &,
+                                                const Scene<2> &,
                                                 unsigned int);
 } // namespace Signorini

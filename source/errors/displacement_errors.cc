@@ -29,16 +29,17 @@ class ErrorIntegrals
 public:
   using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-  ErrorIntegrals(const DisplacementSpace<dim> &space, const dealii::Function<dim> &exact,
+  ErrorIntegrals(const DisplacementSpace<dim> &space,
+                 const dealii::Function<dim> &exact,
                  const NodalVector &U)
-      : space_(space)
-      , exact_(exact)
-      , U_(U)
-      , interpolant_minus_U_(space.dofs().n_dofs())
-      , value_(dim)
+    : space_(space)
+    , exact_(exact)
+    , U_(U)
+    , interpolant_minus_U_(space.dofs().n_dofs())
+    , value_(dim)
   {
-    dealii::VectorTools::interpolate(space.mesh().mapping(), space.dofs(), exact,
-                                     interpolant_minus_U_);
+    dealii::VectorTools::interpolate(
+      space.mesh().mapping(), space.dofs(), exact, interpolant_minus_U_);
     interpolant_minus_U_ -= U;
     if (space.mesh().has_parents())
       interpolation_.emplace(space);
@@ -57,7 +58,7 @@ public:
     values[displacement].get_function_values(interpolant_minus_U_, e_);
     values[displacement].get_function_gradients(interpolant_minus_U_, de_);
     const FieldValues<dim> *recovered =
-        interpolation_ ? &interpolation_->evaluate(U_, cell, values) : nullptr;
+      interpolation_ ? &interpolation_->evaluate(U_, cell, values) : nullptr;
     for (unsigned int q = 0; q < n; ++q)
     {
       const double weight = values.JxW(q);
@@ -98,15 +99,19 @@ private:
 
 template <int dim>
 DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &space,
-                                               const Scene<dim> &scene, const NodalVector &U,
+                                               const Scene<dim> &scene,
+                                               const NodalVector &U,
                                                const unsigned int n_points)
 {
   const MPI_Comm communicator = space.mesh().communicator();
   const Kinks<dim> kinks(scene.kinks);
-  CellValues<dim> cell_values(space.mesh().mapping(), space.element(), kinks, n_points,
+  CellValues<dim> cell_values(space.mesh().mapping(),
+                              space.element(),
+                              kinks,
+                              n_points,
                               dealii::update_values | dealii::update_gradients |
-                                  dealii::update_quadrature_points | dealii::update_JxW_values |
-                                  dealii::update_inverse_jacobians);
+                                dealii::update_quadrature_points | dealii::update_JxW_values |
+                                dealii::update_inverse_jacobians);
   ErrorIntegrals<dim> integrals(space, *scene.exact_displacement, U);
   Squares squares;
   for (const auto &cell : space.dofs().active_cell_iterators())
@@ -128,6 +133,7 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
 }
 
 template DisplacementErrors compute_displacement_errors(const DisplacementSpace<2> &,
-                                                        const Scene<2> &, const NodalVector &,
+                                                        const Scene<2> &,
+                                                        const NodalVector &,
                                                         unsigned int);
 } // namespace Signorini

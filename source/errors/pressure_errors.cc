@@ -11,7 +11,8 @@ namespace Signorini
 {
 template <int dim>
 PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
-                                       const dealii::Vector<double> &P, const unsigned int n_points)
+                                       const dealii::Vector<double> &P,
+                                       const unsigned int n_points)
 {
   const RecoveredPressure<dim> recovered(space, P);
   double l2 = 0.;
@@ -36,5 +37,6 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
 }
 
 template PressureErrors compute_pressure_errors(const MultiplierSpace<2> &,
-                                                const dealii::Vector<double> &, unsigned int);
+                                                const dealii::Vector<double> &,
+                                                unsigned int);
 } // namespace Signorini

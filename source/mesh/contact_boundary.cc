@@ -23,9 +23,10 @@ std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Sc
       const double first = side.arc_length(cell->face(f)->vertex(0));
       const double last = side.arc_length(cell->face(f)->vertex(1));
       faces.push_back(
-          {cell, f, number, std::min(first, last), std::max(first, last), last < first});
+        {cell, f, number, std::min(first, last), std::max(first, last), last < first});
     }
-  std::sort(faces.begin(), faces.end(),
+  std::sort(faces.begin(),
+            faces.end(),
             [](const auto &a, const auto &b)
             { return a.side != b.side ? a.side < b.side : a.start < b.start; });
   return faces;

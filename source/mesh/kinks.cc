@@ -39,7 +39,10 @@ Polygon clip(const Polygon &polygon, const unsigned int d, const double position
 class PolygonRule
 {
 public:
-  explicit PolygonRule(const unsigned int n_points) : gauss_(n_points) {}
+  explicit PolygonRule(const unsigned int n_points)
+    : gauss_(n_points)
+  {
+  }
 
   /** Quadrilaterals are mapped from the square, other polygons split into triangles. */
   void add(const Polygon &polygon)
@@ -56,8 +59,10 @@ public:
 
 private:
   /** Bilinear image of the square; with d = a it collapses to a triangle (Duffy). */
-  void add_quadrilateral(const dealii::Point<2> &a, const dealii::Point<2> &b,
-                         const dealii::Point<2> &c, const dealii::Point<2> &d)
+  void add_quadrilateral(const dealii::Point<2> &a,
+                         const dealii::Point<2> &b,
+                         const dealii::Point<2> &c,
+                         const dealii::Point<2> &d)
   {
     for (unsigned int q = 0; q < gauss_.size(); ++q)
     {
@@ -97,7 +102,8 @@ std::pair<double, double> extent(const dealii::Triangulation<2>::cell_iterator &
 } // namespace
 
 template <int dim>
-Kinks<dim>::Kinks(const std::array<std::vector<double>, dim> &positions) : positions_(positions)
+Kinks<dim>::Kinks(const std::array<std::vector<double>, dim> &positions)
+  : positions_(positions)
 {
 }
 
@@ -149,7 +155,7 @@ Kinks<dim>::quadrature(const typename dealii::Triangulation<dim>::cell_iterator 
                        const unsigned int n_points) const
 {
   std::vector<Polygon> pieces = {
-      {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}};
+    {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}};
   for (unsigned int d = 0; d < dim; ++d)
     for (const double position : positions_[d])
     {

@@ -2,24 +2,59 @@
 // T^h by nested refinement, partitioned by METIS.
 
 #include <signorini/mesh/mesh.h>
+#include <signorini/parameters/exceptions.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/grid/grid_tools.h>
+
+#include <sstream>
 
 namespace Signorini
 {
+namespace
+{
+/** Moves the interior vertices; the mapping of every cell must stay one to one. */
 template <int dim>
-Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int coarsest_level,
-                const unsigned int level, MPI_Comm communicator)
-    : triangulation_(communicator, dealii::Triangulation<dim>::none,
-                     /*allow_artificial_cells=*/false,
-                     dealii::parallel::shared::Triangulation<dim>::partition_metis)
-    , parents_are_nested_(level > 0 && (geometry.distortion == 0. || level > coarsest_level))
+void distort(const Geometry<dim> &geometry, dealii::Triangulation<dim> &triangulation)
+{
+  using Info = dealii::GeometryInfo<dim>;
+  dealii::GridTools::distort_random(geometry.distortion, triangulation, true);
+  for (const auto &cell : triangulation.active_cell_iterators())
+  {
+    dealii::Point<dim> vertices[Info::vertices_per_cell];
+    dealii::Tensor<0, dim> determinants[Info::vertices_per_cell];
+    for (const unsigned int v : cell->vertex_indices())
+      vertices[v] = cell->vertex(v);
+    Info::alternating_form_at_vertices(vertices, determinants);
+    for (const double determinant : determinants)
+      if (!(determinant > 0.))
+      {
+        std::ostringstream message;
+        message << geometry.where_distortion << ": found " << geometry.distortion
+                << ", with which the cell at (" << cell->center()
+                << ") is not convex, allowed: a smaller share.";
+        throw InputError(message.str());
+      }
+  }
+}
+} // namespace
+
+template <int dim>
+Mesh<dim>::Mesh(const Geometry<dim> &geometry,
+                const unsigned int coarsest_level,
+                const unsigned int level,
+                MPI_Comm communicator)
+  : triangulation_(communicator,
+                   dealii::Triangulation<dim>::none,
+                   /*allow_artificial_cells=*/false,
+                   dealii::parallel::shared::Triangulation<dim>::partition_metis)
+  , parents_are_nested_(level > 0 && (geometry.distortion == 0. || level > coarsest_level))
 {
   const unsigned int first = std::min(coarsest_level, level);
   geometry.make_coarse_mesh(triangulation_);
   triangulation_.refine_global(first);
   if (geometry.distortion > 0.)
-    dealii::GridTools::distort_random(geometry.distortion, triangulation_, true);
+    distort(geometry, triangulation_);
   triangulation_.refine_global(level - first);
 }
 

@@ -22,7 +22,10 @@ Coupling to_coupling(const std::vector<Sums> &sums)
 }
 } // namespace
 
-Coupling::Coupling(std::vector<Column> columns) : columns_(std::move(columns)) {}
+Coupling::Coupling(std::vector<Column> columns)
+  : columns_(std::move(columns))
+{
+}
 
 void Coupling::add_product(const dealii::Vector<double> &P, DistributedVector &vector) const
 {
@@ -59,16 +62,18 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
                            const ContactPartition &partition)
 {
   // The trace of a bilinear function is linear: two Gauss points are exact.
-  FaceValues<dim> face_values(space.mesh().mapping(), space.element(), 2,
+  FaceValues<dim> face_values(space.mesh().mapping(),
+                              space.element(),
+                              2,
                               dealii::update_values | dealii::update_normal_vectors |
-                                  dealii::update_JxW_values);
+                                dealii::update_JxW_values);
   const dealii::FEValuesExtractors::Vector displacement(0);
   std::vector<Sums> columns(partition.patches.size());
   for (const Piece &piece : partition.pieces)
   {
     const ContactFace<dim> &face = faces[piece.face];
-    const auto &values = face_values.reinit(face.cell, face.face_no,
-                                            face.parameters_between(piece.start, piece.end));
+    const auto &values =
+      face_values.reinit(face.cell, face.face_no, face.parameters_between(piece.start, piece.end));
     const auto indices = space.cell_dofs(face.cell);
     for (unsigned int j = 0; j < indices.size(); ++j)
     {
@@ -98,5 +103,6 @@ Coupling condense(const Coupling &D, const dealii::AffineConstraints<double> &co
 }
 
 template Coupling assemble_coupling(const DisplacementSpace<2> &,
-                                    const std::vector<ContactFace<2>> &, const ContactPartition &);
+                                    const std::vector<ContactFace<2>> &,
+                                    const ContactPartition &);
 } // namespace Signorini

@@ -6,6 +6,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -13,6 +14,9 @@ namespace Signorini
 {
 namespace
 {
+/** With fewer, a square root between two graded positions is not integrated to 1e-8. */
+constexpr unsigned int fewest_graded_points = 8;
+
 /** Inserts positions that approach both ends of every interval by factors of four. */
 std::vector<double> grade(const std::vector<double> &cuts)
 {
@@ -33,9 +37,13 @@ std::vector<double> grade(const std::vector<double> &cuts)
 } // namespace
 
 template <int dim>
-MultiplierSpace<dim>::MultiplierSpace(const Scene<dim> &scene, std::vector<ContactFace<dim>> faces,
+MultiplierSpace<dim>::MultiplierSpace(const Scene<dim> &scene,
+                                      std::vector<ContactFace<dim>> faces,
                                       ContactPartition partition)
-    : scene_(scene), kinks_(scene.kinks), faces_(std::move(faces)), partition_(std::move(partition))
+  : scene_(scene)
+  , kinks_(scene.kinks)
+  , faces_(std::move(faces))
+  , partition_(std::move(partition))
 {
 }
 
@@ -49,18 +57,24 @@ dealii::Vector<double> MultiplierSpace<dim>::lengths() const
 }
 
 template <int dim>
-typename MultiplierSpace<dim>::Rule
-MultiplierSpace<dim>::rule(const Piece &piece, const unsigned int n_points, const bool graded) const
+typename MultiplierSpace<dim>::Rule MultiplierSpace<dim>::rule(const Piece &piece,
+                                                               const unsigned int n_points,
+                                                               const bool graded) const
 {
   const Side<dim> &side = this->side(partition_.patches[piece.patch]);
   const double length = piece.end - piece.start;
   const dealii::Point<dim> start = side.point(piece.start);
   const dealii::Tensor<1, dim> tangent = (side.end - side.start) / side.length();
-  std::vector<double> cuts = kinks_.cut(start, side.point(piece.end));
-  const bool touched = cuts.size() > 2 || kinks_.touch(start, side.point(piece.end));
-  if (graded && touched)
+  const dealii::Point<dim> end = side.point(piece.end);
+  std::vector<double> cuts = kinks_.cut(start, end);
+  // A singularity less than a length away is as bad as one inside.
+  const bool near_kink = kinks_.touch(start, end) ||
+                         kinks_.cut(start - length * tangent, end + length * tangent).size() > 2;
+  const bool refined = graded && near_kink;
+  if (refined)
     cuts = grade(cuts);
-  const dealii::Quadrature<1> quadrature = split_quadrature(dealii::QGauss<1>(n_points), cuts);
+  const dealii::QGauss<1> gauss(refined ? std::max(n_points, fewest_graded_points) : n_points);
+  const dealii::Quadrature<1> quadrature = split_quadrature(gauss, cuts);
   Rule rule;
   for (unsigned int q = 0; q < quadrature.size(); ++q)
   {

@@ -9,8 +9,10 @@
 
 namespace Signorini
 {
-void write_certificate(std::ostream &stream, const std::vector<LevelRecord> &levels,
-                       const double tolerance, const std::string &failure)
+void write_certificate(std::ostream &stream,
+                       const std::vector<LevelRecord> &levels,
+                       const double tolerance,
+                       const std::string &failure)
 {
   using Json = nlohmann::ordered_json;
   Json rows = Json::array();
@@ -33,9 +35,10 @@ void write_certificate(std::ostream &stream, const std::vector<LevelRecord> &lev
                     {"certified", level.is_certified(tolerance)}});
   }
   const bool certified =
-      failure.empty() && !levels.empty() &&
-      std::all_of(levels.begin(), levels.end(),
-                  [&](const LevelRecord &level) { return level.is_certified(tolerance); });
+    failure.empty() && !levels.empty() &&
+    std::all_of(levels.begin(),
+                levels.end(),
+                [&](const LevelRecord &level) { return level.is_certified(tolerance); });
   Json certificate = {{"verdict", certified ? "certified" : "not certified"},
                       {"tolerance", tolerance},
                       {"residual_bound", certificate_bound(tolerance)},

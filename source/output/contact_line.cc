@@ -15,12 +15,14 @@ namespace
 {
 /** u_n at arc length s: the trace of a bilinear function is linear on a face. */
 template <int dim>
-double normal_displacement(const DisplacementSpace<dim> &space, const ContactFace<dim> &face,
-                           const dealii::Tensor<1, dim> &normal, const NodalVector &U,
+double normal_displacement(const DisplacementSpace<dim> &space,
+                           const ContactFace<dim> &face,
+                           const dealii::Tensor<1, dim> &normal,
+                           const NodalVector &U,
                            const double s)
 {
   const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
-      &space.mesh().triangulation(), face.cell->level(), face.cell->index(), &space.dofs());
+    &space.mesh().triangulation(), face.cell->level(), face.cell->index(), &space.dofs());
   const auto mesh_face = cell->face(face.face_no);
   const double t = face.parameter(s);
   double u_n = 0.;
@@ -32,9 +34,10 @@ double normal_displacement(const DisplacementSpace<dim> &space, const ContactFac
 } // namespace
 
 template <int dim>
-std::vector<ContactSegment<dim>>
-trace_contact_line(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
-                   const NodalVector &U, const dealii::Vector<double> &P)
+std::vector<ContactSegment<dim>> trace_contact_line(const DisplacementSpace<dim> &space,
+                                                    const MultiplierSpace<dim> &multipliers,
+                                                    const NodalVector &U,
+                                                    const dealii::Vector<double> &P)
 {
   const RecoveredPressure<dim> recovered(multipliers, P);
   std::vector<ContactSegment<dim>> line;
@@ -84,8 +87,8 @@ void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment<di
 template <int dim>
 void write_contact_vtu(std::ostream &stream, const std::vector<ContactSegment<dim>> &line)
 {
-  const std::vector<std::string> names = {"pressure", "recovered_pressure", "normal_displacement",
-                                          "gap", "opening"};
+  const std::vector<std::string> names = {
+    "pressure", "recovered_pressure", "normal_displacement", "gap", "opening"};
   std::vector<dealii::DataOutBase::Patch<dim - 1, dim>> patches(line.size());
   for (std::size_t k = 0; k < line.size(); ++k)
   {
@@ -96,16 +99,18 @@ void write_contact_vtu(std::ostream &stream, const std::vector<ContactSegment<di
     {
       const ContactPoint<dim> &point = v == 0 ? line[k].start : line[k].end;
       patches[k].vertices[v] = point.x;
-      const double values[] = {point.p_H, point.p_recovered, point.u_n, point.g,
-                               point.g - point.u_n};
+      const double values[] = {
+        point.p_H, point.p_recovered, point.u_n, point.g, point.g - point.u_n};
       for (unsigned int n = 0; n < names.size(); ++n)
         patches[k].data(n, v) = static_cast<float>(values[n]);
     }
   }
-  using Range = std::tuple<unsigned int, unsigned int, std::string,
+  using Range = std::tuple<unsigned int,
+                           unsigned int,
+                           std::string,
                            dealii::DataComponentInterpretation::DataComponentInterpretation>;
-  dealii::DataOutBase::write_vtu(patches, names, std::vector<Range>(),
-                                 dealii::DataOutBase::VtkFlags(), stream);
+  dealii::DataOutBase::write_vtu(
+    patches, names, std::vector<Range>(), dealii::DataOutBase::VtkFlags(), stream);
 }
 
 template std::vector<ContactSegment<2>> trace_contact_line(const DisplacementSpace<2> &,

@@ -34,7 +34,8 @@ std::filesystem::path outermost_missing(const std::filesystem::path &directory)
   std::filesystem::path missing;
   std::error_code error;
   for (std::filesystem::path path = directory;
-       !path.empty() && !std::filesystem::exists(path, error); path = path.parent_path())
+       !path.empty() && !std::filesystem::exists(path, error);
+       path = path.parent_path())
     missing = path;
   return missing;
 }
@@ -61,7 +62,7 @@ std::filesystem::path prepare_directory(const std::filesystem::path &directory)
   std::filesystem::create_directories(directory, error);
   const std::filesystem::path trial = temporary_name(directory / "trial");
   const bool writable =
-      !error && try_to_write(trial, [](std::ostream &stream) { stream << "trial\n"; });
+    !error && try_to_write(trial, [](std::ostream &stream) { stream << "trial\n"; });
   std::filesystem::remove(trial, error);
   if (writable)
     return outermost;

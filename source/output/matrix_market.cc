@@ -25,7 +25,8 @@ void write_matrix_market(std::ostream &stream, const dealii::Vector<double> &vec
   write_matrix_market(stream, column);
 }
 
-void write_matrix_market(std::ostream &stream, const Coupling &D,
+void write_matrix_market(std::ostream &stream,
+                         const Coupling &D,
                          const dealii::types::global_dof_index n_rows)
 {
   std::size_t n_entries = 0;

@@ -29,8 +29,10 @@ void print_number(std::ostream &stream, const std::optional<double> &value)
 }
 
 /** log(before/now) / log(h before/h now). */
-void print_order(std::ostream &stream, const std::optional<double> &value,
-                 const std::optional<double> &before, const double refinement)
+void print_order(std::ostream &stream,
+                 const std::optional<double> &value,
+                 const std::optional<double> &before,
+                 const double refinement)
 {
   stream << std::setw(order_width);
   // Rounding errors (patch tests) have no order.
@@ -58,8 +60,8 @@ constexpr ErrorColumn pressure_columns[] = {{"|p-pH|0", &LevelRecord::p_l2}};
 } // namespace
 
 ScreenTable::ScreenTable(const bool with_displacement_errors, const bool with_pressure_errors)
-    : with_displacement_errors_(with_displacement_errors)
-    , with_pressure_errors_(with_pressure_errors)
+  : with_displacement_errors_(with_displacement_errors)
+  , with_pressure_errors_(with_pressure_errors)
 {
 }
 

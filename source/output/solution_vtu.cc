@@ -22,7 +22,10 @@ template <int dim>
 class StressPostprocessor : public dealii::DataPostprocessor<dim>
 {
 public:
-  explicit StressPostprocessor(const Material<dim> &material) : material_(material) {}
+  explicit StressPostprocessor(const Material<dim> &material)
+    : material_(material)
+  {
+  }
 
   std::vector<std::string> get_names() const override
   {
@@ -59,7 +62,8 @@ public:
   }
 
 private:
-  void evaluate(const dealii::Point<dim> &x, const dealii::SymmetricTensor<2, dim> &strain,
+  void evaluate(const dealii::Point<dim> &x,
+                const dealii::SymmetricTensor<2, dim> &strain,
                 dealii::Vector<double> &computed) const
   {
     try
@@ -96,13 +100,14 @@ template <int dim>
 struct RecoveredField
 {
   RecoveredField(const DisplacementSpace<dim> &space, const NodalVector &U)
-      : element(dealii::FE_Q<dim>(2), dim), dofs(space.mesh().triangulation())
+    : element(dealii::FE_Q<dim>(2), dim)
+    , dofs(space.mesh().triangulation())
   {
     dofs.distribute_dofs(element);
     values.reinit(dofs.n_dofs());
     const dealii::Quadrature<dim> nodes(element.base_element(0).get_unit_support_points());
-    dealii::FEValues<dim> at_nodes(space.mesh().mapping(), space.element(), nodes,
-                                   dealii::update_inverse_jacobians);
+    dealii::FEValues<dim> at_nodes(
+      space.mesh().mapping(), space.element(), nodes, dealii::update_inverse_jacobians);
     PatchInterpolation<dim> interpolation(space);
     dealii::Vector<double> cell_values(element.n_dofs_per_cell());
     auto cell = dofs.begin_active();
@@ -127,7 +132,8 @@ struct RecoveredField
 
 /** On one rank through a temporary file; on several, all write into one. */
 template <int dim>
-void write_patches(const std::filesystem::path &path, const dealii::DataOut<dim> &data_out,
+void write_patches(const std::filesystem::path &path,
+                   const dealii::DataOut<dim> &data_out,
                    MPI_Comm communicator)
 {
   if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
@@ -143,23 +149,26 @@ void write_patches(const std::filesystem::path &path, const dealii::DataOut<dim>
 } // namespace
 
 template <int dim>
-void write_solution_vtu(const std::filesystem::path &path, const DisplacementSpace<dim> &space,
-                        const Scene<dim> &scene, const NodalVector &U)
+void write_solution_vtu(const std::filesystem::path &path,
+                        const DisplacementSpace<dim> &space,
+                        const Scene<dim> &scene,
+                        const NodalVector &U)
 {
   using namespace dealii::DataComponentInterpretation;
   const std::vector<DataComponentInterpretation> vector(dim, component_is_part_of_vector);
   const StressPostprocessor<dim> stress(*scene.material);
   dealii::DataOut<dim> data_out;
-  data_out.set_flags(dealii::DataOutBase::VtkFlags(space.mesh().level(), space.mesh().level(),
-                                                   false,
-                                                   dealii::DataOutBase::VtkFlags::best_speed));
+  data_out.set_flags(dealii::DataOutBase::VtkFlags(
+    space.mesh().level(), space.mesh().level(), false, dealii::DataOutBase::VtkFlags::best_speed));
   data_out.add_data_vector(space.dofs(), U, std::vector<std::string>(dim, "displacement"), vector);
   std::optional<RecoveredField<dim>> recovered;
   if (space.mesh().has_parents())
   {
     recovered.emplace(space, U);
-    data_out.add_data_vector(recovered->dofs, recovered->values,
-                             std::vector<std::string>(dim, "recovered_displacement"), vector);
+    data_out.add_data_vector(recovered->dofs,
+                             recovered->values,
+                             std::vector<std::string>(dim, "recovered_displacement"),
+                             vector);
     data_out.add_data_vector(recovered->dofs, recovered->values, stress);
   }
   else
@@ -175,6 +184,8 @@ void write_pvd(const std::filesystem::path &path,
              [&](std::ostream &stream) { dealii::DataOutBase::write_pvd_record(stream, files); });
 }
 
-template void write_solution_vtu(const std::filesystem::path &, const DisplacementSpace<2> &,
-                                 const Scene<2> &, const NodalVector &);
+template void write_solution_vtu(const std::filesystem::path &,
+                                 const DisplacementSpace<2> &,
+                                 const Scene<2> &,
+                                 const NodalVector &);
 } // namespace Signorini

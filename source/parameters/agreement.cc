@@ -54,7 +54,7 @@ void agree(MPI_Comm communicator, const std::function<void()> &work)
     message = error.what();
   }
   const auto outcomes = dealii::Utilities::MPI::all_gather(
-      communicator, std::make_pair(static_cast<int>(outcome), message));
+    communicator, std::make_pair(static_cast<int>(outcome), message));
   for (const auto &other : outcomes)
     if (other.first != static_cast<int>(Outcome::success))
       rethrow(static_cast<Outcome>(other.first), other.second);

@@ -16,8 +16,11 @@ namespace Signorini
 namespace Patterns = dealii::Patterns;
 
 template <typename T, typename Pattern>
-void Declarations::add(const std::string &name, T &value, const std::string &help,
-                       const Pattern &pattern, const std::string &allowed)
+void Declarations::add(const std::string &name,
+                       T &value,
+                       const std::string &help,
+                       const Pattern &pattern,
+                       const std::string &allowed)
 {
   handler_.add_parameter(name, value, help + " Allowed: " + allowed + ".", pattern);
   allowed_[section_ + name] = allowed;
@@ -60,12 +63,14 @@ void Declarations::declare_scene(Parameters &parameters)
 {
   add("Dimension", parameters.dimension, "Dimension of space.", Patterns::Integer(2, 2), "2");
   enter("Scene");
-  add("Name", parameters.scene.name,
+  add("Name",
+      parameters.scene.name,
       "'described', or a scene of the catalogue (see --list-scenes), which then fixes everything "
       "from Geometry to Exact solution.");
   leave();
   enter("Constants");
-  add("Values", parameters.constants.values,
+  add("Values",
+      parameters.constants.values,
       "Names for the expressions: E=1, nu=0.3 (separated by commas; pi is known).");
   leave();
 }
@@ -73,44 +78,63 @@ void Declarations::declare_scene(Parameters &parameters)
 void Declarations::declare_geometry(GeometryParameters &geometry)
 {
   enter("Geometry");
-  add("Shape", geometry.shape,
+  add("Shape",
+      geometry.shape,
       "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
       "side1, ... in the order of its vertices.",
-      Patterns::Selection("rectangle|polygon"), "rectangle, polygon");
+      Patterns::Selection("rectangle|polygon"),
+      "rectangle, polygon");
   add("Lower left", geometry.lower_left, "Corner of the rectangle: x, y (length).");
   add("Upper right", geometry.upper_right, "Opposite corner of the rectangle: x, y (length).");
   add("Cells", geometry.cells, "Coarse cells of the rectangle per direction: nx, ny.");
-  add("Vertices", geometry.vertices,
+  add("Vertices",
+      geometry.vertices,
       "Polygon: x0,y0; x1,y1; ... counter-clockwise and convex (length). Four vertices make one "
       "coarse cell, another number one per vertex.");
-  add("File", geometry.file, "Mesh file; not available yet.", Patterns::Selection(""),
+  add("File",
+      geometry.file,
+      "Mesh file; not available yet.",
+      Patterns::Selection(""),
       "nothing (meshes from files are not available yet)");
-  add("Distortion", geometry.distortion,
+  add("Distortion",
+      geometry.distortion,
       "Interior vertices of the coarsest level are moved at random by this share of h.",
-      Patterns::Double(0., 0.45), "a number from 0 to 0.45");
+      Patterns::Double(0., 0.45),
+      "a number from 0 to 0.45");
   leave();
 }
 
 void Declarations::declare_material(MaterialParameters &material)
 {
   enter("Material");
-  add("Law", material.law, "Hooke's law.", Patterns::Selection("isotropic|orthotropic|general"),
+  add("Law",
+      material.law,
+      "Hooke's law.",
+      Patterns::Selection("isotropic|orthotropic|general"),
       "isotropic, orthotropic, general");
-  add("Young's modulus", material.youngs_modulus,
+  add("Young's modulus",
+      material.youngs_modulus,
       "Expression in x, y (force/area), positive everywhere.");
-  add("Poisson's ratio", material.poissons_ratio,
+  add("Poisson's ratio",
+      material.poissons_ratio,
       "Expression in x, y, between -1 and 0.5 (both excluded) everywhere.");
-  add("Hooke tensor", material.hooke_tensor,
+  add("Hooke tensor",
+      material.hooke_tensor,
       "General law: C11; C12; C13; C22; C23; C33 (force/area), expressions in Voigt's notation "
       "with the strains e11, e22, 2*e12.");
-  add("Orthotropic moduli", material.orthotropic_moduli,
+  add("Orthotropic moduli",
+      material.orthotropic_moduli,
       "Orthotropic law: Q11; Q22; Q12; Q66 (force/area), expressions in the material's own axes.");
-  add("Orientation", material.orientation,
-      "Degrees from the x-axis to the first axis of an orthotropic material.", Patterns::Double(),
+  add("Orientation",
+      material.orientation,
+      "Degrees from the x-axis to the first axis of an orthotropic material.",
+      Patterns::Double(),
       "a number");
-  add("Plane state", material.plane_state,
+  add("Plane state",
+      material.plane_state,
       "What the third direction does (isotropic law; the others are given for the plane).",
-      Patterns::Selection("strain|stress"), "strain, stress");
+      Patterns::Selection("strain|stress"),
+      "strain, stress");
   leave();
 }
 
@@ -118,13 +142,17 @@ void Declarations::declare_boundary(BoundaryParameters &boundary)
 {
   enter("Boundary");
   add("Clamped", boundary.clamped, "Sides that do not move: names separated by blanks.");
-  add("Rollers", boundary.rollers,
+  add("Rollers",
+      boundary.rollers,
       "Sides with zero normal displacement and zero shear: names separated by blanks.");
-  add("Contact", boundary.contact,
+  add("Contact",
+      boundary.contact,
       "Sides that may touch the foundation: names separated by blanks; at least one.");
-  add("Displacement", boundary.displacement,
+  add("Displacement",
+      boundary.displacement,
       "Prescribed displacement (length) by side: top: 0; -0.1 | left: 0; 0");
-  add("Traction", boundary.traction,
+  add("Traction",
+      boundary.traction,
       "Surface traction (force/area) by side: left: tx; ty | right: tx; ty. Sides without a role "
       "are free.");
   leave();
@@ -133,20 +161,25 @@ void Declarations::declare_boundary(BoundaryParameters &boundary)
 void Declarations::declare_data(Parameters &parameters)
 {
   enter("Load");
-  add("Body force", parameters.load.body_force,
+  add("Body force",
+      parameters.load.body_force,
       "Force per volume: fx; fy, expressions in x, y (force/volume).");
   leave();
   enter("Contact");
-  add("Gap", parameters.contact.gap,
+  add("Gap",
+      parameters.contact.gap,
       "Initial gap along the outward normal (length), an expression for all contact sides, or "
       "per side: bottom: ... | left: ...");
   leave();
   enter("Exact solution");
-  add("Displacement", parameters.exact.displacement,
+  add("Displacement",
+      parameters.exact.displacement,
       "u1; u2 as expressions (length); turns the columns u_... on.");
-  add("Displacement gradient", parameters.exact.displacement_gradient,
+  add("Displacement gradient",
+      parameters.exact.displacement_gradient,
       "du1/dx; du1/dy; du2/dx; du2/dy; without it fourth-order differences are taken.");
-  add("Pressure", parameters.exact.pressure,
+  add("Pressure",
+      parameters.exact.pressure,
       "p = sigma_n, negative in compression (force/area), an expression for all contact sides or "
       "per side; turns the columns p_... on.");
   leave();
@@ -155,31 +188,48 @@ void Declarations::declare_data(Parameters &parameters)
 void Declarations::declare_discretization(DiscretizationParameters &discretization)
 {
   enter("Discretization");
-  add("Coarsest level", discretization.coarsest_level,
-      "Refinements of the coarse mesh on the first level.", Patterns::Integer(0, 14),
+  add("Coarsest level",
+      discretization.coarsest_level,
+      "Refinements of the coarse mesh on the first level.",
+      Patterns::Integer(0, 14),
       "an integer from 0 to 14");
-  add("Finest level", discretization.finest_level,
-      "Refinements of the coarse mesh on the last level.", Patterns::Integer(0, 14),
+  add("Finest level",
+      discretization.finest_level,
+      "Refinements of the coarse mesh on the last level.",
+      Patterns::Integer(0, 14),
       "an integer from 0 to 14");
-  add("Patch ratio", discretization.patch_ratio,
+  add("Patch ratio",
+      discretization.patch_ratio,
       "H/h: faces per contact patch; where it does not divide the faces of a side, the last patch "
       "is the longer one.",
-      Patterns::Integer(1, 1 << 14), "an integer from 1 to 16384");
-  add("Patches", discretization.patches,
+      Patterns::Integer(1, 1 << 14),
+      "an integer from 1 to 16384");
+  add("Patches",
+      discretization.patches,
       "If positive: this many equal patches per contact side, aligned with nothing.",
-      Patterns::Integer(0, 1 << 14), "an integer from 0 to 16384");
-  add("Target error", discretization.target_error,
+      Patterns::Integer(0, 1 << 14),
+      "an integer from 0 to 16384");
+  add("Target error",
+      discretization.target_error,
       "If positive: stop refining when the estimated relative H1 error is below it.",
-      Patterns::Double(0., 1.), "a number from 0 to 1");
-  add("Quadrature points", discretization.quadrature_points,
-      "Gauss points per direction for loads; errors take one more.", Patterns::Integer(1, 16),
+      Patterns::Double(0., 1.),
+      "a number from 0 to 1");
+  add("Quadrature points",
+      discretization.quadrature_points,
+      "Gauss points per direction for loads; errors take one more.",
+      Patterns::Integer(1, 16),
       "an integer from 1 to 16");
   const Patterns::List positions(Patterns::Double(), 0, 1000, ",");
-  add("Kinks at x", discretization.kinks_at_x,
+  add("Kinks at x",
+      discretization.kinks_at_x,
       "Positions x where the data is not smooth (length): cells and patches crossed by one are "
       "integrated on the pieces.",
-      positions, "numbers separated by commas");
-  add("Kinks at y", discretization.kinks_at_y, "The same for positions y.", positions,
+      positions,
+      "numbers separated by commas");
+  add("Kinks at y",
+      discretization.kinks_at_y,
+      "The same for positions y.",
+      positions,
       "numbers separated by commas");
   leave();
 }
@@ -187,39 +237,63 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
 void Declarations::declare_solver(SolverParameters &solver)
 {
   enter("Solver");
-  add("Contact solver", solver.contact_solver,
+  add("Contact solver",
+      solver.contact_solver,
       "Method for the dual problem: projected SOR or primal-dual active set.",
-      Patterns::Selection("psor|active set"), "psor, active set");
-  add("Relaxation", solver.relaxation, "Relaxation parameter omega of projected SOR.",
+      Patterns::Selection("psor|active set"),
+      "psor, active set");
+  add("Relaxation",
+      solver.relaxation,
+      "Relaxation parameter omega of projected SOR.",
       Patterns::Double(std::numeric_limits<double>::min(), 2. - 1e-15),
       "a number between 0 and 2 (both excluded)");
-  add("Tolerance", solver.tolerance, "On the relative KKT residual of the dual problem.",
-      Patterns::Double(1e-15, 1e-2), "a number from 1e-15 to 0.01");
-  add("Maximum iterations", solver.maximum_iterations,
+  add("Tolerance",
+      solver.tolerance,
+      "On the relative KKT residual of the dual problem.",
+      Patterns::Double(1e-15, 1e-2),
+      "a number from 1e-15 to 0.01");
+  add("Maximum iterations",
+      solver.maximum_iterations,
       "Sweeps of projected SOR or steps of the active set before giving up.",
-      Patterns::Integer(1, std::numeric_limits<int>::max()), "a positive integer");
-  add("Linear solver", solver.linear_solver, "Factorisation of the stiffness matrix.",
+      Patterns::Integer(1, std::numeric_limits<int>::max()),
+      "a positive integer");
+  add("Linear solver",
+      solver.linear_solver,
+      "Factorisation of the stiffness matrix.",
       Patterns::Selection("automatic|amesos_mumps|amesos_klu"),
       "automatic, amesos_mumps, amesos_klu");
-  add("Warm start", solver.warm_start, "Start a level from the pressure of the level before.",
-      Patterns::Bool(), "true, false");
-  add("Require stability", solver.require_stability,
+  add("Warm start",
+      solver.warm_start,
+      "Start a level from the pressure of the level before.",
+      Patterns::Bool(),
+      "true, false");
+  add("Require stability",
+      solver.require_stability,
       "Refuse patches of a single face (H = h), which are not inf-sup stable, instead of warning.",
-      Patterns::Bool(), "true, false");
+      Patterns::Bool(),
+      "true, false");
   leave();
 }
 
 void Declarations::declare_output(OutputParameters &output)
 {
   enter("Output");
-  add("VTU", output.vtu, "Levels for which solution-LL.vtu and contact-LL.vtu are written.",
-      Patterns::Selection("none|finest|all"), "none, finest, all");
-  add("Inf-sup constant", output.inf_sup_constant,
-      "Whether the constant of Lemma 1 is measured ('automatic' measures it where the program can, "
-      "which is nowhere yet).",
-      Patterns::Selection("false|automatic"), "false, automatic");
-  add("Compliance", output.compliance,
-      "Write C, F, D and G of the dual problem as Matrix Market files.", Patterns::Bool(),
+  add("VTU",
+      output.vtu,
+      "Levels for which solution-LL.vtu and contact-LL.vtu are written.",
+      Patterns::Selection("none|finest|all"),
+      "none, finest, all");
+  add("Inf-sup constant",
+      output.inf_sup_constant,
+      "Whether the constant beta of Lemma 1 is measured (automatic: up to 1e5 unknowns; it needs "
+      "its own "
+      "factorisation).",
+      Patterns::Selection("true|false|automatic"),
+      "true, false, automatic");
+  add("Compliance",
+      output.compliance,
+      "Write C, F, D and G of the dual problem as Matrix Market files.",
+      Patterns::Bool(),
       "true, false");
   leave();
 }
@@ -271,7 +345,8 @@ void Declarations::refuse_unknown(const std::string &path, const std::string &wh
                    "'? (--print-parameters lists all)");
 }
 
-bool Declarations::assign(const std::string &path, const std::string &value,
+bool Declarations::assign(const std::string &path,
+                          const std::string &value,
                           const std::string &where)
 {
   const auto known = allowed_.find(path);
@@ -298,8 +373,9 @@ std::string Declarations::print(const bool with_help) const
 {
   std::ostringstream text;
   handler_.print_parameters(
-      text, (with_help ? dealii::ParameterHandler::Text : dealii::ParameterHandler::ShortText) |
-                dealii::ParameterHandler::KeepDeclarationOrder);
+    text,
+    (with_help ? dealii::ParameterHandler::Text : dealii::ParameterHandler::ShortText) |
+      dealii::ParameterHandler::KeepDeclarationOrder);
   return text.str();
 }
 } // namespace Signorini

@@ -35,7 +35,10 @@ private:
   template <typename T>
   void add(const std::string &name, T &value, const std::string &help);
   template <typename T, typename Pattern>
-  void add(const std::string &name, T &value, const std::string &help, const Pattern &pattern,
+  void add(const std::string &name,
+           T &value,
+           const std::string &help,
+           const Pattern &pattern,
            const std::string &allowed);
   void enter(const std::string &section);
   void leave();

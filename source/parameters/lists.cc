@@ -43,7 +43,7 @@ std::vector<std::string> split_list(const std::string &text, const char separato
   for (std::size_t i = 0; i < text.size(); ++i)
   {
     const bool doubled =
-        (i > 0 && text[i - 1] == separator) || (i + 1 < text.size() && text[i + 1] == separator);
+      (i > 0 && text[i - 1] == separator) || (i + 1 < text.size() && text[i + 1] == separator);
     const bool separates = text[i] == separator && depth == 0 && !(separator == '|' && doubled);
     if (separates)
     {

@@ -20,7 +20,10 @@ namespace
 class Scanner
 {
 public:
-  explicit Scanner(std::string file_name) : file_name_(std::move(file_name)) {}
+  explicit Scanner(std::string file_name)
+    : file_name_(std::move(file_name))
+  {
+  }
 
   void read_line(const std::string &line, const unsigned int number)
   {
@@ -82,7 +85,7 @@ std::vector<Assignment> scan_parameter_text(const std::string &text, const std::
   Scanner scanner(file_name);
   const std::string byte_order_mark = "\xEF\xBB\xBF";
   std::istringstream stream(
-      text.compare(0, byte_order_mark.size(), byte_order_mark) == 0 ? text.substr(3) : text);
+    text.compare(0, byte_order_mark.size(), byte_order_mark) == 0 ? text.substr(3) : text);
   std::string line;
   std::string logical_line;
   unsigned int number = 0;
@@ -112,7 +115,7 @@ Assignment scan_override(const std::string &argument)
   // An override is one line, like the file it stands in for.
   std::string line = argument;
   std::replace_if(
-      line.begin(), line.end(), [](const unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+    line.begin(), line.end(), [](const unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
   const auto equals = line.find('=');
   if (equals == std::string::npos || trim(line.substr(0, equals)).empty())
     throw InputError("--set: found '" + line + "', but 'Subsection/Parameter=value' is expected.");

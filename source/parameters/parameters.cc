@@ -35,7 +35,8 @@ bool Parameters::changed(const std::string &path) const
   return changes.count(path) > 0;
 }
 
-Parameters parse_parameters(const std::string &text, const std::string &file_name,
+Parameters parse_parameters(const std::string &text,
+                            const std::string &file_name,
                             const std::vector<std::string> &overrides)
 {
   Parameters parameters;

@@ -28,8 +28,10 @@ struct NodalForces
 };
 
 template <int dim>
-NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                         const LinearSystem<dim> &system, const Coupling &D,
+NodalForces nodal_forces(const DisplacementSpace<dim> &space,
+                         const Scene<dim> &scene,
+                         const LinearSystem<dim> &system,
+                         const Coupling &D,
                          const ContactSolution<dim> &solution)
 {
   NodalForces forces;
@@ -53,7 +55,7 @@ double stationarity(const DisplacementSpace<dim> &space, const NodalForces &forc
   space.constraints().condense(condensed);
   space.constraints().set_zero(condensed);
   const double scale =
-      std::max({forces.internal.l2_norm(), forces.loads.l2_norm(), forces.contact.l2_norm()});
+    std::max({forces.internal.l2_norm(), forces.loads.l2_norm(), forces.contact.l2_norm()});
   return relative(condensed.l2_norm(), scale);
 }
 
@@ -96,9 +98,12 @@ Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
 
 /** Balance of forces and moments between reactions, loads and contact. */
 template <int dim>
-void balance(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-             const Resultant<dim> &applied, const Resultant<dim> &contact,
-             const NodalForces &forces, Certificate &certificate)
+void balance(const DisplacementSpace<dim> &space,
+             const Scene<dim> &scene,
+             const Resultant<dim> &applied,
+             const Resultant<dim> &contact,
+             const NodalForces &forces,
+             Certificate &certificate)
 {
   Resultant<dim> reactions;
   double sum_of_sizes = 0.;
@@ -112,19 +117,21 @@ void balance(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
   const dealii::Tensor<1, dim> force = reactions.force + applied.force + contact.force;
   // About the centre of the body: the origin may be far away.
   const dealii::Tensor<1, dim> centre =
-      0.5 * (scene.geometry.lower + (scene.geometry.upper - dealii::Point<dim>()));
+    0.5 * (scene.geometry.lower + (scene.geometry.upper - dealii::Point<dim>()));
   const double moment = reactions.moment + applied.moment + contact.moment -
                         (centre[0] * force[1] - centre[1] * force[0]);
   const double scale = std::max({sum_of_sizes, applied.force.norm(), contact.force.norm()});
   certificate.force_balance = relative(force.norm(), scale);
   certificate.moment_balance =
-      relative(moment, scale * (scene.geometry.diameter() + centre.norm()));
+    relative(moment, scale * (scene.geometry.diameter() + centre.norm()));
 }
 
 /** Signs, penetration and complementarity of P and W = D^T U - G. */
 template <int dim>
-void check_contact(const MultiplierSpace<dim> &multipliers, const ContactSolution<dim> &solution,
-                   const dealii::Vector<double> &W, const double energy_scale,
+void check_contact(const MultiplierSpace<dim> &multipliers,
+                   const ContactSolution<dim> &solution,
+                   const dealii::Vector<double> &W,
+                   const double energy_scale,
                    Certificate &certificate)
 {
   const unsigned int m = W.size();
@@ -149,20 +156,23 @@ void check_contact(const MultiplierSpace<dim> &multipliers, const ContactSolutio
 
 double Certificate::worst() const
 {
-  return std::max({stationarity, penetration, sign, complementarity, duality_gap, force_balance,
-                   moment_balance});
+  return std::max(
+    {stationarity, penetration, sign, complementarity, duality_gap, force_balance, moment_balance});
 }
 
 template <int dim>
-Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                    const LinearSystem<dim> &system, const MultiplierSpace<dim> &multipliers,
-                    const Coupling &D, const ContactSolution<dim> &solution)
+Certificate certify(const DisplacementSpace<dim> &space,
+                    const Scene<dim> &scene,
+                    const LinearSystem<dim> &system,
+                    const MultiplierSpace<dim> &multipliers,
+                    const Coupling &D,
+                    const ContactSolution<dim> &solution)
 {
   Certificate certificate;
   const NodalForces forces = nodal_forces(space, scene, system, D, solution);
   certificate.stationarity = stationarity(space, forces);
-  balance(space, scene, system.applied, contact_resultant(multipliers, solution.P), forces,
-          certificate);
+  balance(
+    space, scene, system.applied, contact_resultant(multipliers, solution.P), forces, certificate);
 
   dealii::Vector<double> W = D.transpose_product(solution.U);
   W -= solution.G;
@@ -170,7 +180,7 @@ Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene
   const double work_of_loads = solution.U * forces.loads;
   const double work_of_gap = solution.P * solution.G;
   const double energy_scale =
-      std::max({strain_energy, std::abs(work_of_loads), std::abs(work_of_gap)});
+    std::max({strain_energy, std::abs(work_of_loads), std::abs(work_of_gap)});
   check_contact(multipliers, solution, W, energy_scale, certificate);
   // J of (22); [p, Bu - g] is P^T W.
   certificate.energy = strain_energy - work_of_loads - solution.P * W;
@@ -187,7 +197,10 @@ Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene
   return certificate;
 }
 
-template Certificate certify(const DisplacementSpace<2> &, const Scene<2> &,
-                             const LinearSystem<2> &, const MultiplierSpace<2> &, const Coupling &,
+template Certificate certify(const DisplacementSpace<2> &,
+                             const Scene<2> &,
+                             const LinearSystem<2> &,
+                             const MultiplierSpace<2> &,
+                             const Coupling &,
                              const ContactSolution<2> &);
 } // namespace Signorini

@@ -25,7 +25,8 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const dealii
 template <int dim>
 RecoveredPressure<dim>::RecoveredPressure(const MultiplierSpace<dim> &space,
                                           const dealii::Vector<double> &P)
-    : patches_(space.partition().patches), P_(P)
+  : patches_(space.partition().patches)
+  , P_(P)
 {
 }
 
@@ -44,7 +45,7 @@ double RecoveredPressure<dim>::operator()(const unsigned int patch, const double
   if (!on_side(next))
     return P_[patch];
   const double slope =
-      (P_[next] - P_[patch]) / (patches_[next].middle() - patches_[patch].middle());
+    (P_[next] - P_[patch]) / (patches_[next].middle() - patches_[patch].middle());
   return std::min(0., P_[patch] + slope * (s - patches_[patch].middle()));
 }
 
@@ -61,10 +62,11 @@ dealii::Vector<double> transfer_pressure(const std::vector<Patch> &from,
     while (first < from.size() && before(from[first]))
       ++first;
     for (std::size_t k = first;
-         k < from.size() && from[k].side == to[t].side && from[k].start < to[t].end; ++k)
+         k < from.size() && from[k].side == to[t].side && from[k].start < to[t].end;
+         ++k)
     {
       const double overlap =
-          std::min(from[k].end, to[t].end) - std::max(from[k].start, to[t].start);
+        std::min(from[k].end, to[t].end) - std::max(from[k].start, to[t].start);
       transferred[t] += P[k] * std::max(overlap, 0.) / to[t].length();
     }
   }

@@ -14,9 +14,11 @@ template <int dim>
 ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const NodalVector &U)
 {
   // Products of functions of degree two per direction: three points are exact on parallelograms.
-  dealii::FEValues<dim> values(space.mesh().mapping(), space.element(), dealii::QGauss<dim>(3),
+  dealii::FEValues<dim> values(space.mesh().mapping(),
+                               space.element(),
+                               dealii::QGauss<dim>(3),
                                dealii::update_values | dealii::update_gradients |
-                                   dealii::update_inverse_jacobians | dealii::update_JxW_values);
+                                 dealii::update_inverse_jacobians | dealii::update_JxW_values);
   const dealii::FEValuesExtractors::Vector displacement(0);
   PatchInterpolation<dim> interpolation(space);
   std::vector<dealii::Tensor<1, dim>> u(values.n_quadrature_points);
@@ -35,13 +37,13 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const NodalVec
         const auto &v = recovered.values[q];
         const auto &dv = recovered.gradients[q];
         squared_difference +=
-            ((v - u[q]).norm_square() + (dv - du[q]).norm_square()) * values.JxW(q);
+          ((v - u[q]).norm_square() + (dv - du[q]).norm_square()) * values.JxW(q);
         squared_norm += (v.norm_square() + dv.norm_square()) * values.JxW(q);
       }
     }
   const MPI_Comm communicator = space.mesh().communicator();
   const double difference =
-      std::sqrt(dealii::Utilities::MPI::sum(squared_difference, communicator));
+    std::sqrt(dealii::Utilities::MPI::sum(squared_difference, communicator));
   const double norm = std::sqrt(dealii::Utilities::MPI::sum(squared_norm, communicator));
   return {difference, norm > 0. ? difference / norm : 0.};
 }

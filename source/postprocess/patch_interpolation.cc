@@ -29,8 +29,8 @@ unsigned int bit(const unsigned int number, const unsigned int d)
 
 template <int dim>
 PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space)
-    : space_(space)
-    , polynomials_(dealii::Polynomials::LagrangeEquidistant::generate_complete_basis(2))
+  : space_(space)
+  , polynomials_(dealii::Polynomials::LagrangeEquidistant::generate_complete_basis(2))
 {
   Assert(space.mesh().has_parents(), dealii::ExcMessage("pi^{2h} needs the level before"));
 }
@@ -112,7 +112,7 @@ const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const NodalVector &U,
     }
     // du_i/dx_j = sum_k du_i/dxi_k dxi_k/dx_j
     result_.gradients[q] =
-        reference_gradient * dealii::Tensor<2, dim>(fe_values.inverse_jacobian(q));
+      reference_gradient * dealii::Tensor<2, dim>(fe_values.inverse_jacobian(q));
   }
   return result_;
 }

@@ -5,6 +5,7 @@
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
+#include <limits>
 #include <set>
 
 namespace Signorini
@@ -81,6 +82,12 @@ ActiveSet exchange_lowest(const ActiveSet &active, const ActiveSet &wanted)
   return next;
 }
 
+/** A residual that a solve with C_AA leaves. */
+double rounding_level(const BoundConstrainedQP &qp)
+{
+  return (qp.size() + 10) * std::numeric_limits<double>::epsilon();
+}
+
 void project(const BoundConstrainedQP &qp, Vector &P)
 {
   for (unsigned int i = 0; i < qp.size(); ++i)
@@ -88,7 +95,8 @@ void project(const BoundConstrainedQP &qp, Vector &P)
 }
 } // namespace
 
-QPResult solve_by_active_set(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
+QPResult solve_by_active_set(const BoundConstrainedQP &qp,
+                             const dealii::Vector<double> &start,
                              const ActiveSetOptions &options)
 {
   QPResult result;
@@ -101,15 +109,15 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const dealii::Vector<
     visited.insert(active);
     result.P = solve_on_set(qp, active);
     const ActiveSet wanted = improve(qp, active, result.P);
-    settled = wanted == active;
-    if (!settled && visited.count(wanted) > 0)
-    {
-      // Sets that differ only where P and W vanish up to rounding are the same answer.
-      Vector projected = result.P;
-      project(qp, projected);
-      settled = qp.kkt_residual(projected) <= 1e-3 * options.tolerance;
-      result.cycled = true;
-    }
+    // Where P and W vanish together, rounding chooses the set anew each time: the answer is found
+    // all the same.
+    Vector projected = result.P;
+    project(qp, projected);
+    const double residual = qp.kkt_residual(projected);
+    const bool came_back = visited.count(wanted) > 0;
+    settled = wanted == active || residual <= rounding_level(qp) ||
+              (came_back && residual <= 1e-3 * options.tolerance);
+    result.cycled = result.cycled || (came_back && !settled);
     active = result.cycled ? exchange_lowest(active, wanted) : wanted;
   }
   project(qp, result.P);

@@ -9,12 +9,14 @@
 namespace Signorini
 {
 BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, Vector F_)
-    : BoundConstrainedQP(std::move(C_), F_, Vector(F_.size()))
+  : BoundConstrainedQP(std::move(C_), F_, Vector(F_.size()))
 {
 }
 
 BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, Vector F_, Vector bound_)
-    : C(std::move(C_)), F(std::move(F_)), bound(std::move(bound_))
+  : C(std::move(C_))
+  , F(std::move(F_))
+  , bound(std::move(bound_))
 {
   if (C.m() != F.size() || C.n() != F.size() || bound.size() != F.size())
     throw std::invalid_argument("The sizes of C, F and the bound do not fit together.");

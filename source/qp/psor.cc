@@ -26,7 +26,8 @@ double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, dealii:
   return std::sqrt(squared_increment);
 }
 
-QPResult solve_by_psor(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
+QPResult solve_by_psor(const BoundConstrainedQP &qp,
+                       const dealii::Vector<double> &start,
                        const PsorOptions &options)
 {
   if (!(options.relaxation > 0. && options.relaxation < 2.))

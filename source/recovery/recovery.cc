@@ -7,8 +7,10 @@ namespace Signorini
 {
 template <int dim>
 NodalVector recover_displacement(const StiffnessInverse &inverse,
-                                 const DisplacementSpace<dim> &space, const Coupling &condensed_D,
-                                 const dealii::Vector<double> &P, const DistributedVector &f)
+                                 const DisplacementSpace<dim> &space,
+                                 const Coupling &condensed_D,
+                                 const dealii::Vector<double> &P,
+                                 const DistributedVector &f)
 {
   DistributedVector DP_plus_f(f);
   condensed_D.add_product(P, DP_plus_f);
@@ -18,7 +20,9 @@ NodalVector recover_displacement(const StiffnessInverse &inverse,
   return space.complete(U);
 }
 
-template NodalVector recover_displacement(const StiffnessInverse &, const DisplacementSpace<2> &,
-                                          const Coupling &, const dealii::Vector<double> &,
+template NodalVector recover_displacement(const StiffnessInverse &,
+                                          const DisplacementSpace<2> &,
+                                          const Coupling &,
+                                          const dealii::Vector<double> &,
                                           const DistributedVector &);
 } // namespace Signorini

@@ -31,8 +31,8 @@ Scene<2> make_a1()
   };
   family.C = {{{{3., 1., 0.}}, {{1., 3., 0.}}, {{0., 0., 1.}}}};
   Scene<2> scene = make_lift_scene(family);
-  scene.material = make_isotropic<2>(Expression<2>("2.5", {}, "A1"),
-                                     Expression<2>("0.25", {}, "A1"), PlaneState::strain);
+  scene.material = make_isotropic<2>(
+    Expression<2>("2.5", {}, "A1"), Expression<2>("0.25", {}, "A1"), PlaneState::strain);
   scene.kinks[0] = {xi};
   return scene;
 }

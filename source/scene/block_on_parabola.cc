@@ -20,13 +20,13 @@ Scene<2> make_block_on_parabola()
   Scene<2> scene;
   scene.geometry = make_rectangle({-1., 0.}, {1., 1.}, {2, 1});
   scene.boundary.resize(scene.geometry.sides.size());
-  scene.boundary[scene.geometry.find_side("top")] = {Role::displacement, function({"0", "-0.05"}),
-                                                     nullptr};
-  scene.boundary[scene.geometry.find_side("bottom")] = {Role::contact, function({"x^2/4"}),
-                                                        nullptr};
-  scene.material =
-      make_isotropic<2>(Expression<2>("1", {}, "block on parabola"),
-                        Expression<2>("0.3", {}, "block on parabola"), PlaneState::strain);
+  scene.boundary[scene.geometry.find_side("top")] = {
+    Role::displacement, function({"0", "-0.05"}), nullptr};
+  scene.boundary[scene.geometry.find_side("bottom")] = {
+    Role::contact, function({"x^2/4"}), nullptr};
+  scene.material = make_isotropic<2>(Expression<2>("1", {}, "block on parabola"),
+                                     Expression<2>("0.3", {}, "block on parabola"),
+                                     PlaneState::strain);
   return scene;
 }
 } // namespace Signorini

@@ -13,11 +13,11 @@ namespace Signorini
 const std::vector<CatalogueEntry> &catalogue()
 {
   static const std::vector<CatalogueEntry> entries = {
-      {"A1", "smooth manufactured contact on half of a side, exact solution known", make_a1},
-      {"D1", "patch test: constant strain under full contact, exact on every mesh",
-       make_patch_test},
-      {"block on parabola", "elastic block pressed on a parabolic foundation, no exact solution",
-       make_block_on_parabola}};
+    {"A1", "smooth manufactured contact on half of a side, exact solution known", make_a1},
+    {"D1", "patch test: constant strain under full contact, exact on every mesh", make_patch_test},
+    {"block on parabola",
+     "elastic block pressed on a parabolic foundation, no exact solution",
+     make_block_on_parabola}};
   return entries;
 }
 

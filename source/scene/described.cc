@@ -22,14 +22,14 @@ class SceneReader
 {
 public:
   explicit SceneReader(const Parameters &parameters)
-      : parameters_(parameters)
-      , constants_(
-            read_constants(parameters.constants.values, parameters.where("Constants/Values")))
+    : parameters_(parameters)
+    , constants_(read_constants(parameters.constants.values, parameters.where("Constants/Values")))
   {
   }
 
   /** The components of a vector, separated by ';'. */
-  std::vector<Expression<2>> components(const std::string &text, const unsigned int n,
+  std::vector<Expression<2>> components(const std::string &text,
+                                        const unsigned int n,
                                         const std::string &path) const
   {
     const std::vector<std::string> parts = split_list(text, ';');
@@ -48,11 +48,12 @@ public:
     return components(text, 1, path).front();
   }
 
-  FunctionPointer<2> function(const std::string &text, const unsigned int n,
+  FunctionPointer<2> function(const std::string &text,
+                              const unsigned int n,
                               const std::string &path) const
   {
-    return std::make_shared<ExpressionFunction<2>>(components(text, n, path),
-                                                   std::vector<Expression<2>>(), 1e-8);
+    return std::make_shared<ExpressionFunction<2>>(
+      components(text, n, path), std::vector<Expression<2>>(), 1e-8);
   }
 
 private:
@@ -68,16 +69,19 @@ std::shared_ptr<const Material<2>> read_material(const Parameters &parameters,
     return make_general(reader.components(given.hooke_tensor, 6, "Material/Hooke tensor"));
   if (given.law == "orthotropic")
     return make_orthotropic(
-        reader.components(given.orthotropic_moduli, 4, "Material/Orthotropic moduli"),
-        given.orientation);
+      reader.components(given.orthotropic_moduli, 4, "Material/Orthotropic moduli"),
+      given.orientation);
   return make_isotropic<2>(reader.scalar(given.youngs_modulus, "Material/Young's modulus"),
                            reader.scalar(given.poissons_ratio, "Material/Poisson's ratio"),
                            given.plane_state == "stress" ? PlaneState::stress : PlaneState::strain);
 }
 
 /** Gives the sides named in one list their role; a side has one role only. */
-void assign_roles(const Parameters &parameters, const std::string &path,
-                  const std::vector<std::string> &names, const Role role, Scene<2> &scene,
+void assign_roles(const Parameters &parameters,
+                  const std::string &path,
+                  const std::vector<std::string> &names,
+                  const Role role,
+                  Scene<2> &scene,
                   std::vector<std::string> &role_names)
 {
   for (const std::string &name : names)
@@ -101,7 +105,7 @@ void read_boundary(const Parameters &parameters, const SceneReader &reader, Scen
   scene.boundary.resize(sides.size());
   std::vector<std::string> role_names(sides.size());
   const auto assign =
-      [&](const std::string &path, const std::vector<std::string> &names, const Role role)
+    [&](const std::string &path, const std::vector<std::string> &names, const Role role)
   { assign_roles(parameters, path, names, role, scene, role_names); };
   assign("Boundary/Clamped", split_words(given.clamped), Role::clamped);
   assign("Boundary/Rollers", split_words(given.rollers), Role::roller);
@@ -112,7 +116,7 @@ void read_boundary(const Parameters &parameters, const SceneReader &reader, Scen
     {
       assign(path, {entry.first}, role);
       scene.boundary[scene.geometry.find_side(entry.first)].data =
-          reader.function(entry.second, 2, path);
+        reader.function(entry.second, 2, path);
     }
   };
   assign_data("Boundary/Displacement", given.displacement, Role::displacement);
@@ -132,15 +136,16 @@ void read_contact_data(const Parameters &parameters, const SceneReader &reader, 
   { return read_contact_list(text, parameters.where(path), scene.geometry.side_names(), names); };
   for (const auto &gap : per_side("Contact/Gap", parameters.contact.gap))
     scene.boundary[scene.geometry.find_side(gap.first)].data =
-        reader.function(gap.second, 1, "Contact/Gap");
+      reader.function(gap.second, 1, "Contact/Gap");
   if (parameters.exact.pressure.empty())
     return;
   for (const auto &pressure : per_side("Exact solution/Pressure", parameters.exact.pressure))
     scene.boundary[scene.geometry.find_side(pressure.first)].exact_pressure =
-        reader.function(pressure.second, 1, "Exact solution/Pressure");
+      reader.function(pressure.second, 1, "Exact solution/Pressure");
 }
 
-void read_exact_displacement(const Parameters &parameters, const SceneReader &reader,
+void read_exact_displacement(const Parameters &parameters,
+                             const SceneReader &reader,
                              Scene<2> &scene)
 {
   const ExactSolutionParameters &given = parameters.exact;
@@ -154,10 +159,11 @@ void read_exact_displacement(const Parameters &parameters, const SceneReader &re
   std::vector<Expression<2>> gradients;
   if (!given.displacement_gradient.empty())
     gradients =
-        reader.components(given.displacement_gradient, 4, "Exact solution/Displacement gradient");
+      reader.components(given.displacement_gradient, 4, "Exact solution/Displacement gradient");
   scene.exact_displacement = std::make_shared<ExpressionFunction<2>>(
-      reader.components(given.displacement, 2, "Exact solution/Displacement"), gradients,
-      1e-4 * scene.geometry.diameter());
+    reader.components(given.displacement, 2, "Exact solution/Displacement"),
+    gradients,
+    1e-4 * scene.geometry.diameter());
 }
 
 /** Points where every expression must have a value: Gauss points, as the integrals use them. */
@@ -184,7 +190,8 @@ std::vector<dealii::Point<2>> sample_side(const Side<2> &side)
   return points;
 }
 
-void check_finite(const FunctionPointer<2> &function, const std::vector<dealii::Point<2>> &points,
+void check_finite(const FunctionPointer<2> &function,
+                  const std::vector<dealii::Point<2>> &points,
                   const std::string &where)
 {
   if (function == nullptr)
@@ -201,7 +208,8 @@ void check_finite(const FunctionPointer<2> &function, const std::vector<dealii::
 }
 
 /** A gradient that is given by expressions; differences may leave the body. */
-void check_gradient(const Parameters &parameters, const Scene<2> &scene,
+void check_gradient(const Parameters &parameters,
+                    const Scene<2> &scene,
                     const std::vector<dealii::Point<2>> &points)
 {
   if (parameters.exact.displacement_gradient.empty())

@@ -114,9 +114,12 @@ private:
 };
 
 template <int dim>
-Expression<dim>::Expression(const std::string &text, const Constants &constants,
+Expression<dim>::Expression(const std::string &text,
+                            const Constants &constants,
                             const std::string &where)
-    : text_(trim(text)), constants_(constants), where_(where)
+  : text_(trim(text))
+  , constants_(constants)
+  , where_(where)
 {
   const std::string misuse = find_misuse(text_);
   if (!misuse.empty())
@@ -137,10 +140,10 @@ Expression<dim>::Expression(const std::string &text, const Constants &constants,
 
 template <int dim>
 Expression<dim>::Expression(const Expression &other)
-    : text_(other.text_)
-    , constants_(other.constants_)
-    , where_(other.where_)
-    , parser_(std::make_unique<Parser>(other.text_, other.constants_))
+  : text_(other.text_)
+  , constants_(other.constants_)
+  , where_(other.where_)
+  , parser_(std::make_unique<Parser>(other.text_, other.constants_))
 {
 }
 

@@ -7,10 +7,11 @@ namespace Signorini
 {
 template <int dim>
 ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values,
-                                            std::vector<Expression<dim>> gradients, const double h)
-    : dealii::AutoDerivativeFunction<dim>(h, values.size())
-    , values_(std::move(values))
-    , gradients_(std::move(gradients))
+                                            std::vector<Expression<dim>> gradients,
+                                            const double h)
+  : dealii::AutoDerivativeFunction<dim>(h, values.size())
+  , values_(std::move(values))
+  , gradients_(std::move(gradients))
 {
   Assert(gradients_.empty() || gradients_.size() == dim * values_.size(),
          dealii::ExcDimensionMismatch(gradients_.size(), dim * values_.size()));
@@ -64,8 +65,8 @@ void ExpressionFunction<dim>::gradient_list(const std::vector<dealii::Point<dim>
 
 template <int dim>
 void ExpressionFunction<dim>::vector_gradient_list(
-    const std::vector<dealii::Point<dim>> &points,
-    std::vector<std::vector<dealii::Tensor<1, dim>>> &gradients) const
+  const std::vector<dealii::Point<dim>> &points,
+  std::vector<std::vector<dealii::Tensor<1, dim>>> &gradients) const
 {
   for (std::size_t q = 0; q < points.size(); ++q)
     vector_gradient(points[q], gradients[q]);

@@ -25,7 +25,8 @@ double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
   return a[0] * b[1] - a[1] * b[0];
 }
 
-std::vector<double> numbers_of(const Parameters &parameters, const std::string &path,
+std::vector<double> numbers_of(const Parameters &parameters,
+                               const std::string &path,
                                const std::string &text)
 {
   std::vector<double> numbers;
@@ -47,12 +48,13 @@ Geometry<2> read_rectangle(const Parameters &parameters)
                        "', allowed: two integers from 1 to 10000.");
   if (!(upper[0] > lower[0] && upper[1] > lower[1]))
     throw InputError(
-        parameters.where("Geometry/Upper right") + ": found '" + given.upper_right +
-        "', allowed: a point to the right of and above Lower left = " + given.lower_left + ".");
+      parameters.where("Geometry/Upper right") + ": found '" + given.upper_right +
+      "', allowed: a point to the right of and above Lower left = " + given.lower_left + ".");
   if (!given.vertices.empty())
     throw InputError(parameters.where("Geometry/Vertices") +
                      ": vertices belong to Shape = polygon, found Shape = rectangle.");
-  return make_rectangle({lower[0], lower[1]}, {upper[0], upper[1]},
+  return make_rectangle({lower[0], lower[1]},
+                        {upper[0], upper[1]},
                         {static_cast<unsigned int>(cells[0]), static_cast<unsigned int>(cells[1])});
 }
 
@@ -158,7 +160,8 @@ std::vector<std::string> Geometry<dim>::side_names() const
   return names;
 }
 
-Geometry<2> make_rectangle(const dealii::Point<2> &lower_left, const dealii::Point<2> &upper_right,
+Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
+                           const dealii::Point<2> &upper_right,
                            const std::vector<unsigned int> &cells)
 {
   using P = dealii::Point<2>;
@@ -174,8 +177,8 @@ Geometry<2> make_rectangle(const dealii::Point<2> &lower_left, const dealii::Poi
                     {"top", upper_left, upper_right, P(0., 1.)}};
   geometry.make_coarse_mesh = [=](dealii::Triangulation<2> &triangulation)
   {
-    dealii::GridGenerator::subdivided_hyper_rectangle(triangulation, cells, lower_left, upper_right,
-                                                      true);
+    dealii::GridGenerator::subdivided_hyper_rectangle(
+      triangulation, cells, lower_left, upper_right, true);
   };
   return geometry;
 }
@@ -189,7 +192,7 @@ Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
   {
     const dealii::Point<2> &next = vertices[(i + 1) % n];
     geometry.sides.push_back(
-        {"side" + std::to_string(i), vertices[i], next, normal_to_the_right(vertices[i], next)});
+      {"side" + std::to_string(i), vertices[i], next, normal_to_the_right(vertices[i], next)});
     for (unsigned int d = 0; d < 2; ++d)
     {
       geometry.lower[d] = std::min(geometry.lower[d], next[d]);
@@ -197,7 +200,7 @@ Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
     }
   }
   geometry.make_coarse_mesh =
-      [vertices, sides = geometry.sides](dealii::Triangulation<2> &triangulation)
+    [vertices, sides = geometry.sides](dealii::Triangulation<2> &triangulation)
   {
     if (vertices.size() == 4)
       make_quadrilateral(vertices, triangulation);
@@ -213,6 +216,7 @@ Geometry<2> make_geometry(const Parameters &parameters)
   Geometry<2> geometry = parameters.geometry.shape == "rectangle" ? read_rectangle(parameters)
                                                                   : read_polygon(parameters);
   geometry.distortion = parameters.geometry.distortion;
+  geometry.where_distortion = parameters.where("Geometry/Distortion");
   return geometry;
 }
 

@@ -63,7 +63,11 @@ Voigt stress(const LiftFamily &family, const Jet &jet)
 class LiftDisplacement : public dealii::Function<2>
 {
 public:
-  explicit LiftDisplacement(const LiftFamily &family) : dealii::Function<2>(2), family_(family) {}
+  explicit LiftDisplacement(const LiftFamily &family)
+    : dealii::Function<2>(2)
+    , family_(family)
+  {
+  }
   double value(const dealii::Point<2> &x, const unsigned int component) const override
   {
     return lift(family_, x).u[component];
@@ -89,7 +93,11 @@ private:
 class LiftBodyForce : public dealii::Function<2>
 {
 public:
-  explicit LiftBodyForce(const LiftFamily &family) : dealii::Function<2>(2), family_(family) {}
+  explicit LiftBodyForce(const LiftFamily &family)
+    : dealii::Function<2>(2)
+    , family_(family)
+  {
+  }
   void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override
   {
     const Jet jet = lift(family_, x);
@@ -116,7 +124,9 @@ class LiftTraction : public dealii::Function<2>
 {
 public:
   LiftTraction(const LiftFamily &family, const dealii::Tensor<1, 2> &normal)
-      : dealii::Function<2>(2), family_(family), normal_(normal)
+    : dealii::Function<2>(2)
+    , family_(family)
+    , normal_(normal)
   {
   }
   double value(const dealii::Point<2> &x, const unsigned int component) const override
@@ -135,7 +145,10 @@ private:
 class Trace : public dealii::Function<2>
 {
 public:
-  explicit Trace(std::function<double(double)> f) : f_(std::move(f)) {}
+  explicit Trace(std::function<double(double)> f)
+    : f_(std::move(f))
+  {
+  }
   double value(const dealii::Point<2> &x, const unsigned int) const override
   {
     return f_(x[0]);
@@ -155,15 +168,15 @@ Scene<2> make_lift_scene(const LiftFamily &family)
   {
     const std::size_t side = scene.geometry.find_side(name);
     scene.boundary[side] = {
-        Role::traction, std::make_shared<LiftTraction>(family, scene.geometry.sides[side].normal),
-        nullptr};
+      Role::traction,
+      std::make_shared<LiftTraction>(family, scene.geometry.sides[side].normal),
+      nullptr};
   }
   scene.boundary[scene.geometry.find_side("top")].role = Role::clamped;
   scene.boundary[scene.geometry.find_side("bottom")] = {
-      Role::contact,
-      std::make_shared<Trace>([family](const double x)
-                              { return -family.U(x)[0] + family.slack(x); }),
-      std::make_shared<Trace>([family](const double x) { return family.p(x)[0]; })};
+    Role::contact,
+    std::make_shared<Trace>([family](const double x) { return -family.U(x)[0] + family.slack(x); }),
+    std::make_shared<Trace>([family](const double x) { return family.p(x)[0]; })};
   scene.body_force = std::make_shared<LiftBodyForce>(family);
   scene.exact_displacement = std::make_shared<LiftDisplacement>(family);
   return scene;

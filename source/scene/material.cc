@@ -16,8 +16,10 @@ namespace Signorini
 namespace
 {
 template <int dim>
-[[noreturn]] void refuse_value(const std::string &where, const dealii::Point<dim> &x,
-                               const std::string &found, const std::string &allowed)
+[[noreturn]] void refuse_value(const std::string &where,
+                               const dealii::Point<dim> &x,
+                               const std::string &found,
+                               const std::string &allowed)
 {
   std::ostringstream message;
   message << where << ": found " << found << " at (" << x << "), allowed: " << allowed << ".";
@@ -28,9 +30,12 @@ template <int dim>
 class Isotropic : public Material<dim>
 {
 public:
-  Isotropic(const Expression<dim> &youngs_modulus, const Expression<dim> &poissons_ratio,
+  Isotropic(const Expression<dim> &youngs_modulus,
+            const Expression<dim> &poissons_ratio,
             const PlaneState plane_state)
-      : youngs_modulus_(youngs_modulus), poissons_ratio_(poissons_ratio), plane_state_(plane_state)
+    : youngs_modulus_(youngs_modulus)
+    , poissons_ratio_(poissons_ratio)
+    , plane_state_(plane_state)
   {
   }
 
@@ -67,12 +72,14 @@ private:
     if (!(E > 0. && std::isfinite(E)))
       refuse_value(youngs_modulus_.where(), x, std::to_string(E), "a positive number everywhere");
     if (!(nu > -1. && nu < 0.5))
-      refuse_value(poissons_ratio_.where(), x, std::to_string(nu),
+      refuse_value(poissons_ratio_.where(),
+                   x,
+                   std::to_string(nu),
                    "a number between -1 and 0.5 (both excluded) everywhere");
     const double mu = E / (2. * (1. + nu));
     const bool plane_stress = dim == 2 && plane_state_ == PlaneState::stress;
     const double lambda =
-        plane_stress ? E * nu / (1. - nu * nu) : E * nu / ((1. + nu) * (1. - 2. * nu));
+      plane_stress ? E * nu / (1. - nu * nu) : E * nu / ((1. + nu) * (1. - 2. * nu));
     return {lambda, mu};
   }
 
@@ -125,7 +132,8 @@ class Anisotropic : public Material<2>
 {
 public:
   Anisotropic(const std::vector<Expression<2>> &entries, const double degrees)
-      : entries_(entries), angle_(degrees * dealii::numbers::PI / 180.)
+    : entries_(entries)
+    , angle_(degrees * dealii::numbers::PI / 180.)
   {
   }
 
@@ -133,7 +141,9 @@ public:
   {
     const VoigtMatrix C = voigt(x);
     if (!is_positive_definite(C))
-      refuse_value(entries_[0].where(), x, "a tensor that is not positive definite",
+      refuse_value(entries_[0].where(),
+                   x,
+                   "a tensor that is not positive definite",
                    "a positive definite one");
     return to_tensor(C);
   }
@@ -188,5 +198,6 @@ std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression
 }
 
 template std::shared_ptr<const Material<2>> make_isotropic(const Expression<2> &,
-                                                           const Expression<2> &, PlaneState);
+                                                           const Expression<2> &,
+                                                           PlaneState);
 } // namespace Signorini

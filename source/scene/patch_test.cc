@@ -34,8 +34,8 @@ Scene<2> make_patch_test()
   side("right") = {Role::traction, constant({"-0.125", "0"}), nullptr};
   side("top").role = Role::clamped;
   side("bottom") = {Role::contact, constant({"-0.125"}), constant({"-0.375"})};
-  scene.material = make_isotropic<2>(Expression<2>("2.5", {}, "D1"),
-                                     Expression<2>("0.25", {}, "D1"), PlaneState::strain);
+  scene.material = make_isotropic<2>(
+    Expression<2>("2.5", {}, "D1"), Expression<2>("0.25", {}, "D1"), PlaneState::strain);
   scene.exact_displacement = constant({"0", "0.125*(1-y)"}, {"0", "0", "0", "-0.125"});
   return scene;
 }

@@ -14,14 +14,16 @@ namespace
 {
 /** Row of the motion (t1, t2, omega L) in the direction n at x, relative to centre and size L. */
 std::array<double, 3> normal_motion(const dealii::Tensor<1, 2> &relative,
-                                    const dealii::Tensor<1, 2> &n, const double size)
+                                    const dealii::Tensor<1, 2> &n,
+                                    const double size)
 {
   return {{n[0], n[1], (-relative[1] * n[0] + relative[0] * n[1]) / size}};
 }
 
 /** Sum of r r^T over all conditions r.motion = 0 that the sides impose. */
 dealii::LAPACKFullMatrix<double> normal_equations(const Scene<2> &scene,
-                                                  const dealii::Point<2> &centre, const double size)
+                                                  const dealii::Point<2> &centre,
+                                                  const double size)
 {
   dealii::LAPACKFullMatrix<double> matrix(3, 3);
   const auto impose = [&](const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n)
@@ -53,8 +55,10 @@ double rounded(const double value)
   return std::round(value * 1e4) / 1e4 + 0.;
 }
 
-RigidMotion name_motion(const dealii::Tensor<1, 2> &t, const double rotation,
-                        const dealii::Point<2> &centre, const double size)
+RigidMotion name_motion(const dealii::Tensor<1, 2> &t,
+                        const double rotation,
+                        const dealii::Point<2> &centre,
+                        const double size)
 {
   std::ostringstream name;
   const double omega = rotation / size;
@@ -74,7 +78,7 @@ RigidMotion name_motion(const dealii::Tensor<1, 2> &t, const double rotation,
 std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene)
 {
   const dealii::Point<2> centre =
-      scene.geometry.lower + 0.5 * (scene.geometry.upper - scene.geometry.lower);
+    scene.geometry.lower + 0.5 * (scene.geometry.upper - scene.geometry.lower);
   const double size = scene.geometry.diameter();
   auto matrix = normal_equations(scene, centre, size);
   dealii::Vector<double> eigenvalues(3);
@@ -83,8 +87,8 @@ std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene)
   std::vector<RigidMotion> motions;
   for (unsigned int k = 0; k < 3; ++k)
     if (eigenvalues[k] < 1e-10)
-      motions.push_back(name_motion(dealii::Tensor<1, 2>({vectors(0, k), vectors(1, k)}),
-                                    vectors(2, k), centre, size));
+      motions.push_back(name_motion(
+        dealii::Tensor<1, 2>({vectors(0, k), vectors(1, k)}), vectors(2, k), centre, size));
   return motions;
 }
 } // namespace Signorini

@@ -15,8 +15,13 @@ namespace
 /** A catalogue scene fixes these subsections; its entries must stay at their defaults. */
 void refuse_description(const Parameters &parameters)
 {
-  for (const char *section : {"Constants/", "Geometry/", "Material/", "Boundary/", "Load/",
-                              "Contact/", "Exact solution/"})
+  for (const char *section : {"Constants/",
+                              "Geometry/",
+                              "Material/",
+                              "Boundary/",
+                              "Load/",
+                              "Contact/",
+                              "Exact solution/"})
     for (const std::string &path : parameters.changes)
       if (path.rfind(section, 0) == 0)
         throw InputError(parameters.where(path) + ": the catalogue scene '" +
@@ -84,10 +89,10 @@ Scene<2> make_scene(const Parameters &parameters)
   }
   refuse_free_motions(scene, parameters);
   const DiscretizationParameters &discretization = parameters.discretization;
-  scene.kinks[0].insert(scene.kinks[0].end(), discretization.kinks_at_x.begin(),
-                        discretization.kinks_at_x.end());
-  scene.kinks[1].insert(scene.kinks[1].end(), discretization.kinks_at_y.begin(),
-                        discretization.kinks_at_y.end());
+  scene.kinks[0].insert(
+    scene.kinks[0].end(), discretization.kinks_at_x.begin(), discretization.kinks_at_x.end());
+  scene.kinks[1].insert(
+    scene.kinks[1].end(), discretization.kinks_at_y.begin(), discretization.kinks_at_y.end());
   return scene;
 }
 

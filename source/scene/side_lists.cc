@@ -21,13 +21,15 @@ bool contains(const std::vector<std::string> &names, const std::string &name)
 /** Expressions may hold a ':' of their own (c ? a : b); a name is a single word before it. */
 bool looks_like_a_name(const std::string &text)
 {
-  return !text.empty() && std::all_of(text.begin(), text.end(),
+  return !text.empty() && std::all_of(text.begin(),
+                                      text.end(),
                                       [](const unsigned char c)
                                       { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
 }
 } // namespace
 
-SideTexts read_side_list(const std::string &text, const std::string &where,
+SideTexts read_side_list(const std::string &text,
+                         const std::string &where,
                          const std::vector<std::string> &sides)
 {
   SideTexts entries;
@@ -43,7 +45,8 @@ SideTexts read_side_list(const std::string &text, const std::string &where,
   return entries;
 }
 
-SideTexts read_contact_list(const std::string &text, const std::string &where,
+SideTexts read_contact_list(const std::string &text,
+                            const std::string &where,
                             const std::vector<std::string> &sides,
                             const std::vector<std::string> &contact_sides)
 {
@@ -58,16 +61,17 @@ SideTexts read_contact_list(const std::string &text, const std::string &where,
   for (const auto &entry : read_side_list(text, where, sides))
   {
     const bool repeated =
-        std::any_of(entries.begin(), entries.end(),
-                    [&](const auto &other) { return other.first == entry.first; });
+      std::any_of(entries.begin(),
+                  entries.end(),
+                  [&](const auto &other) { return other.first == entry.first; });
     if (repeated || !contains(contact_sides, entry.first))
       throw InputError(where + ": found an entry for '" + entry.first +
                        "', allowed: one for each contact side (" + join(contact_sides) + ").");
     entries.push_back(entry);
   }
   for (const std::string &side : contact_sides)
-    if (std::none_of(entries.begin(), entries.end(),
-                     [&](const auto &entry) { return entry.first == side; }))
+    if (std::none_of(
+          entries.begin(), entries.end(), [&](const auto &entry) { return entry.first == side; }))
       throw InputError(where + ": found no entry for the contact side '" + side +
                        "', allowed: one for each contact side.");
   return entries;

@@ -11,14 +11,16 @@ namespace Signorini
 using SideTexts = std::vector<std::pair<std::string, std::string>>;
 
 /** Reads "left: tx; ty | right: tx; ty". @throws InputError if an entry names no side. */
-SideTexts read_side_list(const std::string &text, const std::string &where,
+SideTexts read_side_list(const std::string &text,
+                         const std::string &where,
                          const std::vector<std::string> &sides);
 
 /**
  * Reads "expression" for all contact sides or "bottom: ... | left: ...", one for each.
  * @throws InputError if a contact side has none or two, or another side is named.
  */
-SideTexts read_contact_list(const std::string &text, const std::string &where,
+SideTexts read_contact_list(const std::string &text,
+                            const std::string &where,
                             const std::vector<std::string> &sides,
                             const std::vector<std::string> &contact_sides);
 } // namespace Signorini

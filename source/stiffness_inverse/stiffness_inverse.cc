@@ -30,8 +30,8 @@ class AmesosInverse final : public StiffnessInverse
 {
 public:
   AmesosInverse(const dealii::TrilinosWrappers::SparseMatrix &A, const std::string &type)
-      : StiffnessInverse(A)
-      , solver_(control_, dealii::TrilinosWrappers::SolverDirect::AdditionalData(false, type))
+    : StiffnessInverse(A)
+    , solver_(control_, dealii::TrilinosWrappers::SolverDirect::AdditionalData(false, type))
   {
     try
     {

@@ -7,6 +7,7 @@
 #include <signorini/parameters/exceptions.h>
 #include <signorini/postprocess/contact_pressure.h>
 #include <signorini/postprocess/error_estimate.h>
+#include <signorini/postprocess/inf_sup.h>
 #include <signorini/qp/active_set.h>
 #include <signorini/qp/psor.h>
 #include <signorini/recovery/recovery.h>
@@ -20,12 +21,13 @@ namespace
 {
 template <int dim>
 MultiplierSpace<dim> make_multiplier_space(const DiscretizationParameters &parameters,
-                                           const Scene<dim> &scene, const Mesh<dim> &mesh)
+                                           const Scene<dim> &scene,
+                                           const Mesh<dim> &mesh)
 {
   std::vector<ContactFace<dim>> faces = find_contact_faces(mesh, scene);
   ContactPartition partition = parameters.patches > 0
-                                   ? partition_equally(faces, parameters.patches)
-                                   : partition_by_ratio(faces, parameters.patch_ratio);
+                                 ? partition_equally(faces, parameters.patches)
+                                 : partition_by_ratio(faces, parameters.patch_ratio);
   return MultiplierSpace<dim>(scene, std::move(faces), std::move(partition));
 }
 
@@ -46,14 +48,16 @@ bool nothing_touches(const dealii::Vector<double> &F)
   return std::none_of(F.begin(), F.end(), [](const double opening) { return opening < 0.; });
 }
 
-QPResult solve_dual_problem(const SolverParameters &parameters, const BoundConstrainedQP &qp,
+QPResult solve_dual_problem(const SolverParameters &parameters,
+                            const BoundConstrainedQP &qp,
                             const dealii::Vector<double> &start)
 {
   const auto by_psor = [&]()
   {
     return solve_by_psor(
-        qp, start.size() > 0 ? start : dealii::Vector<double>(qp.size()),
-        {parameters.relaxation, parameters.tolerance, parameters.maximum_iterations});
+      qp,
+      start.size() > 0 ? start : dealii::Vector<double>(qp.size()),
+      {parameters.relaxation, parameters.tolerance, parameters.maximum_iterations});
   };
   if (parameters.contact_solver == "psor")
     return by_psor();
@@ -86,13 +90,19 @@ void describe_discretization(const Discretization<dim> &discretization, LevelRec
 
 /** C and P, only where something touches. */
 template <int dim>
-void solve_contact(const Parameters &parameters, const Discretization<dim> &discretization,
-                   const StiffnessInverse &inverse, const StartingPressure &start,
-                   const Progress &progress, StageClock &clock, LevelSolution<dim> &solution)
+void solve_contact(const Parameters &parameters,
+                   const Discretization<dim> &discretization,
+                   const StiffnessInverse &inverse,
+                   const StartingPressure &start,
+                   const Progress &progress,
+                   StageClock &clock,
+                   LevelSolution<dim> &solution)
 {
   const unsigned int m = discretization.multipliers.n_multipliers();
   const unsigned int every = std::max(1U, m / 20);
-  solution.C = compute_compliance(inverse, discretization.space, discretization.condensed_D,
+  solution.C = compute_compliance(inverse,
+                                  discretization.space,
+                                  discretization.condensed_D,
                                   [&](const unsigned int done)
                                   {
                                     if (done % every == 0)
@@ -102,9 +112,9 @@ void solve_contact(const Parameters &parameters, const Discretization<dim> &disc
   clock.add_to(solution.record.times.compliance);
   progress("dual problem");
   const dealii::Vector<double> P_start =
-      start.patches.empty() ? dealii::Vector<double>()
-                            : transfer_pressure(start.patches, start.P,
-                                                discretization.multipliers.partition().patches);
+    start.patches.empty()
+      ? dealii::Vector<double>()
+      : transfer_pressure(start.patches, start.P, discretization.multipliers.partition().patches);
   const BoundConstrainedQP qp(solution.C, solution.F);
   const QPResult result = solve_dual_problem(parameters.solver, qp, P_start);
   solution.P = result.P;
@@ -116,10 +126,22 @@ void solve_contact(const Parameters &parameters, const Discretization<dim> &disc
   clock.add_to(solution.record.times.qp);
 }
 
+/** The limit of Inf-sup constant = automatic: it needs a factorisation of its own. */
+constexpr unsigned int largest_automatic_inf_sup = 100000;
+
+/** Whether the constant of Lemma 1 is asked for on a level of this size. */
+bool wants_inf_sup(const std::string &choice, const unsigned long long n_dofs)
+{
+  return choice == "true" || (choice == "automatic" && n_dofs <= largest_automatic_inf_sup);
+}
+
 /** What the answer amounts to, how good it is. */
 template <int dim>
-void judge(const Scene<dim> &scene, const Discretization<dim> &discretization,
-           const LinearSystem<dim> &system, const NodalVector &free_U, LevelSolution<dim> &solution)
+void judge(const Scene<dim> &scene,
+           const Discretization<dim> &discretization,
+           const LinearSystem<dim> &system,
+           const NodalVector &free_U,
+           LevelSolution<dim> &solution)
 {
   LevelRecord &record = solution.record;
   const ContactSummary summary = summarise_contact(discretization.multipliers, solution.P);
@@ -127,10 +149,13 @@ void judge(const Scene<dim> &scene, const Discretization<dim> &discretization,
   record.contact_length = summary.length;
   record.contact_force = summary.normal_force;
   record.max_pressure = summary.max_pressure;
-  record.certificate =
-      certify(discretization.space, scene, system, discretization.multipliers, discretization.D,
-              ContactSolution<dim>{solution.U, free_U, solution.P, solution.F, discretization.G,
-                                   solution.C});
+  record.certificate = certify(
+    discretization.space,
+    scene,
+    system,
+    discretization.multipliers,
+    discretization.D,
+    ContactSolution<dim>{solution.U, free_U, solution.P, solution.F, discretization.G, solution.C});
   if (discretization.mesh.has_parents())
   {
     const ErrorEstimate estimate = estimate_error(discretization.space, solution.U);
@@ -141,16 +166,18 @@ void judge(const Scene<dim> &scene, const Discretization<dim> &discretization,
 } // namespace
 
 template <int dim>
-Discretization<dim>::Discretization(const Parameters &parameters, const Scene<dim> &scene,
-                                    const unsigned int level, MPI_Comm communicator)
-    : mesh(scene.geometry, parameters.discretization.coarsest_level, level, communicator)
-    , mesh_seconds(clock_.lap())
-    , space(mesh, scene)
-    , multipliers(make_multiplier_space(parameters.discretization, scene, mesh))
-    , D(assemble_coupling(space, multipliers.faces(), multipliers.partition()))
-    , condensed_D(condense(D, space.constraints()))
-    , G(assemble_gap(multipliers, parameters.discretization.quadrature_points))
-    , setup_seconds(clock_.lap())
+Discretization<dim>::Discretization(const Parameters &parameters,
+                                    const Scene<dim> &scene,
+                                    const unsigned int level,
+                                    MPI_Comm communicator)
+  : mesh(scene.geometry, parameters.discretization.coarsest_level, level, communicator)
+  , mesh_seconds(clock_.lap())
+  , space(mesh, scene)
+  , multipliers(make_multiplier_space(parameters.discretization, scene, mesh))
+  , D(assemble_coupling(space, multipliers.faces(), multipliers.partition()))
+  , condensed_D(condense(D, space.constraints()))
+  , G(assemble_gap(multipliers, parameters.discretization.quadrature_points))
+  , setup_seconds(clock_.lap())
 {
   refuse_blind_patches(parameters, condensed_D);
   if (parameters.solver.require_stability && multipliers.partition().has_unstable_patch())
@@ -161,9 +188,11 @@ Discretization<dim>::Discretization(const Parameters &parameters, const Scene<di
 }
 
 template <int dim>
-LevelSolution<dim> solve_level(const Parameters &parameters, const Scene<dim> &scene,
+LevelSolution<dim> solve_level(const Parameters &parameters,
+                               const Scene<dim> &scene,
                                const Discretization<dim> &discretization,
-                               const StartingPressure &start, const Progress &progress)
+                               const StartingPressure &start,
+                               const Progress &progress)
 {
   const DisplacementSpace<dim> &space = discretization.space;
   LevelSolution<dim> solution;
@@ -173,7 +202,7 @@ LevelSolution<dim> solve_level(const Parameters &parameters, const Scene<dim> &s
 
   progress("assembly");
   const LinearSystem<dim> system =
-      assemble_linear_system(space, scene, parameters.discretization.quadrature_points);
+    assemble_linear_system(space, scene, parameters.discretization.quadrature_points);
   clock.add_to(times.assembly);
 
   progress("factorisation");
@@ -190,13 +219,22 @@ LevelSolution<dim> solve_level(const Parameters &parameters, const Scene<dim> &s
   {
     solve_contact(parameters, discretization, *inverse, start, progress, clock, solution);
     solution.U =
-        recover_displacement(*inverse, space, discretization.condensed_D, solution.P, system.f);
+      recover_displacement(*inverse, space, discretization.condensed_D, solution.P, system.f);
     clock.add_to(times.recovery);
   }
 
   solution.record.linear_solves = inverse->n_solves();
   solution.record.linear_residual = inverse->largest_residual();
 
+  if (wants_inf_sup(parameters.output.inf_sup_constant, space.dofs().n_dofs()))
+  {
+    progress("inf-sup constant");
+    solution.record.inf_sup = measure_inf_sup(space,
+                                              scene,
+                                              discretization.multipliers,
+                                              discretization.condensed_D,
+                                              parameters.solver.linear_solver);
+  }
   progress("certificate");
   judge(scene, discretization, system, free.U, solution);
   clock.add_to(times.postprocess);
@@ -204,8 +242,11 @@ LevelSolution<dim> solve_level(const Parameters &parameters, const Scene<dim> &s
 }
 
 template <int dim>
-void add_errors(const Parameters &parameters, const Scene<dim> &scene,
-                const Discretization<dim> &discretization, LevelSolution<dim> &solution)
+void add_errors(const Parameters &parameters,
+                const Scene<dim> &scene,
+                const Discretization<dim> &discretization,
+                const ExactPressure<dim> *pressure,
+                LevelSolution<dim> &solution)
 {
   StageClock clock;
   const unsigned int n_points = parameters.discretization.quadrature_points + 1;
@@ -213,26 +254,36 @@ void add_errors(const Parameters &parameters, const Scene<dim> &scene,
   if (scene.exact_displacement != nullptr)
   {
     const DisplacementErrors errors =
-        compute_displacement_errors(discretization.space, scene, solution.U, n_points);
+      compute_displacement_errors(discretization.space, scene, solution.U, n_points);
     record.u_h1 = errors.h1;
     record.u_l2 = errors.l2;
     record.u_superclose_h1 = errors.superclose_h1;
     record.u_post_h1 = errors.post_h1;
   }
-  if (scene.has_exact_pressure())
+  if (pressure != nullptr)
   {
     const PressureErrors errors =
-        compute_pressure_errors(discretization.multipliers, solution.P, n_points);
+      compute_pressure_errors(discretization.multipliers, solution.P, n_points);
     record.p_l2 = errors.l2;
     record.p_post_l2 = errors.post_l2;
+    const DualNormErrors dual = pressure->errors(discretization.multipliers, solution.P);
+    record.p_dual = dual.slobodeckij;
+    record.p_dual_spectral = dual.spectral;
+    record.p_superclose_dual = dual.superclose_slobodeckij;
+    record.p_superclose_dual_spectral = dual.superclose_spectral;
   }
   clock.add_to(record.times.errors);
 }
 
 template struct Discretization<2>;
-template LevelSolution<2> solve_level(const Parameters &, const Scene<2> &,
-                                      const Discretization<2> &, const StartingPressure &,
+template LevelSolution<2> solve_level(const Parameters &,
+                                      const Scene<2> &,
+                                      const Discretization<2> &,
+                                      const StartingPressure &,
                                       const Progress &);
-template void add_errors(const Parameters &, const Scene<2> &, const Discretization<2> &,
+template void add_errors(const Parameters &,
+                         const Scene<2> &,
+                         const Discretization<2> &,
+                         const ExactPressure<2> *,
                          LevelSolution<2> &);
 } // namespace Signorini

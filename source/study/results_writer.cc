@@ -28,9 +28,12 @@ void write_on_first_rank(MPI_Comm communicator, const std::function<void()> &wri
 }
 } // namespace
 
-ResultsWriter::ResultsWriter(const Parameters &parameters, std::filesystem::path directory,
+ResultsWriter::ResultsWriter(const Parameters &parameters,
+                             std::filesystem::path directory,
                              MPI_Comm communicator)
-    : parameters_(parameters), directory_(std::move(directory)), communicator_(communicator)
+  : parameters_(parameters)
+  , directory_(std::move(directory))
+  , communicator_(communicator)
 {
   if (directory_.empty())
     return;
@@ -42,7 +45,8 @@ ResultsWriter::ResultsWriter(const Parameters &parameters, std::filesystem::path
                       });
 }
 
-std::filesystem::path ResultsWriter::level_file(const char *name, const unsigned int level,
+std::filesystem::path ResultsWriter::level_file(const char *name,
+                                                const unsigned int level,
                                                 const char *ending) const
 {
   return directory_ /
@@ -50,17 +54,18 @@ std::filesystem::path ResultsWriter::level_file(const char *name, const unsigned
 }
 
 template <int dim>
-void ResultsWriter::write_fields(const Discretization<dim> &discretization, const Scene<dim> &scene,
-                                 const LevelSolution<dim> &solution, const bool last_level)
+void ResultsWriter::write_fields(const Discretization<dim> &discretization,
+                                 const Scene<dim> &scene,
+                                 const LevelSolution<dim> &solution,
+                                 const bool last_level)
 {
   if (directory_.empty())
     return;
   write_on_first_rank(communicator_,
                       [&]()
                       {
-                        const auto line =
-                            trace_contact_line(discretization.space, discretization.multipliers,
-                                               solution.U, solution.P);
+                        const auto line = trace_contact_line(
+                          discretization.space, discretization.multipliers, solution.U, solution.P);
                         write_file(level_file("contact", solution.record.level, ".csv"),
                                    [&](std::ostream &stream) { write_contact_csv(stream, line); });
                       });
@@ -72,7 +77,8 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization, cons
 }
 
 template <int dim>
-void ResultsWriter::write_vtu(const Discretization<dim> &discretization, const Scene<dim> &scene,
+void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
+                              const Scene<dim> &scene,
                               const LevelSolution<dim> &solution)
 {
   const unsigned int level = solution.record.level;
@@ -81,16 +87,16 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization, const S
   write_solution_vtu(body, discretization.space, scene, solution.U);
   solution_files_.emplace_back(level, body.filename().string());
   contact_files_.emplace_back(level, contact.filename().string());
-  write_on_first_rank(
-      communicator_,
-      [&]()
-      {
-        const auto line = trace_contact_line(discretization.space, discretization.multipliers,
-                                             solution.U, solution.P);
-        write_file(contact, [&](std::ostream &stream) { write_contact_vtu(stream, line); });
-        write_pvd(directory_ / "solution.pvd", solution_files_);
-        write_pvd(directory_ / "contact.pvd", contact_files_);
-      });
+  write_on_first_rank(communicator_,
+                      [&]()
+                      {
+                        const auto line = trace_contact_line(
+                          discretization.space, discretization.multipliers, solution.U, solution.P);
+                        write_file(contact,
+                                   [&](std::ostream &stream) { write_contact_vtu(stream, line); });
+                        write_pvd(directory_ / "solution.pvd", solution_files_);
+                        write_pvd(directory_ / "contact.pvd", contact_files_);
+                      });
 }
 
 template <int dim>
@@ -114,16 +120,19 @@ void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels, const s
   if (directory_.empty())
     return;
   write_on_first_rank(
-      communicator_,
-      [&]()
-      {
-        write_file(directory_ / "convergence.csv",
-                   [&](std::ostream &stream) { write_convergence_csv(stream, levels); });
-        write_file(directory_ / "certificate.json", [&](std::ostream &stream)
-                   { write_certificate(stream, levels, parameters_.solver.tolerance, failure); });
-      });
+    communicator_,
+    [&]()
+    {
+      write_file(directory_ / "convergence.csv",
+                 [&](std::ostream &stream) { write_convergence_csv(stream, levels); });
+      write_file(directory_ / "certificate.json",
+                 [&](std::ostream &stream)
+                 { write_certificate(stream, levels, parameters_.solver.tolerance, failure); });
+    });
 }
 
-template void ResultsWriter::write_fields(const Discretization<2> &, const Scene<2> &,
-                                          const LevelSolution<2> &, bool);
+template void ResultsWriter::write_fields(const Discretization<2> &,
+                                          const Scene<2> &,
+                                          const LevelSolution<2> &,
+                                          bool);
 } // namespace Signorini

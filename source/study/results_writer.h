@@ -14,20 +14,24 @@ class ResultsWriter
 {
 public:
   /** Writes parameters.prm. Collective, like all members. */
-  ResultsWriter(const Parameters &parameters, std::filesystem::path directory,
+  ResultsWriter(const Parameters &parameters,
+                std::filesystem::path directory,
                 MPI_Comm communicator);
 
   /** contact-LL.csv, and as far as asked for the VTU files and the dual problem. */
   template <int dim>
-  void write_fields(const Discretization<dim> &discretization, const Scene<dim> &scene,
-                    const LevelSolution<dim> &solution, bool last_level);
+  void write_fields(const Discretization<dim> &discretization,
+                    const Scene<dim> &scene,
+                    const LevelSolution<dim> &solution,
+                    bool last_level);
 
   /** convergence.csv and certificate.json for the levels so far. @param failure why no more. */
   void write_tables(const std::vector<LevelRecord> &levels, const std::string &failure);
 
 private:
   template <int dim>
-  void write_vtu(const Discretization<dim> &discretization, const Scene<dim> &scene,
+  void write_vtu(const Discretization<dim> &discretization,
+                 const Scene<dim> &scene,
                  const LevelSolution<dim> &solution);
   template <int dim>
   void write_dual_problem(const Discretization<dim> &discretization,

@@ -13,9 +13,12 @@ namespace
 template <int dim>
 std::string describe_boundary(const Scene<dim> &scene)
 {
-  const std::pair<Role, const char *> roles[] = {
-      {Role::contact, "contact"},           {Role::clamped, "clamped"},   {Role::roller, "rollers"},
-      {Role::displacement, "displacement"}, {Role::traction, "traction"}, {Role::free, "free"}};
+  const std::pair<Role, const char *> roles[] = {{Role::contact, "contact"},
+                                                 {Role::clamped, "clamped"},
+                                                 {Role::roller, "rollers"},
+                                                 {Role::displacement, "displacement"},
+                                                 {Role::traction, "traction"},
+                                                 {Role::free, "free"}};
   std::vector<std::string> parts;
   for (const auto &role : roles)
   {
@@ -51,8 +54,10 @@ void print_scene(const Parameters &parameters, const Scene<dim> &scene, std::ost
          << ", linear solver " << solver.linear_solver << "\n\n";
 }
 
-void print_verdict(const Parameters &parameters, const std::vector<LevelRecord> &levels,
-                   const bool certified, std::ostream &screen)
+void print_verdict(const Parameters &parameters,
+                   const std::vector<LevelRecord> &levels,
+                   const bool certified,
+                   std::ostream &screen)
 {
   if (!levels.empty())
   {

@@ -15,6 +15,8 @@ template <int dim>
 void print_scene(const Parameters &parameters, const Scene<dim> &scene, std::ostream &screen);
 
 /** The finest level's contact and the verdict. */
-void print_verdict(const Parameters &parameters, const std::vector<LevelRecord> &levels,
-                   bool certified, std::ostream &screen);
+void print_verdict(const Parameters &parameters,
+                   const std::vector<LevelRecord> &levels,
+                   bool certified,
+                   std::ostream &screen);
 } // namespace Signorini

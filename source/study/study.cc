@@ -35,20 +35,28 @@ double peak_memory_mb()
 
 /** Everything about one level; the level's large objects live no longer than this call. */
 template <int dim>
-LevelRecord run_level(const Parameters &parameters, const Scene<dim> &scene,
-                      const unsigned int level, MPI_Comm communicator, const Progress &progress,
-                      ResultsWriter &writer, StartingPressure &pressure)
+LevelRecord run_level(const Parameters &parameters,
+                      const Scene<dim> &scene,
+                      const ExactPressure<dim> *exact_pressure,
+                      const unsigned int level,
+                      MPI_Comm communicator,
+                      const Progress &progress,
+                      ResultsWriter &writer,
+                      StartingPressure &pressure)
 {
   progress("mesh");
   const Discretization<dim> discretization(parameters, scene, level, communicator);
   LevelSolution<dim> solution =
-      solve_level(parameters, scene, discretization,
-                  parameters.solver.warm_start ? pressure : StartingPressure(), progress);
+    solve_level(parameters,
+                scene,
+                discretization,
+                parameters.solver.warm_start ? pressure : StartingPressure(),
+                progress);
   progress("errors");
-  add_errors(parameters, scene, discretization, solution);
+  add_errors(parameters, scene, discretization, exact_pressure, solution);
   progress("output");
   StageClock clock;
-  const double &reached = solution.record.estimated_relative.value_or(1.);
+  const double reached = solution.record.estimated_relative.value_or(1.);
   const bool last = level == parameters.discretization.finest_level ||
                     reached < parameters.discretization.target_error;
   writer.write_fields(discretization, scene, solution, last);
@@ -73,7 +81,9 @@ void print_warnings(const LevelRecord &record, const double tolerance, std::ostr
 } // namespace
 
 template <int dim>
-StudyResult run_study(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator,
+StudyResult run_study(const Parameters &parameters,
+                      const Scene<dim> &scene,
+                      MPI_Comm communicator,
                       const StudyReport &report)
 {
   const DiscretizationParameters &given = parameters.discretization;
@@ -81,6 +91,9 @@ StudyResult run_study(const Parameters &parameters, const Scene<dim> &scene, MPI
   StudyResult result;
   ResultsWriter writer(parameters, report.directory, communicator);
   print_scene(parameters, scene, report.screen);
+  std::unique_ptr<const ExactPressure<dim>> exact_pressure;
+  if (scene.has_exact_pressure())
+    exact_pressure = std::make_unique<const ExactPressure<dim>>(scene);
   const ScreenTable table(scene.exact_displacement != nullptr, scene.has_exact_pressure());
   report.screen << table.header() << std::endl;
   try
@@ -89,8 +102,14 @@ StudyResult run_study(const Parameters &parameters, const Scene<dim> &scene, MPI
     {
       const Progress progress = [&](const std::string &stage)
       { report.progress("level " + std::to_string(level) + ": " + stage); };
-      const LevelRecord record =
-          run_level(parameters, scene, level, communicator, progress, writer, result.pressure);
+      const LevelRecord record = run_level(parameters,
+                                           scene,
+                                           exact_pressure.get(),
+                                           level,
+                                           communicator,
+                                           progress,
+                                           writer,
+                                           result.pressure);
       report.progress("");
       report.screen << table.row(record, result.levels.empty() ? nullptr : &result.levels.back())
                     << std::endl;

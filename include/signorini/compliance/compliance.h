@@ -22,8 +22,10 @@ struct FreeState
 
 /** F = G - D^T A^{-1} f, one solve. Collective. */
 template <int dim>
-FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
-                           const DistributedVector &f, const Coupling &D,
+FreeState solve_free_state(const StiffnessInverse &inverse,
+                           const DisplacementSpace<dim> &space,
+                           const DistributedVector &f,
+                           const Coupling &D,
                            const dealii::Vector<double> &G);
 
 /**
@@ -32,7 +34,8 @@ FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSp
  */
 template <int dim>
 dealii::FullMatrix<double>
-compute_compliance(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
+compute_compliance(const StiffnessInverse &inverse,
+                   const DisplacementSpace<dim> &space,
                    const Coupling &condensed_D,
                    const std::function<void(unsigned int)> &progress = {});
 } // namespace Signorini

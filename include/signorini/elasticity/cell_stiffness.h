@@ -19,7 +19,8 @@ class CellStiffness
 public:
   using CellIterator = typename dealii::Triangulation<dim>::active_cell_iterator;
 
-  CellStiffness(const DisplacementSpace<dim> &space, const Material<dim> &material,
+  CellStiffness(const DisplacementSpace<dim> &space,
+                const Material<dim> &material,
                 const Kinks<dim> &kinks);
 
   /** The matrix of the cell; valid until the next call. */
@@ -40,6 +41,7 @@ private:
 
 /** (a(phi_j, phi_i))_ij U for all i, constrained or not: the internal forces. Collective. */
 template <int dim>
-DistributedVector internal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+DistributedVector internal_forces(const DisplacementSpace<dim> &space,
+                                  const Scene<dim> &scene,
                                   const NodalVector &U);
 } // namespace Signorini

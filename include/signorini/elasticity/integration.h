@@ -18,11 +18,14 @@ template <int dim>
 class CellValues
 {
 public:
-  CellValues(const dealii::Mapping<dim> &mapping, const dealii::FiniteElement<dim> &element,
-             const Kinks<dim> &kinks, const unsigned int n_points, const dealii::UpdateFlags flags)
-      : kinks_(kinks)
-      , n_points_(n_points)
-      , plain_(mapping, element, dealii::QGauss<dim>(n_points), flags)
+  CellValues(const dealii::Mapping<dim> &mapping,
+             const dealii::FiniteElement<dim> &element,
+             const Kinks<dim> &kinks,
+             const unsigned int n_points,
+             const dealii::UpdateFlags flags)
+    : kinks_(kinks)
+    , n_points_(n_points)
+    , plain_(mapping, element, dealii::QGauss<dim>(n_points), flags)
   {
   }
 
@@ -33,7 +36,8 @@ public:
     dealii::FEValues<dim> *values = &plain_;
     if (kinks_.cross(cell))
     {
-      cut_ = std::make_unique<dealii::FEValues<dim>>(plain_.get_mapping(), plain_.get_fe(),
+      cut_ = std::make_unique<dealii::FEValues<dim>>(plain_.get_mapping(),
+                                                     plain_.get_fe(),
                                                      kinks_.quadrature(cell, n_points_),
                                                      plain_.get_update_flags());
       values = cut_.get();
@@ -56,20 +60,25 @@ class FaceValues
 public:
   using CellIterator = typename dealii::Triangulation<dim>::active_cell_iterator;
 
-  FaceValues(const dealii::Mapping<dim> &mapping, const dealii::FiniteElement<dim> &element,
-             const unsigned int n_points, const dealii::UpdateFlags flags)
-      : rule_(n_points), plain_(mapping, element, rule_, flags)
+  FaceValues(const dealii::Mapping<dim> &mapping,
+             const dealii::FiniteElement<dim> &element,
+             const unsigned int n_points,
+             const dealii::UpdateFlags flags)
+    : rule_(n_points)
+    , plain_(mapping, element, rule_, flags)
   {
   }
 
   /** @param cuts the face's own parameters between which the rule is applied, sorted. */
-  const dealii::FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no,
+  const dealii::FEFaceValues<dim> &reinit(const CellIterator &cell,
+                                          const unsigned int face_no,
                                           const std::vector<double> &cuts)
   {
     dealii::FEFaceValues<dim> *values = &plain_;
     if (cuts.size() != 2 || cuts.front() != 0. || cuts.back() != 1.)
     {
-      cut_ = std::make_unique<dealii::FEFaceValues<dim>>(plain_.get_mapping(), plain_.get_fe(),
+      cut_ = std::make_unique<dealii::FEFaceValues<dim>>(plain_.get_mapping(),
+                                                         plain_.get_fe(),
                                                          split_quadrature(rule_, cuts),
                                                          plain_.get_update_flags());
       values = cut_.get();

@@ -45,5 +45,6 @@ struct LinearSystem
  */
 template <int dim>
 LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
-                                         const Scene<dim> &scene, unsigned int n_points);
+                                         const Scene<dim> &scene,
+                                         unsigned int n_points);
 } // namespace Signorini

@@ -27,6 +27,7 @@ struct DisplacementErrors
  */
 template <int dim>
 DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &space,
-                                               const Scene<dim> &scene, const NodalVector &U,
+                                               const Scene<dim> &scene,
+                                               const NodalVector &U,
                                                unsigned int n_points);
 } // namespace Signorini

@@ -20,5 +20,6 @@ struct PressureErrors
  */
 template <int dim>
 PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
-                                       const dealii::Vector<double> &P, unsigned int n_points);
+                                       const dealii::Vector<double> &P,
+                                       unsigned int n_points);
 } // namespace Signorini

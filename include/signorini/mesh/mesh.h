@@ -20,8 +20,11 @@ public:
   /**
    * Refines the coarse mesh @p level times. A distortion moves the interior vertices of
    * @p coarsest_level, so that finer levels stay nested in it.
+   * @throws InputError if it leaves a cell that is not convex.
    */
-  Mesh(const Geometry<dim> &geometry, unsigned int coarsest_level, unsigned int level,
+  Mesh(const Geometry<dim> &geometry,
+       unsigned int coarsest_level,
+       unsigned int level,
        MPI_Comm communicator);
 
   const dealii::Triangulation<dim> &triangulation() const

@@ -16,7 +16,8 @@ template <int dim>
 class MultiplierSpace
 {
 public:
-  MultiplierSpace(const Scene<dim> &scene, std::vector<ContactFace<dim>> faces,
+  MultiplierSpace(const Scene<dim> &scene,
+                  std::vector<ContactFace<dim>> faces,
                   ContactPartition partition);
 
   /** m. */
@@ -45,8 +46,8 @@ public:
 
   /**
    * Points and weights for integrals over a piece, cut at kinks, with @p n_points on each part;
-   * with
-   * @p graded, geometrically refined towards kinks, for functions that are only continuous there.
+   * with @p graded, geometrically refined towards kinks, with at least eight points, for functions
+   * that are only continuous there.
    */
   struct Rule
   {

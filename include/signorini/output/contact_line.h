@@ -35,9 +35,10 @@ struct ContactSegment
 
 /** The contact boundary piece by piece, side after side, in the order of arc length. */
 template <int dim>
-std::vector<ContactSegment<dim>>
-trace_contact_line(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
-                   const NodalVector &U, const dealii::Vector<double> &P);
+std::vector<ContactSegment<dim>> trace_contact_line(const DisplacementSpace<dim> &space,
+                                                    const MultiplierSpace<dim> &multipliers,
+                                                    const NodalVector &U,
+                                                    const dealii::Vector<double> &P);
 
 /** contact-LL.csv: one row per middle of a piece. */
 template <int dim>

@@ -53,6 +53,8 @@ struct LevelRecord
 
   std::optional<double> u_h1, u_l2, u_superclose_h1, u_post_h1;
   std::optional<double> p_l2, p_post_l2;
+  std::optional<double> p_dual, p_dual_spectral;
+  std::optional<double> p_superclose_dual, p_superclose_dual_spectral;
   std::optional<double> estimated_h1, estimated_relative;
 
   /** Solves with the factors of A, and the largest |b - A x| / |b| among them. */

@@ -16,6 +16,7 @@ void write_matrix_market(std::ostream &stream, const dealii::FullMatrix<double> 
 void write_matrix_market(std::ostream &stream, const dealii::Vector<double> &vector);
 
 /** D in coordinate format, @p n_rows x m. */
-void write_matrix_market(std::ostream &stream, const Coupling &D,
+void write_matrix_market(std::ostream &stream,
+                         const Coupling &D,
                          dealii::types::global_dof_index n_rows);
 } // namespace Signorini

@@ -15,8 +15,10 @@ namespace Signorini
  * of the two for ParaView. Collective.
  */
 template <int dim>
-void write_solution_vtu(const std::filesystem::path &path, const DisplacementSpace<dim> &space,
-                        const Scene<dim> &scene, const NodalVector &U);
+void write_solution_vtu(const std::filesystem::path &path,
+                        const DisplacementSpace<dim> &space,
+                        const Scene<dim> &scene,
+                        const NodalVector &U);
 
 /** Writes a .pvd that lists one file per level; the level plays the part of time. */
 void write_pvd(const std::filesystem::path &path,

@@ -30,6 +30,8 @@ private:
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels);
 
 /** certificate.json, all levels. @param failure why a level could not be solved, or empty. */
-void write_certificate(std::ostream &stream, const std::vector<LevelRecord> &levels,
-                       double tolerance, const std::string &failure);
+void write_certificate(std::ostream &stream,
+                       const std::vector<LevelRecord> &levels,
+                       double tolerance,
+                       const std::string &failure);
 } // namespace Signorini

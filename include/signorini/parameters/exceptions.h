@@ -15,13 +15,19 @@ namespace Signorini
 class InputError : public std::runtime_error
 {
 public:
-  explicit InputError(const std::string &sentence) : std::runtime_error(sentence) {}
+  explicit InputError(const std::string &sentence)
+    : std::runtime_error(sentence)
+  {
+  }
 };
 
 /** The computation cannot reach what was asked for: exit code 2. The message names the cause. */
 class ComputationError : public std::runtime_error
 {
 public:
-  explicit ComputationError(const std::string &sentence) : std::runtime_error(sentence) {}
+  explicit ComputationError(const std::string &sentence)
+    : std::runtime_error(sentence)
+  {
+  }
 };
 } // namespace Signorini

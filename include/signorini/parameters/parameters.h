@@ -151,7 +151,8 @@ Parameters read_parameters(const std::string &file_name,
                            const std::vector<std::string> &overrides = {});
 
 /** The same from a text; @p file_name is used in messages only. */
-Parameters parse_parameters(const std::string &text, const std::string &file_name,
+Parameters parse_parameters(const std::string &text,
+                            const std::string &file_name,
                             const std::vector<std::string> &overrides = {});
 
 /** Every parameter with its default, allowed values, unit and one line of help. */

@@ -54,7 +54,10 @@ struct ContactSolution
  * Collective.
  */
 template <int dim>
-Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                    const LinearSystem<dim> &system, const MultiplierSpace<dim> &multipliers,
-                    const Coupling &D, const ContactSolution<dim> &solution);
+Certificate certify(const DisplacementSpace<dim> &space,
+                    const Scene<dim> &scene,
+                    const LinearSystem<dim> &system,
+                    const MultiplierSpace<dim> &multipliers,
+                    const Coupling &D,
+                    const ContactSolution<dim> &solution);
 } // namespace Signorini

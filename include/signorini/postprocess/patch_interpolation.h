@@ -37,7 +37,8 @@ public:
    * pi^{2h} of the nodal values @p U at the points of @p fe_values, which is at @p cell and knows
    * its inverse Jacobians.
    */
-  const FieldValues<dim> &evaluate(const NodalVector &U, const CellIterator &cell,
+  const FieldValues<dim> &evaluate(const NodalVector &U,
+                                   const CellIterator &cell,
                                    const dealii::FEValues<dim> &fe_values);
 
 private:

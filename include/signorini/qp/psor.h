@@ -27,6 +27,7 @@ double psor_sweep(const BoundConstrainedQP &qp, double relaxation, dealii::Vecto
  * times the tolerance.
  * @throws std::invalid_argument for omega outside (0, 2).
  */
-QPResult solve_by_psor(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
+QPResult solve_by_psor(const BoundConstrainedQP &qp,
+                       const dealii::Vector<double> &start,
                        const PsorOptions &options);
 } // namespace Signorini

@@ -9,6 +9,8 @@ namespace Signorini
 /** Step (iv) of the algorithm: U = A^{-1}(D P + f), (23). Collective. */
 template <int dim>
 NodalVector recover_displacement(const StiffnessInverse &inverse,
-                                 const DisplacementSpace<dim> &space, const Coupling &condensed_D,
-                                 const dealii::Vector<double> &P, const DistributedVector &f);
+                                 const DisplacementSpace<dim> &space,
+                                 const Coupling &condensed_D,
+                                 const dealii::Vector<double> &P,
+                                 const DistributedVector &f);
 } // namespace Signorini

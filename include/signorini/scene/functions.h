@@ -18,7 +18,8 @@ template <int dim>
 class ExpressionFunction : public dealii::AutoDerivativeFunction<dim>
 {
 public:
-  ExpressionFunction(std::vector<Expression<dim>> values, std::vector<Expression<dim>> gradients,
+  ExpressionFunction(std::vector<Expression<dim>> values,
+                     std::vector<Expression<dim>> gradients,
                      double h);
 
   double value(const dealii::Point<dim> &x, unsigned int component = 0) const override;

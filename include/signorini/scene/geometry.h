@@ -53,6 +53,8 @@ struct Geometry
   dealii::Point<dim> upper;
   /** Share of h by which interior vertices of the coarsest level are moved. */
   double distortion = 0.;
+  /** Where the distortion was given, for messages. */
+  std::string where_distortion = "Geometry/Distortion";
 
   double diameter() const
   {
@@ -65,7 +67,8 @@ struct Geometry
 };
 
 /** Rectangle with @p cells coarse cells per direction; sides left, right, bottom, top. */
-Geometry<2> make_rectangle(const dealii::Point<2> &lower_left, const dealii::Point<2> &upper_right,
+Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
+                           const dealii::Point<2> &upper_right,
                            const std::vector<unsigned int> &cells);
 
 /**

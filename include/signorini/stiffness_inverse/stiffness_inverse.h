@@ -36,7 +36,10 @@ public:
   }
 
 protected:
-  explicit StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &A) : A_(A) {}
+  explicit StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &A)
+    : A_(A)
+  {
+  }
 
   /**
    * One solve, not counted, for a b that no kernel is orthogonal to: factors of a singular matrix

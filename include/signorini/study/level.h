@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/errors/dual_norm_errors.h>
 #include <signorini/multiplier/coupling.h>
 #include <signorini/multiplier/multiplier_space.h>
 #include <signorini/output/level_record.h>
@@ -18,7 +19,9 @@ namespace Signorini
 template <int dim>
 struct Discretization
 {
-  Discretization(const Parameters &parameters, const Scene<dim> &scene, unsigned int level,
+  Discretization(const Parameters &parameters,
+                 const Scene<dim> &scene,
+                 unsigned int level,
                  MPI_Comm communicator);
 
 private:
@@ -66,12 +69,20 @@ using Progress = std::function<void(const std::string &)>;
  * @param start pressure of the level before; without patches: none.
  */
 template <int dim>
-LevelSolution<dim> solve_level(const Parameters &parameters, const Scene<dim> &scene,
+LevelSolution<dim> solve_level(const Parameters &parameters,
+                               const Scene<dim> &scene,
                                const Discretization<dim> &discretization,
-                               const StartingPressure &start, const Progress &progress);
+                               const StartingPressure &start,
+                               const Progress &progress);
 
-/** Adds the errors against the exact solution, as far as it is known. Collective. */
+/**
+ * Adds the errors against the exact solution, as far as it is known. Collective.
+ * @param pressure the exact pressure; null if it is not known.
+ */
 template <int dim>
-void add_errors(const Parameters &parameters, const Scene<dim> &scene,
-                const Discretization<dim> &discretization, LevelSolution<dim> &solution);
+void add_errors(const Parameters &parameters,
+                const Scene<dim> &scene,
+                const Discretization<dim> &discretization,
+                const ExactPressure<dim> *pressure,
+                LevelSolution<dim> &solution);
 } // namespace Signorini

@@ -40,6 +40,8 @@ struct StudyResult
  * Collective.
  */
 template <int dim>
-StudyResult run_study(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator,
+StudyResult run_study(const Parameters &parameters,
+                      const Scene<dim> &scene,
+                      MPI_Comm communicator,
                       const StudyReport &report);
 } // namespace Signorini

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The norm of V^h as a matrix.
+
+#include <signorini/elasticity/h1_gram_matrix.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+namespace Signorini
+{
+template <int dim>
+dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space)
+{
+  const MPI_Comm communicator = space.mesh().communicator();
+  const dealii::IndexSet &owned = space.locally_owned();
+  dealii::TrilinosWrappers::SparsityPattern sparsity(owned, owned, communicator);
+  dealii::DoFTools::make_sparsity_pattern(space.dofs(),
+                                          sparsity,
+                                          space.constraints(),
+                                          false,
+                                          dealii::Utilities::MPI::this_mpi_process(communicator));
+  sparsity.compress();
+  dealii::TrilinosWrappers::SparseMatrix matrix;
+  matrix.reinit(sparsity);
+  return matrix;
+}
+
+template <int dim>
+dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space)
+{
+  dealii::TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
+  dealii::FEValues<dim> values(space.mesh().mapping(),
+                               space.element(),
+                               dealii::QGauss<dim>(3),
+                               dealii::update_values | dealii::update_gradients |
+                                 dealii::update_JxW_values);
+  const unsigned int n = space.element().n_dofs_per_cell();
+  dealii::FullMatrix<double> cell_matrix(n);
+  std::vector<dealii::types::global_dof_index> indices(n);
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    if (!cell->is_locally_owned())
+      continue;
+    values.reinit(cell);
+    cell_matrix = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        if (space.element().system_to_component_index(i).first ==
+            space.element().system_to_component_index(j).first)
+          for (const unsigned int q : values.quadrature_point_indices())
+            cell_matrix(i, j) += (values.shape_value(i, q) * values.shape_value(j, q) +
+                                  values.shape_grad(i, q) * values.shape_grad(j, q)) *
+                                 values.JxW(q);
+    cell->get_dof_indices(indices);
+    space.constraints().distribute_local_to_global(cell_matrix, indices, A_1);
+  }
+  A_1.compress(dealii::VectorOperation::add);
+  return A_1;
+}
+
+template dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<2> &);
+template dealii::TrilinosWrappers::SparseMatrix
+assemble_h1_gram_matrix(const DisplacementSpace<2> &);
+} // namespace Signorini
