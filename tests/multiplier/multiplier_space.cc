@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Integrals over patches against closed forms: lengths, gaps with kinks, square roots.
+
+#include <signorini/parameters/exceptions.h>
+
+#include <cmath>
+
+#include "one_level.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+std::string square(const std::string &gap, const std::string &discretization)
+{
+  return "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
+         entry("Contact", "Gap", gap) + "subsection Discretization\n" + discretization + "end\n";
+}
+
+/** Compares G with F(end) - F(start) of an antiderivative along the bottom of the unit square. */
+void check_gap(Checks &checks,
+               const std::string &name,
+               const OneLevel &level,
+               const std::function<double(double)> &antiderivative)
+{
+  double largest = 0.;
+  for (unsigned int tau = 0; tau < level.multipliers().n_multipliers(); ++tau)
+  {
+    const Patch &patch = level.multipliers().partition().patches[tau];
+    largest = std::max(largest,
+                       std::abs(level.discretization.G[tau] - antiderivative(patch.end) +
+                                antiderivative(patch.start)));
+  }
+  checks.near(name, largest, 0., 1e-15);
+}
+
+void gaps(Checks &checks)
+{
+  const auto positive = [](const double t) { return std::max(t, 0.); };
+  for (const std::string partition : {"", "set Patches = 5\n", "set Patch ratio = 3\n"})
+  {
+    const std::string with =
+      partition.empty() ? "" : ", " + partition.substr(4, partition.size() - 5);
+    check_gap(checks,
+              "constant gap" + with,
+              OneLevel(square("0.3", partition), 3),
+              [](const double x) { return 0.3 * x; });
+    check_gap(checks,
+              "linear gap" + with,
+              OneLevel(square("0.1 - x", partition), 3),
+              [](const double x) { return 0.1 * x - 0.5 * x * x; });
+    check_gap(checks,
+              "gap of degree five" + with,
+              OneLevel(square("x^5", partition), 3),
+              [](const double x) { return std::pow(x, 6) / 6.; });
+    check_gap(
+      checks,
+      "gap with two kinks" + with,
+      OneLevel(
+        square("max(x - 0.3, 0) + abs(x - 0.55)", "set Kinks at x = 0.3, 0.55\n" + partition), 3),
+      [&](const double x)
+      {
+        const double d = x - 0.55;
+        return 0.5 * std::pow(positive(x - 0.3), 2) + 0.5 * d * std::abs(d);
+      });
+  }
+  checks.throws<InputError>("gap without a value",
+                            "Contact/Gap: found the value",
+                            [] { OneLevel(square("sqrt(x - 0.02)", ""), 4); });
+}
+
+/** Weights sum to the pieces' lengths, points lie on the side at their arc length. */
+void rules(Checks &checks)
+{
+  const OneLevel level(
+    "subsection Geometry\nset Shape = polygon\n"
+    "set Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\nend\n"
+    "subsection Boundary\nset Clamped = side0\nset Contact = side1 side2 side3\nend\n"
+    "subsection Discretization\nset Patches = 5\nset Kinks at x = 0.7, 2.2\n"
+    "set Kinks at y = 1.7\nend\n",
+    2);
+  const auto &space = level.multipliers();
+  for (const bool graded : {false, true})
+  {
+    dealii::Vector<double> sums(space.n_multipliers());
+    double off_side = 0., off_arc = 0.;
+    for (const Piece &piece : space.partition().pieces)
+    {
+      const Side<2> &side = space.side(space.partition().patches[piece.patch]);
+      const auto rule = space.rule(piece, 3, graded);
+      for (std::size_t q = 0; q < rule.points.size(); ++q)
+      {
+        sums[piece.patch] += rule.weights[q];
+        off_side = std::max(off_side, std::abs((rule.points[q] - side.start) * side.normal));
+        off_arc =
+          std::max(off_arc, std::abs(side.arc_length(rule.points[q]) - rule.arc_lengths[q]));
+      }
+    }
+    const std::string name = graded ? "graded rule" : "plain rule";
+    checks.near(name + ": weights sum to |tau|", distance(sums, space.lengths()), 0., 1e-14);
+    checks.near(name + ": points on the side", off_side + off_arc, 0., 1e-14);
+  }
+  // side1 and side3 have the lengths sqrt(2.5) and sqrt(4.5).
+  checks.near("|tau| on side1", space.lengths()[0], std::sqrt(2.5) / 5., 1e-15);
+  checks.near("|tau| on side3", space.lengths()[14], std::sqrt(4.5) / 5., 1e-15);
+}
+
+/** int sqrt((c - x)_+) = 2/3 c^{3/2}, the behaviour of the pressure at the end of contact. */
+void square_roots(Checks &checks)
+{
+  for (const char *c : {"0.3", "0.5", "0.7071067811865476"})
+  {
+    const OneLevel level(square("0", "set Kinks at x = " + std::string(c) + "\n"), 3);
+    const double kink = std::stod(c);
+    for (const unsigned int n_points : {4U, 8U})
+    {
+      double integral = 0.;
+      for (const Piece &piece : level.multipliers().partition().pieces)
+      {
+        const auto rule = level.multipliers().rule(piece, n_points, true);
+        for (std::size_t q = 0; q < rule.points.size(); ++q)
+          integral += std::sqrt(std::max(kink - rule.points[q][0], 0.)) * rule.weights[q];
+      }
+      checks.near("square root up to " + std::string(c) + ", points " + std::to_string(n_points),
+                  integral,
+                  2. / 3. * std::pow(kink, 1.5),
+                  1e-8);
+    }
+  }
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  gaps(checks);
+  rules(checks);
+  square_roots(checks);
+  return checks.exit_code();
+}
