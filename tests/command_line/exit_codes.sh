@@ -1,3 +1,186 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-echo
+# What the program answers on the command line: exit codes, messages and files.
+# usage: exit_codes.sh PROGRAM
+
+program=$(realpath "$1")
+directory=$(mktemp -d)
+trap 'rm -rf "$directory"' EXIT
+cd "$directory" || exit 1
+failures=0
+
+# check NAME COMMAND...: PASS if the command succeeds.
+check() {
+  local name=$1
+  shift
+  if "$@"; then
+    echo "PASS $name"
+  else
+    echo "FAIL $name"
+    sed 's/^/  stderr: /' stderr
+    failures=$((failures + 1))
+  fi
+}
+
+# run CODE ARGUMENTS...: runs the program and checks its exit code.
+run() {
+  local code=$1
+  shift
+  "$program" "$@" >stdout 2>stderr </dev/null
+  local found=$?
+  check "exit code $code: signorini ${*//$'\n'/ }" [ "$found" -eq "$code" ]
+}
+
+says() { grep -qF -- "$1" stdout; }
+is_empty() { [ ! -s "$1" ]; }
+one_line_of_complaint() {
+  [ "$(wc -l <stderr)" -eq 1 ] && grep -q '^signorini: .*[.)]$' stderr
+}
+only_the_inputs() { [ "$(ls -A)" = "$inputs" ]; }
+
+# refuse_late FRAGMENT ARGUMENTS...: exit code 1, one line that holds the fragment, nothing left
+# behind. What was wrong shows on a level only, after the scene has been printed.
+refuse_late() {
+  local fragment=$1
+  shift
+  run 1 "$@"
+  check "  says '$fragment'" grep -qF -- "$fragment" stderr
+  check "  in one line" one_line_of_complaint
+  check "  and leaves nothing behind" only_the_inputs
+}
+
+# refuse FRAGMENT ARGUMENTS...: the same, and nothing is printed before.
+refuse() {
+  refuse_late "$@"
+  check "  and prints nothing else" is_empty stdout
+}
+
+write_inputs() {
+  cat >a1.prm <<'PRM'
+# A1 on few levels
+subsection Scene
+  set Name = A1
+end
+subsection Discretization
+  set Coarsest level = 2
+  set Finest level   = 3
+end
+PRM
+  printf 'subsection Solver\n  set Tolerence = 1e-8\nend\n' >misspelt.prm
+  printf 'subsection Solver\n  set Tolerance = 1e-8\n' >unclosed.prm
+  printf 'subsection Boundary\nset Contact = bottom\nend\n' >loose.prm
+  printf '\0\1\2' >binary.prm
+  touch file stdout stderr
+  mkdir folder.prm
+  inputs=$(ls -A)
+}
+
+test_answers() {
+  run 0 --help
+  for word in usage: --set --output --list-scenes --print-parameters --version 'Exit codes'; do
+    check "  help names $word" says "$word"
+  done
+  run 0 --version
+  for word in 'signorini ' deal.II Trilinos BLAS; do
+    check "  version names $word" says "$word"
+  done
+  run 0 --list-scenes
+  for word in described A1 D1 'block on parabola'; do
+    check "  scenes: $word" says "$word"
+  done
+  run 0 --print-parameters
+  for word in 'set Contact solver' 'active set' 'psor' 'set Relaxation' '= 1.1' 'Allowed:' \
+    '(both excluded)' '(force/area)' 'subsection Output'; do
+    check "  parameters: $word" says "$word"
+  done
+  check "answers leave nothing behind" only_the_inputs
+  check "answers say nothing on stderr" is_empty stderr
+}
+
+test_refusals() {
+  refuse 'no parameter file is given'
+  refuse "unrecognised option '--frobnicate'" --frobnicate a1.prm
+  refuse '--help lists what is allowed' --out results a1.prm
+  refuse "found two parameter files, 'a1.prm' and 'loose.prm'" a1.prm loose.prm
+  refuse 'no such file.prm: this parameter file cannot be read.' 'no such file.prm'
+  refuse 'folder.prm: this parameter file cannot be read.' folder.prm
+  refuse 'binary.prm: this is not a text file.' binary.prm
+  refuse "misspelt.prm:2: Solver/Tolerence: unknown parameter; did you mean 'Solver/Tolerance'?" \
+    misspelt.prm
+  refuse "unclosed.prm:1: subsection 'Solver' is not closed" unclosed.prm
+  refuse 'of the body free' loose.prm
+  refuse '--set' a1.prm --set
+  refuse "--set: found 'Solver', but" a1.prm --set Solver
+  refuse '--set: Solver/Tolerance: found' a1.prm --set 'Solver/Tolerance=tight'
+  refuse '--set: Contact/Gap: the expression' loose.prm --set $'Contact/Gap=x\n+'
+  refuse "--output: found 'file/x', allowed: a directory" a1.prm --output file/x
+  refuse "--output: found 'file', allowed: a directory" a1.prm --output file
+  refuse "--output: found ''" a1.prm --output ''
+  refuse "allowed: a directory" a1.prm --output "new/$(printf 'x%.0s' {1..300})"
+  refuse_late 'a contact patch is no longer than a face' a1.prm --output deep/er/results \
+    --set 'Discretization/Patch ratio=1' --set 'Solver/Require stability=true'
+  refuse_late 'is not convex' loose.prm --set 'Boundary/Clamped=top' \
+    --set 'Geometry/Distortion=0.45' --set 'Discretization/Coarsest level=5'
+}
+
+columns="level,cells,dofs,multipliers,h,H,active,qp_iterations,kkt,inf_sup,energy,contact_force_n"
+columns+=",max_pressure,contact_length,u_h1,u_l2,u_superclose_h1,u_post_h1,p_l2,p_dual"
+columns+=",p_dual_spectral,p_superclose_dual,p_superclose_dual_spectral,p_post_l2,endpoint_error"
+columns+=",estimated_h1,effectivity"
+times=",t_mesh,t_setup,t_assembly,t_factor,t_compliance,t_qp,t_recovery,t_postprocess,t_errors"
+times+=",t_output,t_total,cpu_total,peak_memory_mb"
+
+header_is_right() { head -n 1 "$1" | grep -q "^$columns$times\(,.*\)\?$"; }
+cells_of() { tail -n +2 "$1/convergence.csv" | cut -d, -f1,2 | tr '\n' ' '; }
+no_half_files() { [ -z "$(find . -name '*.part')" ]; }
+numbers_of() { cut -d, -f1-27 "$1/convergence.csv"; }
+same_numbers() { [ "$(numbers_of "$1")" = "$(numbers_of "$2")" ]; }
+verdict_is() { grep -q "\"verdict\": \"$2\"" "$1/certificate.json"; }
+
+test_run() {
+  run 0 a1.prm
+  check "  a table is printed" says 'Certified'
+  check "  nothing on stderr" is_empty stderr
+  for name in convergence.csv certificate.json parameters.prm solution-03.vtu contact-03.vtu \
+    solution.pvd contact.pvd contact-02.csv contact-03.csv; do
+    check "  results/a1/$name" [ -s "results/a1/$name" ]
+  done
+  check "  no fields of coarser levels" [ ! -e results/a1/solution-02.vtu ]
+  check "  no half files" no_half_files
+  check "  header of convergence.csv" header_is_right results/a1/convergence.csv
+  check "  one row per level" [ "$(cells_of results/a1)" = '2,16 3,64 ' ]
+  check "  header of contact-03.csv" [ "$(head -n 1 results/a1/contact-03.csv)" = \
+    'side,s,x,y,p_H,p_recovered,u_n,g,p_exact' ]
+  check "  verdict" verdict_is results/a1 certified
+  for key in verdict tolerance levels level stationarity penetration sign complementarity \
+    duality_gap force_balance moment_balance inf_sup degenerate_patches; do
+    check "  certificate has $key" grep -q "\"$key\": " results/a1/certificate.json
+  done
+
+  run 0 results/a1/parameters.prm --output again
+  check "  the same numbers from parameters.prm alone" same_numbers results/a1 again
+  check "  the same parameters" cmp -s results/a1/parameters.prm again/parameters.prm
+  run 0 --set 'Discretization/Finest level=4' a1.prm --set 'Discretization/Finest level=2' \
+    --output=one/two --set 'Output/VTU=none' --set 'Output/Compliance=true'
+  check "  the last --set wins" [ "$(wc -l <one/two/convergence.csv)" -eq 2 ]
+  check "  no VTU" [ ! -e one/two/solution-02.vtu ]
+  for name in C F D G; do
+    check "  $name-02.mtx" [ -s "one/two/$name-02.mtx" ]
+  done
+}
+
+test_exhausted() {
+  run 2 a1.prm --output exhausted --set 'Solver/Contact solver=psor' \
+    --set 'Solver/Maximum iterations=1'
+  check "  results are written" [ "$(wc -l <exhausted/convergence.csv)" -eq 3 ]
+  check "  and marked" verdict_is exhausted 'not certified'
+  check "  and it is said" says 'NOT certified'
+}
+
+write_inputs
+test_answers
+test_refusals
+test_run
+test_exhausted
+echo "$failures failures"
+[ "$failures" -eq 0 ]

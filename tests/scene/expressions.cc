@@ -30,33 +30,33 @@ void test_values(Checks &checks)
 {
   const double pi = std::acos(-1.);
   const std::vector<std::pair<std::string, double>> rows = {
-      {"1 + 2*3 - 4/8", 6.5},
-      {"2^3^2", 512.},
-      {"-x^2", -0.09},
-      {"x*y", -0.12},
-      {"2*(x - y)", 1.4},
-      {".5e1 + 1E-1", 5.1},
-      {"x > 0 ? 1 : 2", 1.},
-      {"y > 0 ? 1 : x > 0 ? 3 : 2", 3.},
-      {"if(y > 0, 1, 2)", 2.},
-      {"(x > 0 && y > 0) + 2*(x > 0 || y > 0)", 2.},
-      {"(x <= 0.3) + 2*(x >= 0.3) + 4*(x == 0.3) + 8*(x != 0.3)", 7.},
-      {"max(x, y, 0.7) - min(x, y)", 1.1},
-      {"max(x-0.1,0)^2", 0.04},
-      {"pow(x, 3)", 0.027},
-      {"erf(x) + erfc(x)", 1.},
-      {"erf(0.5)", 0.520499877813046537},
-      {"exp(y)", std::exp(-0.4)},
-      {"log(exp(2))", 2.},
-      {"log10(1000)", 3.},
-      {"sqrt(abs(y))", std::sqrt(0.4)},
-      {"floor(y) + 10*ceil(x)", 9.},
-      {"sign(y)", -1.},
-      {"sin(pi/6)", 0.5},
-      {"cos(pi*x)", std::cos(0.3 * pi)},
-      {"tan(x) + atan2(y,x)", std::tan(0.3) + std::atan2(-0.4, 0.3)},
-      {"asin(x) + acos(x)", pi / 2.},
-      {"sinh(x) + cosh(x) - exp(x)", 0.}};
+    {"1 + 2*3 - 4/8", 6.5},
+    {"2^3^2", 512.},
+    {"-x^2", -0.09},
+    {"x*y", -0.12},
+    {"2*(x - y)", 1.4},
+    {".5e1 + 1E-1", 5.1},
+    {"x > 0 ? 1 : 2", 1.},
+    {"y > 0 ? 1 : x > 0 ? 3 : 2", 3.},
+    {"if(y > 0, 1, 2)", 2.},
+    {"(x > 0 && y > 0) + 2*(x > 0 || y > 0)", 2.},
+    {"(x <= 0.3) + 2*(x >= 0.3) + 4*(x == 0.3) + 8*(x != 0.3)", 7.},
+    {"max(x, y, 0.7) - min(x, y)", 1.1},
+    {"max(x-0.1,0)^2", 0.04},
+    {"pow(x, 3)", 0.027},
+    {"erf(x) + erfc(x)", 1.},
+    {"erf(0.5)", 0.520499877813046537},
+    {"exp(y)", std::exp(-0.4)},
+    {"log(exp(2))", 2.},
+    {"log10(1000)", 3.},
+    {"sqrt(abs(y))", std::sqrt(0.4)},
+    {"floor(y) + 10*ceil(x)", 9.},
+    {"sign(y)", -1.},
+    {"sin(pi/6)", 0.5},
+    {"cos(pi*x)", std::cos(0.3 * pi)},
+    {"tan(x) + atan2(y,x)", std::tan(0.3) + std::atan2(-0.4, 0.3)},
+    {"asin(x) + acos(x)", pi / 2.},
+    {"sinh(x) + cosh(x) - exp(x)", 0.}};
   for (const auto &row : rows)
     checks.near(row.first, value(row.first), row.second, 1e-14);
   const Expression<2> formula("  x + y ", {}, "here");
@@ -73,11 +73,14 @@ void test_refusals(Checks &checks)
        {"x=3",   "x+=3",  "1,2",   "(1,2)",    "",      "  ",      "x y",        "2x",
         "x +",   "sin(x", "sin()", "sin(x,y)", "z",     "unknown", "unknown(x)", "if(x>0, 1)",
         "x ? 1", "1..2",  "\"x\"", "x; y",     "x @ y", "a=1"})
-    checks.throws<InputError>("refused: '" + std::string(text) + "'", "here: the expression '",
+    checks.throws<InputError>("refused: '" + std::string(text) + "'",
+                              "here: the expression '",
                               [&] { Expression<2>(text, {}, "here"); });
-  checks.throws<InputError>("assignment is explained", "comparisons are written '=='",
+  checks.throws<InputError>("assignment is explained",
+                            "comparisons are written '=='",
                             [] { Expression<2>("x=3", {}, "here"); });
-  checks.throws<InputError>("unknown name is named", "Unexpected token \"unknown\"",
+  checks.throws<InputError>("unknown name is named",
+                            "Unexpected token \"unknown\"",
                             [] { Expression<2>("1+unknown", {}, "here"); });
 }
 
@@ -89,39 +92,40 @@ void test_constants(Checks &checks)
   checks.near("constant of earlier ones", constants.at("mu"), 1., 1e-15);
   checks.near("comma inside of parentheses", constants.at("s"), 3., 0.);
   checks.near("constants in a formula", value("mu*x + E", constants), 2.8, 1e-15);
-  checks.near("pi in a constant", read_constants("a=2*pi", "c").at("a"), 2. * std::acos(-1.),
-              1e-15);
+  checks.near(
+    "pi in a constant", read_constants("a=2*pi", "c").at("a"), 2. * std::acos(-1.), 1e-15);
   checks.that("no constants", read_constants(" ", "c").empty());
   const std::vector<std::pair<std::string, std::string>> refused = {
-      {"a", "found 'a', allowed: name=number"},
-      {"a=1,", "found '', allowed: name=number"},
-      {"a=1 b=2", "c: the expression '1 b=2'"},
-      {"a=1; b=2", "c: the expression '1; b=2'"},
-      {"=1", "found '=1', allowed"},
-      {"1a=1", "found '1a=1', allowed"},
-      {"a b=1", "found 'a b=1', allowed"},
-      {"x=1", "the name 'x' is taken"},
-      {"y=1", "the name 'y' is taken"},
-      {"pi=3", "the name 'pi' is taken"},
-      {"a=1, a=2", "the name 'a' is taken"},
-      {"sin=1", "the name 'sin' is taken"},
-      {"erf=1", "the name 'erf' is taken"},
-      {"a=", "c: the expression '' cannot be used: it is empty."},
-      {"a=x", "the value of 'a' must be a finite number"},
-      {"a=y", "c: the expression 'y' cannot be parsed"},
-      {"a=b, b=1", "c: the expression 'b' cannot be parsed"},
-      {"a=1/0", "the value of 'a' must be a finite number, found '1/0'."},
-      {"a=0/0", "the value of 'a' must be a finite number, found '0/0'."}};
+    {"a", "found 'a', allowed: name=number"},
+    {"a=1,", "found '', allowed: name=number"},
+    {"a=1 b=2", "c: the expression '1 b=2'"},
+    {"a=1; b=2", "c: the expression '1; b=2'"},
+    {"=1", "found '=1', allowed"},
+    {"1a=1", "found '1a=1', allowed"},
+    {"a b=1", "found 'a b=1', allowed"},
+    {"x=1", "the name 'x' is taken"},
+    {"y=1", "the name 'y' is taken"},
+    {"pi=3", "the name 'pi' is taken"},
+    {"a=1, a=2", "the name 'a' is taken"},
+    {"sin=1", "the name 'sin' is taken"},
+    {"erf=1", "the name 'erf' is taken"},
+    {"a=", "c: the expression '' cannot be used: it is empty."},
+    {"a=x", "the value of 'a' must be a finite number"},
+    {"a=y", "c: the expression 'y' cannot be parsed"},
+    {"a=b, b=1", "c: the expression 'b' cannot be parsed"},
+    {"a=1/0", "the value of 'a' must be a finite number, found '1/0'."},
+    {"a=0/0", "the value of 'a' must be a finite number, found '0/0'."}};
   for (const auto &row : refused)
-    checks.throws<InputError>("constants '" + row.first + "'", row.second,
-                              [&] { read_constants(row.first, "c"); });
+    checks.throws<InputError>(
+      "constants '" + row.first + "'", row.second, [&] { read_constants(row.first, "c"); });
 }
 
 void test_copies(Checks &checks)
 {
-  checks.that("is_constant", Expression<2>("2*pi + a", {{"a", 1.}}, "").is_constant() &&
-                                 !Expression<2>("2*y", {}, "").is_constant() &&
-                                 !Expression<2>("0*x", {}, "").is_constant());
+  checks.that("is_constant",
+              Expression<2>("2*pi + a", {{"a", 1.}}, "").is_constant() &&
+                !Expression<2>("2*y", {}, "").is_constant() &&
+                !Expression<2>("0*x", {}, "").is_constant());
   auto original = std::make_unique<Expression<2>>("a*x", Constants({{"a", 2.}}), "here");
   const Expression<2> copy(*original);
   const Expression<2> copy_of_copy(copy);
@@ -147,8 +151,8 @@ std::vector<Expression<2>> expressions(const std::vector<std::string> &texts)
 void test_functions(Checks &checks)
 {
   const std::vector<std::string> u = {"sin(2*x)*exp(y)", "x^3*y^2"};
-  const std::vector<std::string> du = {"2*cos(2*x)*exp(y)", "sin(2*x)*exp(y)", "3*x^2*y^2",
-                                       "2*x^3*y"};
+  const std::vector<std::string> du = {
+    "2*cos(2*x)*exp(y)", "sin(2*x)*exp(y)", "3*x^2*y^2", "2*x^3*y"};
   const ExpressionFunction<2> differences(expressions(u), {}, 1e-4);
   const ExpressionFunction<2> exact(expressions(u), expressions(du), 1e-4);
   double value_error = 0., difference_error = 0., exact_error = 0., list_error = 0.;
@@ -156,11 +160,12 @@ void test_functions(Checks &checks)
   {
     const double s = std::sin(2. * x[0]), c = std::cos(2. * x[0]), e = std::exp(x[1]);
     const dealii::Tensor<1, 2> expected[2] = {
-        Point(2. * c * e, s * e),
-        Point(3. * x[0] * x[0] * x[1] * x[1], 2. * x[0] * x[0] * x[0] * x[1])};
+      Point(2. * c * e, s * e),
+      Point(3. * x[0] * x[0] * x[1] * x[1], 2. * x[0] * x[0] * x[0] * x[1])};
     dealii::Vector<double> values(2);
     differences.vector_value(x, values);
-    value_error = std::max({value_error, std::abs(values[0] - s * e),
+    value_error = std::max({value_error,
+                            std::abs(values[0] - s * e),
                             std::abs(values[1] - std::pow(x[0], 3) * x[1] * x[1]),
                             std::abs(values[1] - differences.value(x, 1))});
     std::vector<std::vector<dealii::Tensor<1, 2>>> list(1, std::vector<dealii::Tensor<1, 2>>(2));

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Catalogue scenes, materials, geometry and rigid motions against numbers found elsewhere.
+// Catalogue scenes and materials against numbers found elsewhere.
 
 #include <signorini/parameters/parameters.h>
 #include <signorini/scene/catalogue.h>
-#include <signorini/scene/described.h>
-#include <signorini/scene/rigid_motions.h>
+#include <signorini/scene/scene.h>
 
 #include <cmath>
 
@@ -51,8 +50,12 @@ Strain exact_stress(const Scene<2> &scene, const Point &x)
   return scene.material->hooke(x) * strain(du1[0], du2[1], 0.5 * (du1[1] + du2[0]));
 }
 
-void compare(Checks &checks, const std::string &name, const dealii::Function<2> &function,
-             const Point &x, const std::vector<double> &expected, const double tolerance)
+void compare(Checks &checks,
+             const std::string &name,
+             const dealii::Function<2> &function,
+             const Point &x,
+             const std::vector<double> &expected,
+             const double tolerance)
 {
   for (unsigned int c = 0; c < expected.size(); ++c)
     checks.near(name + " " + std::to_string(c + 1), function.value(x, c), expected[c], tolerance);
@@ -60,11 +63,16 @@ void compare(Checks &checks, const std::string &name, const dealii::Function<2> 
     return;
   dealii::Vector<double> values(2);
   function.vector_value(x, values);
-  checks.near(name + " as a vector", std::hypot(values[0] - expected[0], values[1] - expected[1]),
-              0., 2. * tolerance);
+  checks.near(name + " as a vector",
+              std::hypot(values[0] - expected[0], values[1] - expected[1]),
+              0.,
+              2. * tolerance);
 }
 
-void compare(Checks &checks, const std::string &name, const Strain &s, const Strain &expected,
+void compare(Checks &checks,
+             const std::string &name,
+             const Strain &s,
+             const Strain &expected,
              const double tolerance)
 {
   checks.near(name, (s - expected).norm(), 0., tolerance);
@@ -77,8 +85,11 @@ void test_a1(Checks &checks)
   const Point x(0.3, 0.4);
   compare(checks, "A1 u", *a1.exact_displacement, x, {-0.00588, -0.0646488880953}, 1e-12);
   compare(checks, "A1 f", *a1.body_force, x, {-2.17232035206, 1.15442425325}, 1e-11);
-  compare(checks, "A1 stress", exact_stress(a1, x),
-          strain(0.208648149376, -0.314855551871, 0.540072729128), 2e-12);
+  compare(checks,
+          "A1 stress",
+          exact_stress(a1, x),
+          strain(0.208648149376, -0.314855551871, 0.540072729128),
+          2e-12);
   const BoundaryCondition<2> &bottom = condition(a1, "bottom");
   compare(checks, "A1 p(0.3)", *bottom.exact_pressure, Point(0.3, 0.), {-0.674722215136}, 1e-12);
   compare(checks, "A1 p(0.8)", *bottom.exact_pressure, Point(0.8, 0.), {0.}, 0.);
@@ -94,19 +105,28 @@ void test_a1(Checks &checks)
                        y * y * y / 15. + 0.2 * y * y - y / 15.;
     return std::vector<double>{x == 0. ? -s11 : s11, x == 0. ? -s12 : s12};
   };
-  compare(checks, "A1 traction left", *condition(a1, "left").data, Point(0., 0.4),
-          traction(0., 0.4), 1e-14);
-  compare(checks, "A1 traction right", *condition(a1, "right").data, Point(1., 0.7),
-          traction(1., 0.7), 1e-14);
+  compare(checks,
+          "A1 traction left",
+          *condition(a1, "left").data,
+          Point(0., 0.4),
+          traction(0., 0.4),
+          1e-14);
+  compare(checks,
+          "A1 traction right",
+          *condition(a1, "right").data,
+          Point(1., 0.7),
+          traction(1., 0.7),
+          1e-14);
 
-  checks.that("A1 roles", condition(a1, "left").role == Role::traction &&
-                              condition(a1, "right").role == Role::traction &&
-                              condition(a1, "top").role == Role::clamped &&
-                              a1.contact_sides() == std::vector<unsigned int>{2});
+  checks.that("A1 roles",
+              condition(a1, "left").role == Role::traction &&
+                condition(a1, "right").role == Role::traction &&
+                condition(a1, "top").role == Role::clamped &&
+                a1.contact_sides() == std::vector<unsigned int>{2});
   checks.that("A1 is known exactly", a1.has_exact_pressure());
-  checks.that("A1 kinks and those of the parameters", a1.kinks[0].size() == 1 &&
-                                                          std::abs(a1.kinks[0][0] - xi) < 1e-15 &&
-                                                          a1.kinks[1] == std::vector<double>{0.25});
+  checks.that("A1 kinks and those of the parameters",
+              a1.kinks[0].size() == 1 && std::abs(a1.kinks[0][0] - xi) < 1e-15 &&
+                a1.kinks[1] == std::vector<double>{0.25});
 }
 
 /** Contact conditions, u = 0 on the clamped side, and p = sigma_n along the contact side. */
@@ -121,8 +141,9 @@ void test_a1_boundary(Checks &checks)
     const Strain s = exact_stress(a1, x);
     const double p = bottom.exact_pressure->value(x);
     const double w = -a1.exact_displacement->value(x, 1) - bottom.data->value(x);
-    clamped = std::max(clamped, std::abs(a1.exact_displacement->value(Point(x[0], 1.), 0)) +
-                                    std::abs(a1.exact_displacement->value(Point(x[0], 1.), 1)));
+    clamped = std::max(clamped,
+                       std::abs(a1.exact_displacement->value(Point(x[0], 1.), 0)) +
+                         std::abs(a1.exact_displacement->value(Point(x[0], 1.), 1)));
     stress = std::max({stress, std::abs(s[1][1] - p), std::abs(s[0][1])});
     complementarity = std::max(complementarity, std::abs(p * w));
     sign = std::max({sign, p, w});
@@ -155,7 +176,7 @@ void test_other_scenes(Checks &checks)
     const Scene<2> found = scene({"Scene/Name=" + entry.name});
     checks.that(entry.name + " is listed and bears its name",
                 found.name == entry.name && found.title == entry.title &&
-                    describe_catalogue().find(entry.name) != std::string::npos);
+                  describe_catalogue().find(entry.name) != std::string::npos);
   }
 }
 
@@ -164,17 +185,19 @@ void test_described(Checks &checks)
 {
   const Scene<2> a1 = scene({"Scene/Name=A1"});
   const Scene<2> same = scene(
-      {"Constants/Values=xi=sqrt(0.5), lambda=1, mu=1, nu=lambda/(2*(lambda+mu)), E=2*mu*(1+nu)",
-       "Material/Young's modulus=E", "Material/Poisson's ratio=nu", "Boundary/Clamped=top",
-       "Boundary/Contact=bottom",
-       "Boundary/Traction=right: 0.2*y-0.4*y^2-0.2*y+8/15-0.6*y^3+0.6*y; "
-       "-0.2*y-0.4*y^2+y^3/15+0.2*y^2-y/15",
-       "Load/Body force=max(xi-x,0)^2*(60*y^2-20)+0.2*x^2+0.4*x*y+0.2*y^2-0.2*y-7/15; "
-       "-60*max(xi-x,0)^3*y+20*max(xi-x,0)*(y-y^3)-0.6*x^2-0.4*x*y+0.6*x+y^2-0.2",
-       "Contact/Gap=-0.1*x*(1-x)+max(x-xi,0)^2",
-       "Exact solution/Displacement=(0.2*x*y-0.1*y+0.1*x^2)*(1-y^2); "
-       "(0.1*x*(1-x)-y*(10*max(xi-x,0)^3+0.2*x)/3)*(1-y^2)",
-       "Exact solution/Pressure=-10*max(xi-x,0)^3"});
+    {"Constants/Values=xi=sqrt(0.5), lambda=1, mu=1, nu=lambda/(2*(lambda+mu)), E=2*mu*(1+nu)",
+     "Material/Young's modulus=E",
+     "Material/Poisson's ratio=nu",
+     "Boundary/Clamped=top",
+     "Boundary/Contact=bottom",
+     "Boundary/Traction=right: 0.2*y-0.4*y^2-0.2*y+8/15-0.6*y^3+0.6*y; "
+     "-0.2*y-0.4*y^2+y^3/15+0.2*y^2-y/15",
+     "Load/Body force=max(xi-x,0)^2*(60*y^2-20)+0.2*x^2+0.4*x*y+0.2*y^2-0.2*y-7/15; "
+     "-60*max(xi-x,0)^3*y+20*max(xi-x,0)*(y-y^3)-0.6*x^2-0.4*x*y+0.6*x+y^2-0.2",
+     "Contact/Gap=-0.1*x*(1-x)+max(x-xi,0)^2",
+     "Exact solution/Displacement=(0.2*x*y-0.1*y+0.1*x^2)*(1-y^2); "
+     "(0.1*x*(1-x)-y*(10*max(xi-x,0)^3+0.2*x)/3)*(1-y^2)",
+     "Exact solution/Pressure=-10*max(xi-x,0)^3"});
   double off = 0., gradient = 0.;
   for (const Point &x : {Point(0.3, 0.4), Point(0.7, 0.1), Point(0.95, 0.8), Point(0., 0.5)})
     for (unsigned int c = 0; c < 2; ++c)
@@ -190,27 +213,39 @@ void test_described(Checks &checks)
                    condition(same, "bottom").exact_pressure);
       }
       gradient = std::max(
-          gradient,
-          (a1.exact_displacement->gradient(x, c) - same.exact_displacement->gradient(x, c)).norm());
+        gradient,
+        (a1.exact_displacement->gradient(x, c) - same.exact_displacement->gradient(x, c)).norm());
     }
-  compare(checks, "described traction", *condition(same, "right").data, Point(1., 0.7),
+  compare(checks,
+          "described traction",
+          *condition(same, "right").data,
+          Point(1., 0.7),
           {condition(a1, "right").data->value(Point(1., 0.7), 0),
            condition(a1, "right").data->value(Point(1., 0.7), 1)},
           1e-14);
   checks.near("described A1 is A1", off, 0., 1e-13);
   checks.near("its gradient by differences", gradient, 0., 1e-10);
-  compare(checks, "its stress", exact_stress(same, Point(0.3, 0.4)),
-          strain(0.208648149376, -0.314855551871, 0.540072729128), 1e-10);
+  compare(checks,
+          "its stress",
+          exact_stress(same, Point(0.3, 0.4)),
+          strain(0.208648149376, -0.314855551871, 0.540072729128),
+          1e-10);
 
-  const Scene<2> sides = scene({"Boundary/Clamped=top", "Boundary/Contact=bottom, left",
+  const Scene<2> sides = scene({"Boundary/Clamped=top",
+                                "Boundary/Contact=bottom, left",
                                 "Contact/Gap=left: y>0.5||y<0.1 ? 1 : 2 | bottom: x^2",
                                 "Exact solution/Pressure=x>0.5 ? 0 : -1"});
   compare(checks, "gap left", *condition(sides, "left").data, Point(0., 0.3), {2.}, 0.);
   compare(checks, "gap bottom", *condition(sides, "bottom").data, Point(0.3, 0.), {0.09}, 1e-16);
-  compare(checks, "one pressure for both", *condition(sides, "left").exact_pressure, Point(0., 0.5),
-          {-1.}, 0.);
-  checks.that("two contact sides", sides.contact_sides() == std::vector<unsigned int>({0, 2}) &&
-                                       sides.has_exact_pressure() && sides.body_force == nullptr);
+  compare(checks,
+          "one pressure for both",
+          *condition(sides, "left").exact_pressure,
+          Point(0., 0.5),
+          {-1.},
+          0.);
+  checks.that("two contact sides",
+              sides.contact_sides() == std::vector<unsigned int>({0, 2}) &&
+                sides.has_exact_pressure() && sides.body_force == nullptr);
 }
 
 std::shared_ptr<const Material<2>> material(std::vector<std::string> settings)
@@ -224,17 +259,20 @@ void test_isotropic(Checks &checks)
   const Point x(0.3, 0.4);
   const Strain e = strain(0.1, 0.2, 0.3);
   const auto plane_strain =
-      material({"Material/Young's modulus=2.5", "Material/Poisson's ratio=0.25"});
+    material({"Material/Young's modulus=2.5", "Material/Poisson's ratio=0.25"});
   compare(checks, "plane strain", plane_strain->hooke(x) * e, strain(0.5, 0.7, 0.6), 1e-15);
   checks.near("stress across the plane", plane_strain->out_of_plane_stress(x, e), 0.3, 1e-15);
   const auto plane_stress = material({"Material/Plane state=stress"});
-  compare(checks, "plane stress", plane_stress->hooke(x) * e,
-          strain((0.1 + 0.06) / 0.91, (0.2 + 0.03) / 0.91, 0.3 / 1.3), 1e-15);
+  compare(checks,
+          "plane stress",
+          plane_stress->hooke(x) * e,
+          strain((0.1 + 0.06) / 0.91, (0.2 + 0.03) / 0.91, 0.3 / 1.3),
+          1e-15);
   checks.near("no stress across the plane", plane_stress->out_of_plane_stress(x, e), 0., 0.);
   const auto varying =
-      material({"Material/Young's modulus=1+x", "Material/Poisson's ratio=0.25*(1-y)"});
-  compare(checks, "varying in space", varying->hooke(Point(0.5, 1.)) * e, strain(0.15, 0.3, 0.45),
-          1e-15);
+    material({"Material/Young's modulus=1+x", "Material/Poisson's ratio=0.25*(1-y)"});
+  compare(
+    checks, "varying in space", varying->hooke(Point(0.5, 1.)) * e, strain(0.15, 0.3, 0.45), 1e-15);
   checks.that("is_constant", plane_strain->is_constant() && !varying->is_constant());
 }
 
@@ -252,8 +290,8 @@ void test_anisotropic(Checks &checks)
                                                           {C[0][0][0][1], 0.8010734985006054},
                                                           {C[1][1][0][1], 0.4113620667976081}};
   for (unsigned int i = 0; i < entries.size(); ++i)
-    checks.near("orthotropic entry " + std::to_string(i), entries[i].first, entries[i].second,
-                1e-14);
+    checks.near(
+      "orthotropic entry " + std::to_string(i), entries[i].first, entries[i].second, 1e-14);
   const double c = std::sqrt(0.75), s = 0.5;
   const Strain first = strain(c * c, s * s, s * c), second = strain(s * s, c * c, -s * c);
   checks.near("stiffness along the first axis", first * (C * first), 4., 1e-14);
@@ -262,89 +300,19 @@ void test_anisotropic(Checks &checks)
   checks.near("symmetry", first * (C * second) - second * (C * first), 0., 1e-14);
 
   const auto swapped = material({"Material/Law=orthotropic", moduli, "Material/Orientation=90"});
-  compare(checks, "orthotropic at 90 degrees", swapped->hooke(x) * strain(1., 2., 3.),
-          strain(1.2 + 1., 0.5 + 8., 3.6), 1e-14);
+  compare(checks,
+          "orthotropic at 90 degrees",
+          swapped->hooke(x) * strain(1., 2., 3.),
+          strain(1.2 + 1., 0.5 + 8., 3.6),
+          1e-14);
   const auto general =
-      material({"Material/Law=general", "Material/Hooke tensor=3+x; 1; 0.1; 4; 0.2; 1"});
-  compare(checks, "general", general->hooke(Point(1., 0.)) * strain(1., 2., 3.),
-          strain(4. + 2. + 0.6, 1. + 8. + 1.2, 0.1 + 0.4 + 6.), 1e-14);
+    material({"Material/Law=general", "Material/Hooke tensor=3+x; 1; 0.1; 4; 0.2; 1"});
+  compare(checks,
+          "general",
+          general->hooke(Point(1., 0.)) * strain(1., 2., 3.),
+          strain(4. + 2. + 0.6, 1. + 8. + 1.2, 0.1 + 0.4 + 6.),
+          1e-14);
   checks.that("general is not constant", !general->is_constant() && turned->is_constant());
-}
-
-/** What the sides leave free; the scene is not refused here. */
-void test_rigid_motions(Checks &checks)
-{
-  const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> rows = {
-      {{},
-       {"the translation along (1, 0)", "the translation along (0, 1)",
-        "the rotation about (1, 0.5)"}},
-      {{"Boundary/Rollers=left"}, {"the translation along (0, 1)"}},
-      {{"Boundary/Rollers=left right"}, {"the translation along (0, 1)"}},
-      {{"Boundary/Rollers=top"}, {"the translation along (1, 0)"}},
-      {{"Boundary/Rollers=left top"}, {}},
-      {{"Boundary/Traction=left: 1; 0 | right: -1; 0 | top: 0; 0"},
-       {"the translation along (1, 0)", "the translation along (0, 1)",
-        "the rotation about (1, 0.5)"}},
-      {{"Boundary/Clamped=right"}, {}},
-      {{"Boundary/Displacement=top: 0; -0.1"}, {}}};
-  for (const auto &row : rows)
-  {
-    std::vector<std::string> settings = {"Boundary/Contact=bottom", "Geometry/Upper right=2, 1"};
-    settings.insert(settings.end(), row.first.begin(), row.first.end());
-    const auto motions = free_rigid_motions(make_described_scene(parameters(settings)));
-    const std::string name = row.first.empty() ? "nothing held" : row.first[0];
-    checks.near(name + ": free motions", motions.size(), row.second.size(), 0);
-    for (const std::string &expected : row.second)
-    {
-      bool found = false;
-      for (const RigidMotion &motion : motions)
-        found = found || motion.name == expected;
-      checks.that(name + ": " + expected, found);
-    }
-  }
-  // A roller on the slanted side of a triangle slides along it.
-  const auto slide = free_rigid_motions(
-      make_described_scene(parameters({"Geometry/Shape=polygon", "Geometry/Vertices=0,0; 4,0; 4,3",
-                                       "Boundary/Contact=side0", "Boundary/Rollers=side2"})));
-  checks.that("slanted roller", slide.size() == 1 &&
-                                    slide[0].name == "the translation along (0.8, 0.6)" &&
-                                    std::abs(slide[0].translation * Point(-0.6, 0.8)) < 1e-12 &&
-                                    std::abs(slide[0].rotation) < 1e-12);
-}
-
-void check_side(Checks &checks, const Geometry<2> &geometry, const std::string &name,
-                const Point &start, const Point &end, const Point &normal)
-{
-  const std::size_t i = geometry.find_side(name);
-  if (i == geometry.sides.size())
-    return checks.that(name + " exists", false);
-  const Side<2> &side = geometry.sides[i];
-  const double length = std::hypot(end[0] - start[0], end[1] - start[1]);
-  checks.near(name + ": ends", side.start.distance(start) + side.end.distance(end), 0., 1e-15);
-  checks.near(name + ": normal", (side.normal - normal).norm(), 0., 1e-15);
-  checks.near(name + ": length", side.length(), length, 1e-15);
-  const Point middle = start + 0.25 * (end - start);
-  checks.near(name + ": arc length", side.arc_length(middle), 0.25 * length, 1e-15);
-  checks.near(name + ": point", side.point(0.25 * length).distance(middle), 0., 1e-15);
-}
-
-void test_geometry(Checks &checks)
-{
-  const Geometry<2> rectangle = make_rectangle(Point(-1., 2.), Point(2., 4.), {3, 2});
-  check_side(checks, rectangle, "left", Point(-1., 2.), Point(-1., 4.), Point(-1., 0.));
-  check_side(checks, rectangle, "right", Point(2., 2.), Point(2., 4.), Point(1., 0.));
-  check_side(checks, rectangle, "bottom", Point(-1., 2.), Point(2., 2.), Point(0., -1.));
-  check_side(checks, rectangle, "top", Point(-1., 4.), Point(2., 4.), Point(0., 1.));
-  checks.near("rectangle: four sides", rectangle.sides.size(), 4, 0);
-  checks.near("rectangle: diameter", rectangle.diameter(), std::sqrt(13.), 1e-15);
-
-  const Geometry<2> triangle = make_polygon({Point(0., 0.), Point(4., 0.), Point(4., 3.)});
-  check_side(checks, triangle, "side0", Point(0., 0.), Point(4., 0.), Point(0., -1.));
-  check_side(checks, triangle, "side1", Point(4., 0.), Point(4., 3.), Point(1., 0.));
-  check_side(checks, triangle, "side2", Point(4., 3.), Point(0., 0.), Point(-0.6, 0.8));
-  checks.that("triangle: names",
-              triangle.side_names() == std::vector<std::string>({"side0", "side1", "side2"}));
-  checks.near("triangle: diameter", triangle.diameter(), 5., 0.);
 }
 } // namespace
 
@@ -358,7 +326,5 @@ int main()
   test_described(checks);
   test_isotropic(checks);
   test_anisotropic(checks);
-  test_rigid_motions(checks);
-  test_geometry(checks);
   return checks.exit_code();
 }

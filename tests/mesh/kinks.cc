@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Quadrature on the pieces into which lines cut cells and faces, against closed forms.
+
+#include <signorini/mesh/kinks.h>
+#include <signorini/scene/geometry.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <cmath>
+#include <functional>
+
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+using Point = dealii::Point<2>;
+using Cell = dealii::Triangulation<2>::active_cell_iterator;
+using Integrand = std::function<double(const Point &)>;
+
+double integrate(const Cell &cell, const dealii::Quadrature<2> &rule, const Integrand &f)
+{
+  const dealii::FE_Q<2> fe(1);
+  dealii::FEValues<2> values(
+    fe, rule, dealii::update_quadrature_points | dealii::update_JxW_values);
+  values.reinit(typename dealii::Triangulation<2>::cell_iterator(cell));
+  double sum = 0.;
+  for (const unsigned int q : values.quadrature_point_indices())
+    sum += f(values.quadrature_point(q)) * values.JxW(q);
+  return sum;
+}
+
+double positive_power(const double t, const unsigned int k)
+{
+  return t > 0. ? std::pow(t, k) : 0.;
+}
+
+void test_rectangle(Checks &checks)
+{
+  dealii::Triangulation<2> mesh;
+  make_rectangle(Point(0., 0.), Point(1., 2.), {1, 1}).make_coarse_mesh(mesh);
+  const Cell cell = mesh.begin_active();
+  const Kinks<2> kinks({{{0.3}, {}}});
+  for (unsigned int k = 1; k <= 4; ++k)
+    for (unsigned int j = 0; j <= 2; ++j)
+      checks.near("rectangle: max(x-c,0)^" + std::to_string(k) + " y^" + std::to_string(j),
+                  integrate(cell,
+                            kinks.quadrature(cell, 3),
+                            [&](const Point &x)
+                            { return positive_power(x[0] - 0.3, k) * std::pow(x[1], j); }),
+                  std::pow(0.7, k + 1) / (k + 1) * std::pow(2., j + 1) / (j + 1),
+                  1e-14);
+
+  // |x-a| |x-b| |y-c| |y-d| with the lines in any order, twice and outside of the cell.
+  const Kinks<2> several({{{0.6, 0.3, 0.6, -1., 7.}, {1.7, 0.5, 2., 0.}}});
+  const auto signed_integral = [](const double a, const double b, const double end)
+  {
+    const auto primitive = [&](const double x)
+    { return x * x * x / 3. - (a + b) * x * x / 2. + a * b * x; };
+    return 2. * primitive(a) - 2. * primitive(b) + primitive(end);
+  };
+  checks.near("rectangle: crossing lines",
+              integrate(cell,
+                        several.quadrature(cell, 2),
+                        [](const Point &x)
+                        {
+                          return std::abs(x[0] - 0.3) * std::abs(x[0] - 0.6) *
+                                 std::abs(x[1] - 0.5) * std::abs(x[1] - 1.7);
+                        }),
+              signed_integral(0.3, 0.6, 1.) * signed_integral(0.5, 1.7, 2.),
+              1e-14);
+  checks.near("rectangle: nine pieces", several.quadrature(cell, 2).size(), 9 * 4, 0);
+  checks.near("rectangle: a missed cell keeps its rule",
+              Kinks<2>({{{2.}, {0.}}}).quadrature(cell, 3).size(),
+              9,
+              0);
+}
+
+/** The corners (0,0), (3,0), (2,2), (0,1): area 4. */
+void test_quadrilateral(Checks &checks)
+{
+  dealii::Triangulation<2> mesh;
+  make_polygon({Point(0., 0.), Point(3., 0.), Point(2., 2.), Point(0., 1.)}).make_coarse_mesh(mesh);
+  const Cell cell = mesh.begin_active();
+  const dealii::QGauss<2> gauss(6);
+  const std::vector<std::pair<std::string, Kinks<2>>> rows = {
+    {"no line", Kinks<2>({{{}, {}}})},
+    {"one line", Kinks<2>({{{1.}, {}}})},
+    {"lines across", Kinks<2>({{{}, {0.5, 1.5}}})},
+    {"both ways", Kinks<2>({{{0.4, 1., 2.5}, {0.3, 1.2, 1.7}}})},
+    {"through corners", Kinks<2>({{{2.}, {1.}}})},
+    {"almost through corners", Kinks<2>({{{2. - 1e-13, 3. - 1e-9}, {1. + 1e-12}}})},
+    {"outside", Kinks<2>({{{-1., 5.}, {3.}}})}};
+  for (const auto &row : rows)
+  {
+    const dealii::Quadrature<2> rule = row.second.quadrature(cell, 4);
+    checks.near("quadrilateral, " + row.first + ": area",
+                integrate(cell, rule, [](const Point &) { return 1.; }),
+                4.,
+                1e-13);
+    double off = 0.;
+    for (unsigned int a = 0; a <= 4; ++a)
+      for (unsigned int b = 0; a + b <= 4; ++b)
+      {
+        const Integrand power = [&](const Point &x)
+        { return std::pow(x[0], a) * std::pow(x[1], b); };
+        off = std::max(off,
+                       std::abs(integrate(cell, rule, power) / integrate(cell, gauss, power) - 1.));
+      }
+    checks.near("quadrilateral, " + row.first + ": polynomials", off, 0., 1e-12);
+    bool inside = true;
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      inside = inside && rule.weight(q) >= 0. &&
+               dealii::GeometryInfo<2>::is_inside_unit_cell(rule.point(q), 1e-12);
+    checks.that("quadrilateral, " + row.first + ": points inside, no negative weights", inside);
+  }
+  const Kinks<2> kinks({{{1.}, {1.}}});
+  const dealii::Quadrature<2> rule = kinks.quadrature(cell, 4);
+  for (unsigned int k = 1; k <= 4; ++k)
+  {
+    const double p = std::pow(2., k + 1);
+    checks.near("quadrilateral: max(x-1,0)^" + std::to_string(k),
+                integrate(cell, rule, [&](const Point &x) { return positive_power(x[0] - 1., k); }),
+                1.5 / (k + 1) + 0.5 / (k + 2) + 4. * (p - 1.) / (k + 1) -
+                  2. * (2. * p - 1.) / (k + 2),
+                1e-12);
+    checks.near("quadrilateral: max(y-1,0)^" + std::to_string(k),
+                integrate(cell, rule, [&](const Point &x) { return positive_power(x[1] - 1., k); }),
+                2.5 / (k + 1) - 2.5 / (k + 2),
+                1e-13);
+  }
+}
+
+/** A distorted mesh of the unit square: crossed cells by pieces, the others by the plain rule. */
+void test_mesh(Checks &checks)
+{
+  dealii::Triangulation<2> mesh;
+  make_rectangle(Point(0., 0.), Point(1., 1.), {7, 5}).make_coarse_mesh(mesh);
+  dealii::GridTools::distort_random(0.25, mesh, true);
+  const double xi = std::sqrt(0.5), eta = 0.4;
+  const Kinks<2> kinks({{{xi}, {eta}}});
+  const dealii::Quadrature<2> gauss = dealii::QGauss<2>(3);
+  double by_pieces = 0., plain = 0.;
+  unsigned int crossed = 0;
+  for (const Cell &cell : mesh.active_cell_iterators())
+  {
+    const Integrand f = [&](const Point &x)
+    { return positive_power(x[0] - xi, 1) * positive_power(eta - x[1], 2); };
+    const bool cross = kinks.cross(cell);
+    crossed += cross ? 1 : 0;
+    plain += integrate(cell, gauss, f);
+    by_pieces += integrate(cell, cross ? kinks.quadrature(cell, 3) : gauss, f);
+  }
+  const double exact = (1. - xi) * (1. - xi) / 2. * eta * eta * eta / 3.;
+  checks.near("mesh: integral on the pieces", by_pieces / exact, 1., 1e-12);
+  checks.that("mesh: the plain rule is not exact", std::abs(plain / exact - 1.) > 1e-6);
+  checks.between("mesh: crossed cells", crossed, 7 + 5 - 1, 2 * (7 + 5));
+}
+
+void test_cross(Checks &checks)
+{
+  dealii::Triangulation<2> mesh;
+  make_rectangle(Point(0., 0.), Point(1., 1.), {2, 2}).make_coarse_mesh(mesh);
+  const Cell first = mesh.begin_active();
+  checks.that("line through the cell", Kinks<2>({{{0.25}, {}}}).cross(first));
+  checks.that("line along an edge", !Kinks<2>({{{0.5, 0.}, {0.5}}}).cross(first));
+  checks.that("line elsewhere", !Kinks<2>({{{0.75}, {-0.2}}}).cross(first));
+  checks.that("line across y", Kinks<2>({{{0.75}, {0.1}}}).cross(first));
+  checks.that("no line", !Kinks<2>({{{}, {}}}).cross(first));
+}
+
+double distance(const std::vector<double> &found, const std::vector<double> &expected)
+{
+  double largest = found.size() == expected.size() ? 0. : 1e3;
+  for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i)
+    largest = std::max(largest, std::abs(found[i] - expected[i]));
+  return largest;
+}
+
+void test_segments(Checks &checks)
+{
+  const Kinks<2> kinks({{{0.5, 0.25}, {0.8}}});
+  const auto cut =
+    [&](
+      const std::string &name, const Point &a, const Point &b, const std::vector<double> &expected)
+  { checks.near("cut " + name, distance(kinks.cut(a, b), expected), 0., 1e-15); };
+  cut("along x", Point(0., 0.), Point(1., 0.), {0., 0.25, 0.5, 1.});
+  cut("against x", Point(1., 0.), Point(0., 0.), {0., 0.5, 0.75, 1.});
+  cut("along y", Point(0.5, 0.), Point(0.5, 2.), {0., 0.4, 1.});
+  cut("a diagonal", Point(0., 0.), Point(1., 1.), {0., 0.25, 0.5, 0.8, 1.});
+  cut("beside all lines", Point(0.6, 0.), Point(0.7, 0.), {0., 1.});
+  cut("that ends on lines", Point(0.25, 0.), Point(0.5, 0.), {0., 1.});
+  checks.that("touch",
+              kinks.touch(Point(0.25, 0.), Point(0.3, 0.)) &&
+                kinks.touch(Point(0.6, 0.), Point(0.6, 0.8)) &&
+                !kinks.touch(Point(0., 0.), Point(1., 0.)));
+  const dealii::Quadrature<1> split = split_quadrature(dealii::QGauss<1>(2), {0., 0.3, 0.8, 1.});
+  double sum = 0., weights = 0.;
+  for (unsigned int q = 0; q < split.size(); ++q)
+  {
+    sum += split.weight(q) * positive_power(split.point(q)[0] - 0.3, 3);
+    weights += split.weight(q);
+  }
+  checks.near("split rule: number of points", split.size(), 6, 0);
+  checks.near("split rule: length", weights, 1., 1e-15);
+  checks.near("split rule: max(t-c,0)^3", sum, std::pow(0.7, 4) / 4., 1e-15);
+}
+} // namespace
+
+int main()
+{
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  test_rectangle(checks);
+  test_quadrilateral(checks);
+  test_mesh(checks);
+  test_cross(checks);
+  test_segments(checks);
+  return checks.exit_code();
+}
