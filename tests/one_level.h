@@ -15,9 +15,9 @@
 struct OneLevel
 {
   OneLevel(const std::string &text, const unsigned int level)
-      : parameters(Signorini::parse_parameters(text, "test"))
-      , scene(Signorini::make_scene(parameters))
-      , discretization(parameters, scene, level, MPI_COMM_WORLD)
+    : parameters(Signorini::parse_parameters(text, "test"))
+    , scene(Signorini::make_scene(parameters))
+    , discretization(parameters, scene, level, MPI_COMM_WORLD)
   {
   }
   OneLevel(const OneLevel &) = delete;
@@ -32,8 +32,8 @@ struct OneLevel
   }
   Signorini::LevelSolution<2> solve() const
   {
-    return Signorini::solve_level(parameters, scene, discretization, Signorini::StartingPressure(),
-                                  [](const std::string &) {});
+    return Signorini::solve_level(
+      parameters, scene, discretization, Signorini::StartingPressure(), [](const std::string &) {});
   }
 
   Signorini::Parameters parameters;
@@ -42,7 +42,8 @@ struct OneLevel
 };
 
 /** "subsection SECTION / set NAME = VALUE / end" for short parameter texts. */
-inline std::string entry(const std::string &section, const std::string &name,
+inline std::string entry(const std::string &section,
+                         const std::string &name,
                          const std::string &value)
 {
   return "subsection " + section + "\nset " + name + " = " + value + "\nend\n";

@@ -7,7 +7,10 @@
 class RandomNumbers
 {
 public:
-  explicit RandomNumbers(const unsigned int seed) : state_(seed) {}
+  explicit RandomNumbers(const unsigned int seed)
+    : state_(seed)
+  {
+  }
 
   double operator()()
   {

@@ -156,8 +156,21 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
 
 double Certificate::worst() const
 {
-  return std::max(
-    {stationarity, penetration, sign, complementarity, duality_gap, force_balance, moment_balance});
+  double largest = 0.;
+  for (const double residual : {stationarity,
+                                penetration,
+                                sign,
+                                complementarity,
+                                duality_gap,
+                                force_balance,
+                                moment_balance})
+  {
+    // For std::max a residual that is not a number would be a small one.
+    if (std::isnan(residual))
+      return residual;
+    largest = std::max(largest, residual);
+  }
+  return largest;
 }
 
 template <int dim>

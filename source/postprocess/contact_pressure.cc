@@ -67,7 +67,7 @@ dealii::Vector<double> transfer_pressure(const std::vector<Patch> &from,
     {
       const double overlap =
         std::min(from[k].end, to[t].end) - std::max(from[k].start, to[t].start);
-      transferred[t] += P[k] * std::max(overlap, 0.) / to[t].length();
+      transferred[t] += std::max(overlap, 0.) / to[t].length() * P[k];
     }
   }
   return transferred;

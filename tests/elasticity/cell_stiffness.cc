@@ -33,10 +33,10 @@ std::string polygon(const std::string &vertices)
 struct Body
 {
   Body(const std::string &text, const unsigned int level)
-      : scene(make_scene(parse_parameters(text, "test")))
-      , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
-      , space(mesh, scene)
-      , stiffness(space, *scene.material, Kinks<2>(scene.kinks))
+    : scene(make_scene(parse_parameters(text, "test")))
+    , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
+    , space(mesh, scene)
+    , stiffness(space, *scene.material, Kinks<2>(scene.kinks))
   {
   }
 
@@ -67,8 +67,12 @@ struct Body
  * a(phi_j e_d, phi_i e_c) on the rectangle [0,a] x [0,b] from the integrals of X' X' (stretch), X X
  * (mass) and X' (slope) of linear X on [0,1].
  */
-double exact_entry(const unsigned int v, const unsigned int c, const unsigned int w,
-                   const unsigned int d, const double a, const double b)
+double exact_entry(const unsigned int v,
+                   const unsigned int c,
+                   const unsigned int w,
+                   const unsigned int d,
+                   const double a,
+                   const double b)
 {
   const auto stretch = [](const unsigned int i, const unsigned int j) { return i == j ? 1. : -1.; };
   const auto mass = [](const unsigned int i, const unsigned int j)
@@ -95,8 +99,9 @@ double distance_to_exact(Body &body, const double a, const double b)
     {
       const auto vi = element.system_to_component_index(i);
       const auto wj = element.system_to_component_index(j);
-      largest = std::max(largest, std::abs(matrix(i, j) - exact_entry(vi.second, vi.first,
-                                                                      wj.second, wj.first, a, b)));
+      largest = std::max(
+        largest,
+        std::abs(matrix(i, j) - exact_entry(vi.second, vi.first, wj.second, wj.first, a, b)));
     }
   return largest;
 }
@@ -118,17 +123,17 @@ void rectangles(Checks &checks)
   Body stretched(rectangle("3, 0.5", elastic), 0);
   checks.near("rectangle: all 64 entries", distance_to_exact(stretched, 3., 0.5), 0., 1e-13);
   Body tiny(rectangle("1e-6, 1e-6", elastic), 3);
-  checks.near("independent of the size of the square", distance(matrix, tiny.first_matrix()), 0.,
-              1e-13);
+  checks.near(
+    "independent of the size of the square", distance(matrix, tiny.first_matrix()), 0., 1e-13);
 }
 
 /** Rigid motions cost nothing, linear fields |K| sigma:eps, on every shape of cell. */
 void shapes(Checks &checks)
 {
   const std::pair<const char *, const char *> vertices[] = {
-      {"square", "0,0; 1,0; 1,1; 0,1"},
-      {"parallelogram", "0,0; 2,1; 3,3; 1,2"},
-      {"quadrilateral", "0,0; 2,-0.5; 2.5,1.5; -0.3,1"}};
+    {"square", "0,0; 1,0; 1,1; 0,1"},
+    {"parallelogram", "0,0; 2,1; 3,3; 1,2"},
+    {"quadrilateral", "0,0; 2,-0.5; 2.5,1.5; -0.3,1"}};
   // The shoelace formula.
   const double areas[] = {1., 3., 3.6};
   for (unsigned int k = 0; k < 3; ++k)
@@ -145,10 +150,10 @@ void shapes(Checks &checks)
     checks.near(name + ": rigid motions", energy, 0., 1e-13 * scale);
     // eps = ((0.3, 0.1), (0.1, -0.2)): tr = 0.1, eps:eps = 0.15.
     const double linear =
-        body.energy([](const Point<2> &x)
-                    { return Point<2>(0.3 * x[0] + 0.4 * x[1], -0.2 * x[0] - 0.2 * x[1]); });
-    checks.near(name + ": linear field", linear, areas[k] * (lambda * 0.01 + 2. * mu * 0.15),
-                1e-12);
+      body.energy([](const Point<2> &x)
+                  { return Point<2>(0.3 * x[0] + 0.4 * x[1], -0.2 * x[0] - 0.2 * x[1]); });
+    checks.near(
+      name + ": linear field", linear, areas[k] * (lambda * 0.01 + 2. * mu * 0.15), 1e-12);
   }
 }
 
@@ -182,12 +187,15 @@ void varying_modulus(Checks &checks)
   // eps11 = y, eps12 = x/2: int (1 + x)(y^2 + x^2/2) = 1/2 + 7/24.
   const double twist = body.energy([](const Point<2> &x) { return Point<2>(x[0] * x[1], 0.); });
   checks.near("E = 1 + x, u = (x y, 0)", twist, 19. / 24., 1e-14);
-  Body kinked(rectangle("1, 1", material("1 + max(x - 0.3, 0)") +
-                                    entry("Discretization", "Kinks at x", "0.3")),
-              0);
+  Body kinked(
+    rectangle("1, 1",
+              material("1 + max(x - 0.3, 0)") + entry("Discretization", "Kinks at x", "0.3")),
+    0);
   // int_0.3^1 (x - 0.3) = 0.245.
-  checks.near("E with a kink", kinked.energy([](const Point<2> &x) { return Point<2>(x[0], 0.); }),
-              1.245, 1e-14);
+  checks.near("E with a kink",
+              kinked.energy([](const Point<2> &x) { return Point<2>(x[0], 0.); }),
+              1.245,
+              1e-14);
 }
 
 /** internal_forces is the product with the unconstrained matrix: work and resultants. */
@@ -200,17 +208,22 @@ void forces(Checks &checks)
   const double scale = internal.l1_norm();
   const Field rotation = [](const Point<2> &x) { return Point<2>(-x[1], x[0]); };
   const Field translation = [](const Point<2> &) { return Point<2>(1., 2.); };
-  checks.near("internal forces have no resultant", internal * nodal_values(body.space, translation),
-              0., 1e-13 * scale);
-  checks.near("internal forces have no moment", internal * nodal_values(body.space, rotation), 0.,
+  checks.near("internal forces have no resultant",
+              internal * nodal_values(body.space, translation),
+              0.,
               1e-13 * scale);
-  const auto linear =
-      nodal_values(body.space, [](const Point<2> &x)
-                   { return Point<2>(0.3 * x[0] + 0.4 * x[1], -0.2 * x[0] - 0.2 * x[1]); });
+  checks.near("internal forces have no moment",
+              internal * nodal_values(body.space, rotation),
+              0.,
+              1e-13 * scale);
+  const auto linear = nodal_values(
+    body.space,
+    [](const Point<2> &x) { return Point<2>(0.3 * x[0] + 0.4 * x[1], -0.2 * x[0] - 0.2 * x[1]); });
   // Area of the pentagon by the shoelace formula: 5.
   checks.near("work of a linear field",
               linear * NodalVector(internal_forces(body.space, body.scene, linear)),
-              5. * (lambda * 0.01 + 2. * mu * 0.15), 1e-12);
+              5. * (lambda * 0.01 + 2. * mu * 0.15),
+              1e-12);
 }
 } // namespace
 

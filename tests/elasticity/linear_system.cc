@@ -22,10 +22,10 @@ const std::string elastic = "subsection Material\nset Young's modulus = 2.5\n"
 struct System
 {
   System(const std::string &text, const unsigned int level)
-      : scene(make_scene(parse_parameters(text, "test")))
-      , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
-      , space(mesh, scene)
-      , system(assemble_linear_system(space, scene, 3))
+    : scene(make_scene(parse_parameters(text, "test")))
+    , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
+    , space(mesh, scene)
+    , system(assemble_linear_system(space, scene, 3))
   {
   }
 
@@ -43,23 +43,34 @@ struct System
 };
 
 /** The resultant by quadrature, and the work of f_j on rigid motions. */
-void check_resultant(Checks &checks, const std::string &name, const System &body,
-                     const Point<2> &force, const double moment)
+void check_resultant(Checks &checks,
+                     const std::string &name,
+                     const System &body,
+                     const Point<2> &force,
+                     const double moment)
 {
   const NodalVector loads(body.system.loads);
   const auto work = [&](const Field &field) { return loads * nodal_values(body.space, field); };
   checks.near(name + ": force", (body.system.applied.force - force).norm(), 0., 1e-13);
   checks.near(name + ": moment", body.system.applied.moment, moment, 1e-13);
-  checks.near(name + ": horizontal loads", work([](const Point<2> &) { return Point<2>(1., 0.); }),
-              force[0], 1e-13);
-  checks.near(name + ": vertical loads", work([](const Point<2> &) { return Point<2>(0., 1.); }),
-              force[1], 1e-13);
+  checks.near(name + ": horizontal loads",
+              work([](const Point<2> &) { return Point<2>(1., 0.); }),
+              force[0],
+              1e-13);
+  checks.near(name + ": vertical loads",
+              work([](const Point<2> &) { return Point<2>(0., 1.); }),
+              force[1],
+              1e-13);
   checks.near(name + ": moment of the loads",
-              work([](const Point<2> &x) { return Point<2>(-x[1], x[0]); }), moment, 1e-13);
+              work([](const Point<2> &x) { return Point<2>(-x[1], x[0]); }),
+              moment,
+              1e-13);
 }
 
-std::string loaded(const std::string &body_force, const std::string &traction,
-                   const std::string &distortion, const std::string &kinks)
+std::string loaded(const std::string &body_force,
+                   const std::string &traction,
+                   const std::string &distortion,
+                   const std::string &kinks)
 {
   return "subsection Geometry\nset Upper right = 2, 1\nset Distortion = " + distortion +
          "\nend\nsubsection Boundary\nset Clamped = top\nset Contact = bottom\nset Traction = " +
@@ -71,19 +82,26 @@ void loads(Checks &checks)
 {
   // int f = (4, 1), int x f2 - y f1 = 4/3 - 2; int t = (1/2, 2) at x = 2 with moment 4 - 1/3.
   for (const char *distortion : {"0", "0.3"})
-    check_resultant(checks, "polynomial data, distortion " + std::string(distortion),
+    check_resultant(checks,
+                    "polynomial data, distortion " + std::string(distortion),
                     System(loaded("1 + x; x*y", "right: y; 2", distortion, ""), 2),
-                    Point<2>(4.5, 3.), 3.);
+                    Point<2>(4.5, 3.),
+                    3.);
   // int (x - 0.7)_+ = 1.3^2/2, int x (x - 0.7)_+ = (8 - 0.343)/3 - 0.7 (4 - 0.49)/2; on the right
   // int (y - 1/3)_+ = 2/9 and int y (y - 1/3)_+ = 1/3 - 1/6 + 1/162 = 14/81.
   const double first = 7.657 / 3. - 0.35 * 3.51;
   for (const char *distortion : {"0", "0.3"})
-    check_resultant(checks, "data with kinks, distortion " + std::string(distortion),
-                    System(loaded("0; max(x - 0.7, 0)", "right: max(y - 1/3, 0); 0", distortion,
+    check_resultant(checks,
+                    "data with kinks, distortion " + std::string(distortion),
+                    System(loaded("0; max(x - 0.7, 0)",
+                                  "right: max(y - 1/3, 0); 0",
+                                  distortion,
                                   "set Kinks at x = 0.7\nset Kinks at y = 0.33333333333333333\n"),
                            2),
-                    Point<2>(2. / 9., 0.845), first - 14. / 81.);
-  checks.throws<InputError>("loads without a value", "Load/Body force: found the value",
+                    Point<2>(2. / 9., 0.845),
+                    first - 14. / 81.);
+  checks.throws<InputError>("loads without a value",
+                            "Load/Body force: found the value",
                             [] { System(loaded("sqrt(x - 0.1); 0", "", "0", ""), 2); });
 }
 
@@ -114,10 +132,10 @@ void matrix(Checks &checks)
     for (auto entry = A.begin(i); entry != A.end(i); ++entry)
     {
       const bool constrained =
-          constraints.is_constrained(i) || constraints.is_constrained(entry->column());
+        constraints.is_constrained(i) || constraints.is_constrained(entry->column());
       const bool diagonal = entry->column() == i;
       condensed =
-          condensed && (!constrained || (diagonal ? entry->value() > 0. : entry->value() == 0.));
+        condensed && (!constrained || (diagonal ? entry->value() > 0. : entry->value() == 0.));
     }
   checks.that("constrained rows and columns hold a diagonal only",
               dealii::Utilities::MPI::min(condensed ? 1 : 0, MPI_COMM_WORLD) == 1);
@@ -131,15 +149,20 @@ void linear_field(Checks &checks)
   const std::string u = "0.05 + 0.3*x - 0.2*y; -0.02 + 0.2*x - 0.1*y";
   const System body("subsection Geometry\nset Distortion = 0.3\nset Cells = 2, 1\nend\n"
                     "subsection Boundary\nset Contact = bottom\nset Displacement = left: " +
-                        u + " | right: " + u + " | top: " + u + "\nend\n" + elastic,
+                      u + " | right: " + u + " | top: " + u + "\nend\n" + elastic,
                     3);
   checks.near("prescribed displacement reproduces a linear field",
-              distance(body.solve(), nodal_values(body.space, exact)), 0., 1e-13);
+              distance(body.solve(), nodal_values(body.space, exact)),
+              0.,
+              1e-13);
 }
 
 /** max |(u - expected)_direction| over the nodes of a side. */
-double largest_on_side(const System &body, const NodalVector &U, const unsigned int side,
-                       const dealii::Tensor<1, 2> &direction, const dealii::Tensor<1, 2> &expected)
+double largest_on_side(const System &body,
+                       const NodalVector &U,
+                       const unsigned int side,
+                       const dealii::Tensor<1, 2> &direction,
+                       const dealii::Tensor<1, 2> &expected)
 {
   double largest = 0.;
   for (const auto &cell : body.space.dofs().active_cell_iterators())
@@ -169,15 +192,17 @@ void rollers(Checks &checks)
   checks.that("rollers slide", largest_on_side(clamped, U, 0, tangent, zero) > 0.01);
   checks.near("clamped side",
               largest_on_side(clamped, U, 2, n, zero) +
-                  largest_on_side(clamped, U, 2, tangent, zero),
-              0., 1e-15);
+                largest_on_side(clamped, U, 2, tangent, zero),
+              0.,
+              1e-15);
 
   const System corner(text("set Rollers = side0 side1\nset Contact = side2\n"), 3);
   const NodalVector V = corner.solve();
   for (const unsigned int side : {0U, 1U})
     checks.near("two rollers that meet: side " + std::to_string(side),
                 largest_on_side(corner, V, side, corner.scene.geometry.sides[side].normal, zero),
-                0., 1e-13);
+                0.,
+                1e-13);
 
   // A roller on a displaced side: the corner keeps the prescribed value.
   const System moved(text("set Rollers = side0\nset Displacement = side1: 0.2; 0.1\n"
@@ -187,7 +212,8 @@ void rollers(Checks &checks)
   const Point<2> given(0.2, 0.1);
   checks.near("prescribed side beside a roller",
               largest_on_side(moved, W, 1, n, given) + largest_on_side(moved, W, 1, tangent, given),
-              0., 1e-14);
+              0.,
+              1e-14);
   checks.near("roller beside a prescribed side", largest_on_side(moved, W, 0, n, zero), 0., 1e-14);
 }
 } // namespace

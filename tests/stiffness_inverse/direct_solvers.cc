@@ -17,10 +17,10 @@ const char *const solvers[] = {"automatic", "amesos_klu", "amesos_mumps"};
 struct System
 {
   System(Scene<2> given_scene, const unsigned int level)
-      : scene(std::move(given_scene))
-      , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
-      , space(mesh, scene)
-      , A(std::move(assemble_linear_system(space, scene, 3).A))
+    : scene(std::move(given_scene))
+    , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
+    , space(mesh, scene)
+    , A(std::move(assemble_linear_system(space, scene, 3).A))
   {
   }
 
@@ -107,10 +107,11 @@ void singular(Checks &checks, const std::string &body, const System &system)
   DistributedVector in_range = system.space.make_vector();
   system.A.vmult(in_range, system.random_vector(3));
   const std::pair<const char *, DistributedVector> right_hand_sides[] = {
-      {"any load", system.random_vector(4)}, {"balanced load", in_range}};
+    {"any load", system.random_vector(4)}, {"balanced load", in_range}};
   for (const std::string name : solvers)
     for (const auto &b : right_hand_sides)
-      checks.throws<ComputationError>(body + ", " + b.first + ", " + name, "singular",
+      checks.throws<ComputationError>(body + ", " + b.first + ", " + name,
+                                      "singular",
                                       [&]()
                                       {
                                         const auto inverse = factorise(system.A, name);

@@ -31,7 +31,7 @@ struct Certificate
   /** J(u_h, p_H) of (22), the energy (force x length per thickness). */
   double energy = 0.;
 
-  /** The largest of the residuals. */
+  /** The largest of the residuals; not a number if one of them is not. */
   double worst() const;
 };
 

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// pi^{2h} reproduces functions of degree two per direction, and the error estimate is the distance
+// of such functions from their bilinear interpolant.
+
+#include <signorini/postprocess/error_estimate.h>
+#include <signorini/postprocess/patch_interpolation.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <array>
+#include <cmath>
+
+#include "one_level.h"
+#include "tests.h"
+
+using namespace Signorini;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+const std::string sides = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
+
+/** sum_ij c_ij x^i y^j, i, j <= 2, for each component. */
+struct Biquadratic
+{
+  explicit Biquadratic(const unsigned int seed)
+  {
+    RandomNumbers random(seed);
+    for (auto &component : coefficients)
+      for (double &c : component)
+        c = random();
+  }
+  Tensor<1, 2> value(const Point<2> &x) const
+  {
+    Tensor<1, 2> sum;
+    for (unsigned int k = 0; k < 2; ++k)
+      for (unsigned int i = 0; i < 9; ++i)
+        sum[k] += coefficients[k][i] * std::pow(x[0], i % 3) * std::pow(x[1], i / 3);
+    return sum;
+  }
+  Tensor<2, 2> gradient(const Point<2> &x) const
+  {
+    const auto slope = [](const double t, const unsigned int i)
+    { return i == 0 ? 0. : i * std::pow(t, i - 1); };
+    Tensor<2, 2> sum;
+    for (unsigned int k = 0; k < 2; ++k)
+      for (unsigned int i = 0; i < 9; ++i)
+      {
+        sum[k][0] += coefficients[k][i] * slope(x[0], i % 3) * std::pow(x[1], i / 3);
+        sum[k][1] += coefficients[k][i] * std::pow(x[0], i % 3) * slope(x[1], i / 3);
+      }
+    return sum;
+  }
+
+  std::array<std::array<double, 9>, 2> coefficients;
+};
+
+using Gradient = std::function<Tensor<2, 2>(const Point<2> &)>;
+
+/** Largest distance of pi^{2h} U and its gradient from a function at points of all cells. */
+double largest_distance(const DisplacementSpace<2> &space,
+                        const NodalVector &U,
+                        const dealii::Quadrature<2> &points,
+                        const Field &value,
+                        const Gradient &gradient)
+{
+  PatchInterpolation<2> interpolation(space);
+  dealii::FEValues<2> values(space.mesh().mapping(),
+                             space.element(),
+                             points,
+                             dealii::update_quadrature_points | dealii::update_inverse_jacobians);
+  double largest = 0.;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    values.reinit(cell);
+    const FieldValues<2> &result = interpolation.evaluate(U, cell, values);
+    for (const unsigned int q : values.quadrature_point_indices())
+    {
+      const Point<2> &x = values.quadrature_point(q);
+      largest = std::max(largest, (result.values[q] - value(x)).norm());
+      if (gradient)
+        largest = std::max(largest, (result.gradients[q] - gradient(x)).norm());
+    }
+  }
+  return largest;
+}
+
+void reproduces(Checks &checks,
+                const std::string &name,
+                const OneLevel &level,
+                const Field &value,
+                const Gradient &gradient)
+{
+  const NodalVector U = nodal_values(level.space(), value);
+  checks.near(
+    name, largest_distance(level.space(), U, dealii::QGauss<2>(4), value, gradient), 0., 1e-12);
+}
+
+void polynomials(Checks &checks)
+{
+  const Biquadratic q(1);
+  const Field value = [&](const Point<2> &x) { return q.value(x); };
+  const Gradient gradient = [&](const Point<2> &x) { return q.gradient(x); };
+  const OneLevel rectangles(
+    "subsection Geometry\nset Upper right = 2, 1\nset Cells = 3, 2\nend\n" + sides, 1);
+  reproduces(checks, "biquadratic function on rectangles", rectangles, value, gradient);
+  reproduces(checks, "biquadratic function on squares", OneLevel(sides, 3), value, gradient);
+  const Tensor<2, 2> slope({{0.3, -0.7}, {1.1, 0.4}});
+  const OneLevel distorted(entry("Geometry", "Distortion", "0.3") + sides, 3);
+  reproduces(
+    checks,
+    "linear function on distorted parents",
+    distorted,
+    [&](const Point<2> &x) { return slope * x; },
+    [&](const Point<2> &) { return slope; });
+  checks.that(
+    "no parents on the level that is distorted",
+    !OneLevel(entry("Geometry", "Distortion", "0.3") + sides, 2).discretization.mesh.has_parents());
+  checks.that("no parents on level 0", !OneLevel(sides, 0).discretization.mesh.has_parents());
+
+  // pi^{2h} U takes the values U at the nodes: I^h pi^{2h} = identity, so pi^{2h} is a projection.
+  const NodalVector U = RandomNumbers(2).vector(distorted.space().dofs().n_dofs());
+  PatchInterpolation<2> interpolation(distorted.space());
+  dealii::FEValues<2> vertices(distorted.discretization.mesh.mapping(),
+                               distorted.space().element(),
+                               dealii::QTrapezoid<2>(),
+                               dealii::update_inverse_jacobians);
+  double largest = 0.;
+  for (const auto &cell : distorted.space().dofs().active_cell_iterators())
+  {
+    vertices.reinit(cell);
+    const FieldValues<2> &result = interpolation.evaluate(U, cell, vertices);
+    for (const unsigned int v : cell->vertex_indices())
+      for (unsigned int d = 0; d < 2; ++d)
+        largest =
+          std::max(largest, std::abs(result.values[v][d] - U[cell->vertex_dof_index(v, d)]));
+  }
+  checks.near("nodal values are taken", largest, 0., 1e-15);
+}
+
+/** On one quadrilateral parent: biquadratic in the coordinates of its bilinear map F. */
+void mapped_parent(Checks &checks)
+{
+  const Point<2> corners[] = {{0., 0.}, {2., -0.5}, {-0.3, 1.}, {2.5, 1.5}};
+  const OneLevel level("subsection Geometry\nset Shape = polygon\n"
+                       "set Vertices = 0,0; 2,-0.5; 2.5,1.5; -0.3,1\nend\n"
+                       "subsection Boundary\nset Clamped = side2\nset Contact = side0\nend\n",
+                       1);
+  const auto F = [&](const Point<2> &xi)
+  {
+    Point<2> x;
+    for (unsigned int v = 0; v < 4; ++v)
+      x += (v % 2 == 1 ? xi[0] : 1. - xi[0]) * (v / 2 == 1 ? xi[1] : 1. - xi[1]) * corners[v];
+    return x;
+  };
+  const auto jacobian = [&](const Point<2> &xi)
+  {
+    Tensor<2, 2> J;
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      J[i][0] = (1. - xi[1]) * (corners[1] - corners[0])[i] + xi[1] * (corners[3] - corners[2])[i];
+      J[i][1] = (1. - xi[0]) * (corners[2] - corners[0])[i] + xi[0] * (corners[3] - corners[1])[i];
+    }
+    return J;
+  };
+  // Newton's method for F(xi) = x.
+  const auto inverse = [&](const Point<2> &x)
+  {
+    Point<2> xi(0.5, 0.5);
+    for (unsigned int k = 0; k < 20; ++k)
+      xi += invert(jacobian(xi)) * (x - F(xi));
+    return xi;
+  };
+  const Biquadratic q(3);
+  reproduces(
+    checks,
+    "biquadratic function of the parent's coordinates",
+    level,
+    [&](const Point<2> &x) { return q.value(inverse(x)); },
+    [&](const Point<2> &x)
+    {
+      const Point<2> xi = inverse(x);
+      return q.gradient(xi) * invert(jacobian(xi));
+    });
+}
+
+/** x^2 differs from its interpolant by h^2/3 (slope) and h^4/30 (value), squared. */
+void estimates(Checks &checks)
+{
+  for (const unsigned int number : {1U, 3U})
+  {
+    const OneLevel level(sides, number);
+    const double h = std::pow(0.5, number);
+    const NodalVector U = nodal_values(
+      level.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], x[1] * x[1]); });
+    const ErrorEstimate estimate = estimate_error(level.space(), U);
+    const double exact = std::sqrt(2. * (h * h / 3. + std::pow(h, 4) / 30.));
+    const std::string name = "estimate on level " + std::to_string(number);
+    checks.near(name + ": distance to the interpolant", estimate.absolute, exact, 1e-14);
+    // ‖(x^2, y^2)‖_1^2 = 2 (1/5 + 4/3).
+    checks.near(name + ": relative", estimate.relative, exact / std::sqrt(46. / 15.), 1e-14);
+  }
+  const OneLevel distorted(entry("Geometry", "Distortion", "0.3") + sides, 3);
+  const NodalVector linear = nodal_values(distorted.space(), [](const Point<2> &x) { return x; });
+  checks.near("linear functions have no error",
+              estimate_error(distorted.space(), linear).absolute,
+              0.,
+              1e-13);
+  NodalVector zero(linear.size());
+  checks.near("nothing moves", estimate_error(distorted.space(), zero).relative, 0., 0.);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+  polynomials(checks);
+  mapped_parent(checks);
+  estimates(checks);
+  return checks.exit_code();
+}
