@@ -56,6 +56,8 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
   if (geometry.distortion > 0.)
     distort(geometry, triangulation_);
   triangulation_.refine_global(level - first);
+  if (geometry.classify_after_refinement)
+    number_boundary(geometry.sides, triangulation_);
 }
 
 template <int dim>

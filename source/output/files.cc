@@ -16,14 +16,24 @@ std::filesystem::path temporary_name(const std::filesystem::path &path)
   return path.parent_path() / ("." + path.filename().string() + ".part");
 }
 
-/** Writes and flushes; returns whether every byte was taken. */
+/** Writes and flushes; returns whether every byte was taken. Nothing is left if @p write throws. */
 bool try_to_write(const std::filesystem::path &path,
                   const std::function<void(std::ostream &)> &write)
 {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   if (!file)
     return false;
-  write(file);
+  try
+  {
+    write(file);
+  }
+  catch (...)
+  {
+    file.close();
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+    throw;
+  }
   file.close();
   return !file.fail();
 }

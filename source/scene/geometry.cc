@@ -125,22 +125,39 @@ void make_fan(const std::vector<dealii::Point<2>> &corners, dealii::Triangulatio
   triangulation.create_triangulation(points, cells, dealii::SubCellData());
 }
 
-/** Gives every boundary face the number of the side on which its centre lies. */
+/** Whether a face lies on a side, from end to end. */
+template <typename Face>
+bool lies_on(const Face &face, const Side<2> &side)
+{
+  const double length = side.length(), margin = 1e-8 * length;
+  for (unsigned int v = 0; v < 2; ++v)
+  {
+    const double s = side.arc_length(face->vertex(v));
+    if (std::abs((face->vertex(v) - side.start) * side.normal) > margin || s < -margin ||
+        s > length + margin)
+      return false;
+  }
+  return true;
+}
+} // namespace
+
 void number_boundary(const std::vector<Side<2>> &sides, dealii::Triangulation<2> &triangulation)
 {
   for (const auto &cell : triangulation.active_cell_iterators())
     for (const auto &face : cell->face_iterators())
-      if (face->at_boundary())
-        for (unsigned int i = 0; i < sides.size(); ++i)
-        {
-          const dealii::Tensor<1, 2> offset = face->center() - sides[i].start;
-          const double along = sides[i].arc_length(face->center());
-          if (std::abs(offset * sides[i].normal) < 1e-8 * sides[i].length() && along > 0 &&
-              along < sides[i].length())
-            face->set_boundary_id(i);
-        }
+    {
+      if (!face->at_boundary())
+        continue;
+      unsigned int i = 0;
+      while (i < sides.size() && !lies_on(face, sides[i]))
+        ++i;
+      if (i == sides.size())
+        throw InputError(
+          "Discretization/Coarsest level: a side of this scene ends inside a face of "
+          "the mesh, allowed: a finer coarsest level.");
+      face->set_boundary_id(i);
+    }
 }
-} // namespace
 
 template <int dim>
 std::size_t Geometry<dim>::find_side(const std::string &name) const

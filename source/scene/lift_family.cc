@@ -3,15 +3,16 @@
 
 #include "lift_family.h"
 
+#include <algorithm>
+
 namespace Signorini
 {
 namespace
 {
-/** u_i, u_{i,k} and u_{i,kl} at a point. */
+/** u_{i,kl} besides the field. */
 struct Jet
 {
-  std::array<double, 2> u;
-  std::array<std::array<double, 2>, 2> du;
+  FieldAtPoint field;
   std::array<std::array<std::array<double, 2>, 2>, 2> ddu;
 };
 
@@ -45,9 +46,9 @@ Jet lift(const LiftFamily &family, const dealii::Point<2> &x)
   {
     const Derivatives &trace = i == 0 ? V : U;
     const auto &s = slope[i];
-    jet.u[i] = (trace[0] + y * s[0]) * c;
-    jet.du[i][0] = (trace[1] + y * s[1]) * c;
-    jet.du[i][1] = s[0] * c + (trace[0] + y * s[0]) * c1;
+    jet.field.u[i] = (trace[0] + y * s[0]) * c;
+    jet.field.du[i][0] = (trace[1] + y * s[1]) * c;
+    jet.field.du[i][1] = s[0] * c + (trace[0] + y * s[0]) * c1;
     jet.ddu[i][0][0] = (trace[2] + y * s[2]) * c;
     jet.ddu[i][0][1] = jet.ddu[i][1][0] = s[1] * c + (trace[1] + y * s[1]) * c1;
     jet.ddu[i][1][1] = 2. * s[0] * c1 + (trace[0] + y * s[0]) * c2;
@@ -55,130 +56,59 @@ Jet lift(const LiftFamily &family, const dealii::Point<2> &x)
   return jet;
 }
 
-Voigt stress(const LiftFamily &family, const Jet &jet)
+/** f = -div(m C eps) = -(m C eps_{,k} + m_{,k} C eps) contracted. */
+std::array<double, 2> body_force(const LiftFamily &family,
+                                 const dealii::Point<2> &x,
+                                 const Jet &jet)
 {
-  return multiply(family.C, {jet.du[0][0], jet.du[1][1], jet.du[0][1] + jet.du[1][0]});
+  const Modulus m = family.modulus(x);
+  const auto &du = jet.field.du;
+  const Voigt s = multiply(family.C, {du[0][0], du[1][1], du[0][1] + du[1][0]});
+  std::array<Voigt, 2> ds;
+  for (unsigned int k = 0; k < 2; ++k)
+  {
+    ds[k] =
+      multiply(family.C, {jet.ddu[0][0][k], jet.ddu[1][1][k], jet.ddu[0][1][k] + jet.ddu[1][0][k]});
+    for (unsigned int a = 0; a < 3; ++a)
+      ds[k][a] = m[0] * ds[k][a] + m[1 + k] * s[a];
+  }
+  return {-(ds[0][0] + ds[1][2]), -(ds[0][2] + ds[1][1])};
 }
-
-class LiftDisplacement : public dealii::Function<2>
-{
-public:
-  explicit LiftDisplacement(const LiftFamily &family)
-    : dealii::Function<2>(2)
-    , family_(family)
-  {
-  }
-  double value(const dealii::Point<2> &x, const unsigned int component) const override
-  {
-    return lift(family_, x).u[component];
-  }
-  void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override
-  {
-    const Jet jet = lift(family_, x);
-    values[0] = jet.u[0];
-    values[1] = jet.u[1];
-  }
-  dealii::Tensor<1, 2> gradient(const dealii::Point<2> &x,
-                                const unsigned int component) const override
-  {
-    const Jet jet = lift(family_, x);
-    return dealii::Tensor<1, 2>({jet.du[component][0], jet.du[component][1]});
-  }
-
-private:
-  LiftFamily family_;
-};
-
-/** f = -div sigma. */
-class LiftBodyForce : public dealii::Function<2>
-{
-public:
-  explicit LiftBodyForce(const LiftFamily &family)
-    : dealii::Function<2>(2)
-    , family_(family)
-  {
-  }
-  void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override
-  {
-    const Jet jet = lift(family_, x);
-    std::array<Voigt, 2> ds;
-    for (unsigned int k = 0; k < 2; ++k)
-      ds[k] = multiply(family_.C,
-                       {jet.ddu[0][0][k], jet.ddu[1][1][k], jet.ddu[0][1][k] + jet.ddu[1][0][k]});
-    values[0] = -(ds[0][0] + ds[1][2]);
-    values[1] = -(ds[0][2] + ds[1][1]);
-  }
-  double value(const dealii::Point<2> &x, const unsigned int component) const override
-  {
-    dealii::Vector<double> values(2);
-    vector_value(x, values);
-    return values[component];
-  }
-
-private:
-  LiftFamily family_;
-};
-
-/** t = sigma n. */
-class LiftTraction : public dealii::Function<2>
-{
-public:
-  LiftTraction(const LiftFamily &family, const dealii::Tensor<1, 2> &normal)
-    : dealii::Function<2>(2)
-    , family_(family)
-    , normal_(normal)
-  {
-  }
-  double value(const dealii::Point<2> &x, const unsigned int component) const override
-  {
-    const Voigt s = stress(family_, lift(family_, x));
-    return component == 0 ? s[0] * normal_[0] + s[2] * normal_[1]
-                          : s[2] * normal_[0] + s[1] * normal_[1];
-  }
-
-private:
-  LiftFamily family_;
-  dealii::Tensor<1, 2> normal_;
-};
-
-/** A function of x alone. */
-class Trace : public dealii::Function<2>
-{
-public:
-  explicit Trace(std::function<double(double)> f)
-    : f_(std::move(f))
-  {
-  }
-  double value(const dealii::Point<2> &x, const unsigned int) const override
-  {
-    return f_(x[0]);
-  }
-
-private:
-  std::function<double(double)> f_;
-};
 } // namespace
 
-Scene<2> make_lift_scene(const LiftFamily &family)
+Scene<2> make_lift_scene(const LiftFamily &family,
+                         const std::shared_ptr<const Material<2>> &material)
 {
-  Scene<2> scene;
-  scene.geometry = make_rectangle({0., 0.}, {1., 1.}, {1, 1});
-  scene.boundary.resize(scene.geometry.sides.size());
-  for (const char *name : {"left", "right"})
+  const Field field = [family](const dealii::Point<2> &x)
   {
-    const std::size_t side = scene.geometry.find_side(name);
-    scene.boundary[side] = {
-      Role::traction,
-      std::make_shared<LiftTraction>(family, scene.geometry.sides[side].normal),
-      nullptr};
-  }
-  scene.boundary[scene.geometry.find_side("top")].role = Role::clamped;
-  scene.boundary[scene.geometry.find_side("bottom")] = {
-    Role::contact,
-    std::make_shared<Trace>([family](const double x) { return -family.U(x)[0] + family.slack(x); }),
-    std::make_shared<Trace>([family](const double x) { return family.p(x)[0]; })};
-  scene.body_force = std::make_shared<LiftBodyForce>(family);
-  scene.exact_displacement = std::make_shared<LiftDisplacement>(family);
-  return scene;
+    Jet jet = lift(family, x);
+    jet.field.f = body_force(family, x, jet);
+    return jet.field;
+  };
+  return make_manufactured_scene(
+    field,
+    material,
+    [family](const double x) { return -family.U(x)[0] + family.slack(x); },
+    [family](const double x)
+    { return family.modulus(dealii::Point<2>(x, 0.))[0] * family.p(x)[0]; },
+    family.kinks_at_x);
+}
+
+std::function<Derivatives(double)> cubic_pressure(const double a, const double xi)
+{
+  return [=](const double x)
+  {
+    const double d = std::max(xi - x, 0.);
+    return Derivatives{-a * d * d * d, 3. * a * d * d, -6. * a * d, 0.};
+  };
+}
+
+Profile quadratic_slack(const double xi)
+{
+  return [=](const double x)
+  {
+    const double d = std::max(x - xi, 0.);
+    return d * d;
+  };
 }
 } // namespace Signorini

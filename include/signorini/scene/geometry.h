@@ -48,6 +48,9 @@ struct Geometry
   std::vector<Side<dim>> sides;
   /** Makes the coarse mesh (level 0). */
   std::function<void(dealii::Triangulation<dim> &)> make_coarse_mesh;
+  /** Whether boundary ids are given by position after refinement, because sides end inside coarse
+   * faces. */
+  bool classify_after_refinement = false;
   /** A corner of the bounding box, and the opposite one. */
   dealii::Point<dim> lower;
   dealii::Point<dim> upper;
@@ -65,6 +68,10 @@ struct Geometry
   /** All names, for messages. */
   std::vector<std::string> side_names() const;
 };
+
+/** Gives every boundary face the number of the side on which its centre lies. @throws InputError if
+ * a side ends inside a face. */
+void number_boundary(const std::vector<Side<2>> &sides, dealii::Triangulation<2> &triangulation);
 
 /** Rectangle with @p cells coarse cells per direction; sides left, right, bottom, top. */
 Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,

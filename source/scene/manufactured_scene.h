@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/scene/scene.h>
+
+#include <array>
+#include <functional>
+
+namespace Signorini
+{
+/** An exact displacement u_i, its gradient u_{i,k} and the body force f = -div sigma at a point. */
+struct FieldAtPoint
+{
+  std::array<double, 2> u;
+  std::array<std::array<double, 2>, 2> du;
+  std::array<double, 2> f;
+};
+
+using Field = std::function<FieldAtPoint(const dealii::Point<2> &)>;
+
+/** A function of the coordinate x or y. */
+using Profile = std::function<double(double)>;
+
+/** u and its gradient as a deal.II function. */
+FunctionPointer<2> displacement_of(const Field &field);
+/** f as a deal.II function. */
+FunctionPointer<2> body_force_of(const Field &field);
+/** t = sigma n as a deal.II function. */
+FunctionPointer<2> traction_of(const Field &field,
+                               std::shared_ptr<const Material<2>> material,
+                               const dealii::Tensor<1, 2> &normal);
+/** A profile in the coordinate @p d. */
+FunctionPointer<2> function_of(const Profile &profile, unsigned int d = 0);
+
+/** lambda and mu as E = mu (3 lambda + 2 mu)/(lambda + mu), nu = lambda/(2 (lambda + mu)). */
+std::shared_ptr<const Material<2>> make_lame_material(double lambda, double mu);
+
+/**
+ * The unit square, clamped at the top, in contact at the bottom with the given gap and pressure,
+ * with the field's tractions on the left and right.
+ */
+Scene<2> make_manufactured_scene(const Field &field,
+                                 const std::shared_ptr<const Material<2>> &material,
+                                 const Profile &gap,
+                                 const Profile &pressure,
+                                 const std::vector<double> &kinks_at_x);
+} // namespace Signorini
