@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Matrices, contact line and VTU read back, and how files appear on disk.
+
+#include <signorini/output/contact_line.h>
+#include <signorini/output/files.h>
+#include <signorini/output/matrix_market.h>
+#include <signorini/output/solution_vtu.h>
+#include <signorini/parameters/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "csv.h"
+#include "one_level.h"
+#include "tests.h"
+
+using namespace Signorini;
+namespace fs = std::filesystem;
+
+namespace
+{
+std::string read(const fs::path &path)
+{
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/** Reads an array (dense) or coordinate file in Matrix Market format. */
+dealii::FullMatrix<double> read_matrix_market(const std::string &text)
+{
+  std::istringstream stream(text);
+  std::string banner;
+  std::getline(stream, banner);
+  const bool sparse = banner == "%%MatrixMarket matrix coordinate real general";
+  if (!sparse && banner != "%%MatrixMarket matrix array real general")
+    return dealii::FullMatrix<double>();
+  unsigned int rows = 0, columns = 0, entries = 0;
+  stream >> rows >> columns;
+  dealii::FullMatrix<double> matrix(rows, columns);
+  if (sparse)
+    stream >> entries;
+  else
+    entries = rows * columns;
+  for (unsigned int k = 0; k < entries; ++k)
+  {
+    unsigned int i = k % rows + 1, j = k / rows + 1;
+    if (sparse)
+      stream >> i >> j;
+    double value = 0.;
+    stream >> value;
+    matrix(i - 1, j - 1) = value;
+  }
+  return stream ? matrix : dealii::FullMatrix<double>();
+}
+
+void matrix_market(Checks &checks)
+{
+  RandomNumbers random(1);
+  dealii::FullMatrix<double> matrix(3, 4), dense_D(7, 2);
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 4; ++j)
+      matrix(i, j) = random() * std::pow(10., 100. * random());
+  const auto written = [](const auto &...what)
+  {
+    std::ostringstream stream;
+    write_matrix_market(stream, what...);
+    return read_matrix_market(stream.str());
+  };
+  checks.that("a matrix, to the last bit", written(matrix) == matrix);
+  const auto vector = random.vector(5);
+  const auto column = written(vector);
+  bool same = column.m() == 5 && column.n() == 1;
+  for (unsigned int i = 0; same && i < 5; ++i)
+    same = column(i, 0) == vector[i];
+  checks.that("a vector", same);
+  dense_D(0, 0) = 1. / 3.;
+  dense_D(6, 0) = -2.;
+  dense_D(2, 1) = 1e-20;
+  checks.that("D", written(Coupling({{{0, 1. / 3.}, {6, -2.}}, {{2, 1e-20}}}), 7U) == dense_D);
+}
+
+/** u = (x, 2 x - y), n = (0, -1): u_n = -2 x on the bottom; two patches of three faces and five. */
+void contact_line(Checks &checks)
+{
+  const OneLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
+                         entry("Contact", "Gap", "0.1 + x^2") +
+                         entry("Exact solution", "Pressure", "-x") +
+                         entry("Discretization", "Patch ratio", "3"),
+                       3);
+  const NodalVector U = nodal_values(level.space(),
+                                     [](const dealii::Point<2> &x)
+                                     { return dealii::Point<2>(x[0], 2. * x[0] - x[1]); });
+  dealii::Vector<double> P(2);
+  P[0] = -1.;
+  P[1] = -2.;
+  const auto line = trace_contact_line(level.space(), level.multipliers(), U, P);
+  std::ostringstream stream, vtu;
+  write_contact_csv(stream, line);
+  const std::string header = "side,s,x,y,p_H,p_recovered,u_n,g,p_exact\n";
+  checks.that("contact line: columns", stream.str().compare(0, header.size(), header) == 0);
+  const auto rows = read_csv(stream.str());
+  checks.that("contact line: one row per piece", rows.size() == 8);
+  double largest = 0.;
+  for (unsigned int k = 0; k < rows.size(); ++k)
+  {
+    const auto number = [&](const char *name) { return std::stod(rows[k].at(name)); };
+    const double x = (k + 0.5) / 8.;
+    // Linear through the middles 3/16 and 11/16 of the patches.
+    const double recovered = std::min(0., -1. - (x - 3. / 16.) / 0.5);
+    const double expected[] = {x, x, 0., k < 3 ? -1. : -2., recovered, -2. * x, 0.1 + x * x, -x};
+    const char *const names[] = {"s", "x", "y", "p_H", "p_recovered", "u_n", "g", "p_exact"};
+    for (unsigned int i = 0; i < 8; ++i)
+      largest = std::max(largest, std::abs(number(names[i]) - expected[i]));
+  }
+  checks.near("contact line: values at the middles", largest, 0., 1e-14);
+  checks.that("contact line: side", rows[0].at("side") == "bottom");
+  checks.near("contact line: ends", line[0].start.x[0] + line[7].end.x[0], 1., 1e-15);
+  write_contact_vtu(vtu, line);
+  bool all = true;
+  for (const char *name :
+       {"pressure", "recovered_pressure", "normal_displacement", "gap", "opening"})
+    all = all && vtu.str().find("Name=\"" + std::string(name) + "\"") != std::string::npos;
+  checks.that("contact line: fields of the VTU", all);
+
+  const OneLevel unknown("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n", 1);
+  std::ostringstream without;
+  write_contact_csv(
+    without,
+    trace_contact_line(
+      unknown.space(), unknown.multipliers(), NodalVector(18), dealii::Vector<double>(1)));
+  checks.that("contact line: no exact pressure", read_csv(without.str())[0].at("p_exact").empty());
+}
+
+void disk(Checks &checks, const fs::path &directory)
+{
+  prepare_directory(directory / "a" / "b");
+  checks.that("directories are made", fs::is_directory(directory / "a" / "b"));
+  checks.that("nothing is left in them", fs::is_empty(directory / "a" / "b"));
+  const fs::path file = directory / "a" / "table.csv";
+  const auto n_files = [&]()
+  {
+    const fs::directory_iterator entries(directory / "a");
+    return std::count_if(
+      begin(entries), end(entries), [](const auto &entry) { return entry.is_regular_file(); });
+  };
+  write_file(file, [](std::ostream &stream) { stream << "first"; });
+  checks.that("a file is written", read(file) == "first");
+  bool untouched = false;
+  write_file(file,
+             [&](std::ostream &stream)
+             {
+               stream << "second" << std::flush;
+               untouched = read(file) == "first";
+             });
+  checks.that("the old file stays until the new one is complete",
+              untouched && read(file) == "second");
+  checks.throws<std::runtime_error>("a writer that fails",
+                                    "no more",
+                                    [&]()
+                                    {
+                                      write_file(file,
+                                                 [](std::ostream &stream)
+                                                 {
+                                                   stream << "half";
+                                                   throw std::runtime_error("no more");
+                                                 });
+                                    });
+  checks.that("the old file survives it and is alone", read(file) == "second" && n_files() == 1);
+  checks.throws<ComputationError>(
+    "a stream that fails",
+    "could not be written",
+    [&]() { write_file(file, [](std::ostream &stream) { stream.setstate(std::ios::badbit); }); });
+  checks.throws<ComputationError>(
+    "a directory that is missing",
+    "could not be written",
+    [&]() { write_file(directory / "missing" / "file", [](std::ostream &) {}); });
+  checks.that("no temporary files", n_files() == 1 && read(file) == "second");
+  checks.throws<InputError>(
+    "a directory below a file", "--output: found", [&]() { prepare_directory(file / "results"); });
+  checks.throws<InputError>(
+    "a directory that is a file", "--output: found", [&]() { prepare_directory(file); });
+  checks.that("the file is still there", read(file) == "second");
+}
+
+void vtu(Checks &checks, const fs::path &directory)
+{
+  for (const unsigned int number : {0U, 1U})
+  {
+    const OneLevel level(entry("Scene", "Name", "D1"), number);
+    const fs::path file = directory / "solution.vtu";
+    write_solution_vtu(file, level.space(), level.scene, level.solve().U);
+    const std::string text = read(file);
+    const auto has = [&](const std::string &name)
+    { return text.find("Name=\"" + name + "\"") != std::string::npos; };
+    const std::string name = "VTU of level " + std::to_string(number);
+    checks.that(name + ": fields", has("displacement") && has("stress") && has("von_mises_stress"));
+    checks.that(name + ": recovered displacement where there are parents",
+                has("recovered_displacement") == (number > 0));
+    checks.that(name + ": complete", text.find("</VTKFile>") != std::string::npos);
+  }
+  write_pvd(directory / "solution.pvd", {{0., "solution-00.vtu"}, {1., "solution-01.vtu"}});
+  const std::string pvd = read(directory / "solution.pvd");
+  checks.that("PVD lists its files",
+              pvd.find("solution-00.vtu") != std::string::npos &&
+                pvd.find("solution-01.vtu") != std::string::npos);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  matrix_market(checks);
+  contact_line(checks);
+  const fs::path directory = "files_test_results";
+  fs::remove_all(directory);
+  disk(checks, directory);
+  vtu(checks, directory);
+  fs::remove_all(directory);
+  return checks.exit_code();
+}
