@@ -20,6 +20,7 @@ namespace
 {
 using Point = dealii::Point<2>;
 using Cell = dealii::Triangulation<2>::active_cell_iterator;
+using Lines = std::array<std::vector<double>, 2>;
 using Integrand = std::function<double(const Point &)>;
 
 double integrate(const Cell &cell, const dealii::Quadrature<2> &rule, const Integrand &f)
@@ -44,7 +45,7 @@ void test_rectangle(Checks &checks)
   dealii::Triangulation<2> mesh;
   make_rectangle(Point(0., 0.), Point(1., 2.), {1, 1}).make_coarse_mesh(mesh);
   const Cell cell = mesh.begin_active();
-  const Kinks<2> kinks({{{0.3}, {}}});
+  const Kinks<2> kinks(Lines{{{0.3}, {}}});
   for (unsigned int k = 1; k <= 4; ++k)
     for (unsigned int j = 0; j <= 2; ++j)
       checks.near("rectangle: max(x-c,0)^" + std::to_string(k) + " y^" + std::to_string(j),
@@ -56,7 +57,7 @@ void test_rectangle(Checks &checks)
                   1e-14);
 
   // |x-a| |x-b| |y-c| |y-d| with the lines in any order, twice and outside of the cell.
-  const Kinks<2> several({{{0.6, 0.3, 0.6, -1., 7.}, {1.7, 0.5, 2., 0.}}});
+  const Kinks<2> several(Lines{{{0.6, 0.3, 0.6, -1., 7.}, {1.7, 0.5, 2., 0.}}});
   const auto signed_integral = [](const double a, const double b, const double end)
   {
     const auto primitive = [&](const double x)
@@ -75,7 +76,7 @@ void test_rectangle(Checks &checks)
               1e-14);
   checks.near("rectangle: nine pieces", several.quadrature(cell, 2).size(), 9 * 4, 0);
   checks.near("rectangle: a missed cell keeps its rule",
-              Kinks<2>({{{2.}, {0.}}}).quadrature(cell, 3).size(),
+              Kinks<2>(Lines{{{2.}, {0.}}}).quadrature(cell, 3).size(),
               9,
               0);
 }
@@ -88,13 +89,13 @@ void test_quadrilateral(Checks &checks)
   const Cell cell = mesh.begin_active();
   const dealii::QGauss<2> gauss(6);
   const std::vector<std::pair<std::string, Kinks<2>>> rows = {
-    {"no line", Kinks<2>({{{}, {}}})},
-    {"one line", Kinks<2>({{{1.}, {}}})},
-    {"lines across", Kinks<2>({{{}, {0.5, 1.5}}})},
-    {"both ways", Kinks<2>({{{0.4, 1., 2.5}, {0.3, 1.2, 1.7}}})},
-    {"through corners", Kinks<2>({{{2.}, {1.}}})},
-    {"almost through corners", Kinks<2>({{{2. - 1e-13, 3. - 1e-9}, {1. + 1e-12}}})},
-    {"outside", Kinks<2>({{{-1., 5.}, {3.}}})}};
+    {"no line", Kinks<2>(Lines{{{}, {}}})},
+    {"one line", Kinks<2>(Lines{{{1.}, {}}})},
+    {"lines across", Kinks<2>(Lines{{{}, {0.5, 1.5}}})},
+    {"both ways", Kinks<2>(Lines{{{0.4, 1., 2.5}, {0.3, 1.2, 1.7}}})},
+    {"through corners", Kinks<2>(Lines{{{2.}, {1.}}})},
+    {"almost through corners", Kinks<2>(Lines{{{2. - 1e-13, 3. - 1e-9}, {1. + 1e-12}}})},
+    {"outside", Kinks<2>(Lines{{{-1., 5.}, {3.}}})}};
   for (const auto &row : rows)
   {
     const dealii::Quadrature<2> rule = row.second.quadrature(cell, 4);
@@ -118,7 +119,7 @@ void test_quadrilateral(Checks &checks)
                dealii::GeometryInfo<2>::is_inside_unit_cell(rule.point(q), 1e-12);
     checks.that("quadrilateral, " + row.first + ": points inside, no negative weights", inside);
   }
-  const Kinks<2> kinks({{{1.}, {1.}}});
+  const Kinks<2> kinks(Lines{{{1.}, {1.}}});
   const dealii::Quadrature<2> rule = kinks.quadrature(cell, 4);
   for (unsigned int k = 1; k <= 4; ++k)
   {
@@ -142,7 +143,7 @@ void test_mesh(Checks &checks)
   make_rectangle(Point(0., 0.), Point(1., 1.), {7, 5}).make_coarse_mesh(mesh);
   dealii::GridTools::distort_random(0.25, mesh, true);
   const double xi = std::sqrt(0.5), eta = 0.4;
-  const Kinks<2> kinks({{{xi}, {eta}}});
+  const Kinks<2> kinks(Lines{{{xi}, {eta}}});
   const dealii::Quadrature<2> gauss = dealii::QGauss<2>(3);
   double by_pieces = 0., plain = 0.;
   unsigned int crossed = 0;
@@ -166,11 +167,11 @@ void test_cross(Checks &checks)
   dealii::Triangulation<2> mesh;
   make_rectangle(Point(0., 0.), Point(1., 1.), {2, 2}).make_coarse_mesh(mesh);
   const Cell first = mesh.begin_active();
-  checks.that("line through the cell", Kinks<2>({{{0.25}, {}}}).cross(first));
-  checks.that("line along an edge", !Kinks<2>({{{0.5, 0.}, {0.5}}}).cross(first));
-  checks.that("line elsewhere", !Kinks<2>({{{0.75}, {-0.2}}}).cross(first));
-  checks.that("line across y", Kinks<2>({{{0.75}, {0.1}}}).cross(first));
-  checks.that("no line", !Kinks<2>({{{}, {}}}).cross(first));
+  checks.that("line through the cell", Kinks<2>(Lines{{{0.25}, {}}}).cross(first));
+  checks.that("line along an edge", !Kinks<2>(Lines{{{0.5, 0.}, {0.5}}}).cross(first));
+  checks.that("line elsewhere", !Kinks<2>(Lines{{{0.75}, {-0.2}}}).cross(first));
+  checks.that("line across y", Kinks<2>(Lines{{{0.75}, {0.1}}}).cross(first));
+  checks.that("no line", !Kinks<2>(Lines{{{}, {}}}).cross(first));
 }
 
 double distance(const std::vector<double> &found, const std::vector<double> &expected)
@@ -183,7 +184,7 @@ double distance(const std::vector<double> &found, const std::vector<double> &exp
 
 void test_segments(Checks &checks)
 {
-  const Kinks<2> kinks({{{0.5, 0.25}, {0.8}}});
+  const Kinks<2> kinks(Lines{{{0.5, 0.25}, {0.8}}});
   const auto cut =
     [&](
       const std::string &name, const Point &a, const Point &b, const std::vector<double> &expected)
