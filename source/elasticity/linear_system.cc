@@ -119,7 +119,7 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
                                          const unsigned int n_points)
 {
   const MPI_Comm communicator = space.mesh().communicator();
-  const Kinks<dim> kinks(scene.kinks);
+  const Kinks<dim> kinks = Kinks<dim>::of_scene(scene);
   CellStiffness<dim> stiffness(space, *scene.material, kinks);
   CellLoads<dim> cell_loads(space, scene, kinks, n_points);
   LinearSystem<dim> system = {make_matrix(space), space.make_vector(), space.make_vector(), {}};

@@ -104,7 +104,7 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
                                                const unsigned int n_points)
 {
   const MPI_Comm communicator = space.mesh().communicator();
-  const Kinks<dim> kinks(scene.kinks);
+  const Kinks<dim> kinks = Kinks<dim>::of_scene(scene);
   CellValues<dim> cell_values(space.mesh().mapping(),
                               space.element(),
                               kinks,

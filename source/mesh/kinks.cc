@@ -35,12 +35,45 @@ Polygon clip(const Polygon &polygon, const unsigned int d, const double position
   return part;
 }
 
+/** Bilinear image of the square; with d = a it is a triangle (Duffy). */
+struct Quadrilateral
+{
+  dealii::Point<2> a, b, c, d;
+
+  dealii::Point<2> at(const double s, const double t) const
+  {
+    return a + s * (1. - t) * (b - a) + s * t * (c - a) + (1. - s) * t * (d - a);
+  }
+  double jacobian(const double s, const double t) const
+  {
+    const dealii::Tensor<1, 2> ds = (1. - t) * (b - a) + t * (c - d);
+    const dealii::Tensor<1, 2> dt = (1. - s) * (d - a) + s * (c - b);
+    return std::abs(ds[0] * dt[1] - ds[1] * dt[0]);
+  }
+  double diameter() const
+  {
+    return std::max(a.distance(c), b.distance(d));
+  }
+  /** Lower bound of the distance from a point. */
+  double distance(const dealii::Point<2> &x) const
+  {
+    return x.distance(at(0.5, 0.5)) - 0.5 * std::max(diameter(), a.distance(b));
+  }
+  /** The image of one quarter of the square. */
+  Quadrilateral quarter(const double s, const double t) const
+  {
+    return {at(s, t), at(s + 0.5, t), at(s + 0.5, t + 0.5), at(s, t + 0.5)};
+  }
+};
+
 /** Collects physical points and weights on convex polygons. */
 class PolygonRule
 {
 public:
-  explicit PolygonRule(const unsigned int n_points)
+  /** @param ends points towards which the pieces shrink. */
+  PolygonRule(const unsigned int n_points, std::vector<dealii::Point<2>> ends)
     : gauss_(n_points)
+    , ends_(std::move(ends))
   {
   }
 
@@ -48,33 +81,39 @@ public:
   void add(const Polygon &polygon)
   {
     if (polygon.size() == 4)
-      add_quadrilateral(polygon[0], polygon[1], polygon[2], polygon[3]);
+      add(Quadrilateral{polygon[0], polygon[1], polygon[2], polygon[3]}, 0);
     else
       for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-        add_quadrilateral(polygon[0], polygon[i], polygon[i + 1], polygon[0]);
+        add(Quadrilateral{polygon[0], polygon[i], polygon[i + 1], polygon[0]}, 0);
   }
 
   std::vector<dealii::Point<2>> points;
   std::vector<double> weights;
 
 private:
-  /** Bilinear image of the square; with d = a it collapses to a triangle (Duffy). */
-  void add_quadrilateral(const dealii::Point<2> &a,
-                         const dealii::Point<2> &b,
-                         const dealii::Point<2> &c,
-                         const dealii::Point<2> &d)
+  /** A function like r^{1/2} is smooth on pieces that are small against their distance from the
+   * end; the smallest pieces hold a share of 2^{-3 deepest} of the integral of r. */
+  void add(const Quadrilateral &piece, const unsigned int depth)
   {
+    constexpr unsigned int deepest = 12;
+    for (const dealii::Point<2> &end : ends_)
+      if (depth < deepest && 0.75 * piece.distance(end) < piece.diameter())
+      {
+        for (const double s : {0., 0.5})
+          for (const double t : {0., 0.5})
+            add(piece.quarter(s, t), depth + 1);
+        return;
+      }
     for (unsigned int q = 0; q < gauss_.size(); ++q)
     {
       const double s = gauss_.point(q)[0], t = gauss_.point(q)[1];
-      const dealii::Tensor<1, 2> ds = (1. - t) * (b - a) + t * (c - d);
-      const dealii::Tensor<1, 2> dt = (1. - s) * (d - a) + s * (c - b);
-      points.push_back(a + s * (1. - t) * (b - a) + s * t * (c - a) + (1. - s) * t * (d - a));
-      weights.push_back(gauss_.weight(q) * std::abs(ds[0] * dt[1] - ds[1] * dt[0]));
+      points.push_back(piece.at(s, t));
+      weights.push_back(gauss_.weight(q) * piece.jacobian(s, t));
     }
   }
 
   dealii::QGauss<2> gauss_;
+  std::vector<dealii::Point<2>> ends_;
 };
 
 /** Jacobian determinant of the bilinear map of a cell at a reference point. */
@@ -105,6 +144,37 @@ template <int dim>
 Kinks<dim>::Kinks(const std::array<std::vector<double>, dim> &positions)
   : positions_(positions)
 {
+}
+
+template <int dim>
+Kinks<dim> Kinks<dim>::of_scene(const Scene<dim> &scene)
+{
+  Kinks<dim> kinks(scene.kinks);
+  for (const unsigned int number : scene.contact_sides())
+  {
+    const Side<dim> &side = scene.geometry.sides[number];
+    const std::vector<double> cuts = kinks.cut(side.start, side.end);
+    for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
+      kinks.ends_.push_back(side.point(cuts[i] * side.length()));
+  }
+  return kinks;
+}
+
+template <int dim>
+std::vector<dealii::Point<dim>>
+Kinks<dim>::ends_near(const typename dealii::Triangulation<dim>::cell_iterator &cell) const
+{
+  std::vector<dealii::Point<dim>> near;
+  for (const dealii::Point<dim> &end : ends_)
+    if (cell->center().distance(end) < 2.5 * cell->diameter())
+      near.push_back(end);
+  return near;
+}
+
+template <int dim>
+bool Kinks<dim>::affect(const typename dealii::Triangulation<dim>::cell_iterator &cell) const
+{
+  return cross(cell) || !ends_near(cell).empty();
 }
 
 template <int dim>
@@ -169,7 +239,7 @@ Kinks<dim>::quadrature(const typename dealii::Triangulation<dim>::cell_iterator 
         }
       pieces = std::move(parts);
     }
-  PolygonRule rule(n_points);
+  PolygonRule rule(n_points, ends_near(cell));
   for (const Polygon &piece : pieces)
     rule.add(piece);
   const dealii::MappingQ1<dim> mapping;

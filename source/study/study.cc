@@ -53,7 +53,7 @@ LevelRecord run_level(const Parameters &parameters,
                 parameters.solver.warm_start ? pressure : StartingPressure(),
                 progress);
   progress("errors");
-  add_errors(parameters, scene, discretization, exact_pressure, solution);
+  add_errors(scene, discretization, exact_pressure, solution);
   progress("output");
   StageClock clock;
   const double reached = solution.record.estimated_relative.value_or(1.);

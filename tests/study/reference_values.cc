@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Whole studies against numbers of an independent implementation in another language (double
-// precision, the same quadrature), on one, two and three processes.
+// precision, integrals to rounding), on one, two and three processes.
 
 #include <signorini/study/study.h>
 
@@ -35,7 +35,7 @@ const std::vector<Reference> references = {
     {"a1", "", 4, 5, 0.624997097728132, -0.3288733998864932, 2.876448375675366},
     {"a1", "Discretization/Patches=7", 4, 4, 0.6251670745768318, -0.3290949291164004,
      2.7803898504688527},
-    {"two_sides", "", 4, 9, 2.230839644720089, -2.9371927132220614, 5.835141186677054}};
+    {"two_sides", "", 4, 9, 2.23083963816478, -2.9371927226528616, 5.83514119178593}};
 
 StudyResult solve(const std::string &name, std::vector<std::string> overrides)
 {
@@ -59,7 +59,7 @@ void compare(const Reference &reference, Checks &checks)
   checks.that(name + " certified", result.certified);
   checks.that(name + " active", finest.active == reference.active);
   const auto close = [&](const std::string &what, const double value, const double expected)
-  { checks.near(name + " " + what, value, expected, 1e-10 * std::abs(expected)); };
+  { checks.near(name + " " + what, value, expected, 2e-10 * std::abs(expected)); };
   close("force", finest.contact_force, reference.contact_force);
   close("energy", finest.certificate.energy, reference.energy);
   close("pressure", finest.max_pressure, reference.max_pressure);
@@ -72,7 +72,7 @@ void compare_errors(Checks &checks)
   const auto close = [&](const std::string &what, const double value, const double expected)
   { checks.near("a1 " + what, value, expected, 1e-9 * expected); };
   close("u_h1", *finest.u_h1, 0.047825368086956775);
-  close("u_l2", *finest.u_l2, 0.001476466860279187);
+  close("u_l2", *finest.u_l2, 0.0014764668602787931);
   close("u_superclose_h1", *finest.u_superclose_h1, 0.020410892243168884);
   close("u_post_h1", *finest.u_post_h1, 0.02148986853828931);
   close("p_l2", *finest.p_l2, 0.21496795974362748);

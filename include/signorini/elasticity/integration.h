@@ -34,7 +34,7 @@ public:
   const dealii::FEValues<dim> &reinit(const CellIterator &cell)
   {
     dealii::FEValues<dim> *values = &plain_;
-    if (kinks_.cross(cell))
+    if (kinks_.affect(cell))
     {
       cut_ = std::make_unique<dealii::FEValues<dim>>(plain_.get_mapping(),
                                                      plain_.get_fe(),

@@ -31,6 +31,8 @@ private:
 public:
   Mesh<dim> mesh;
   double mesh_seconds;
+  /** Gauss points per direction for loads; errors take one more. */
+  unsigned int n_points;
   DisplacementSpace<dim> space;
   MultiplierSpace<dim> multipliers;
   Coupling D;
@@ -80,8 +82,7 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
  * @param pressure the exact pressure; null if it is not known.
  */
 template <int dim>
-void add_errors(const Parameters &parameters,
-                const Scene<dim> &scene,
+void add_errors(const Scene<dim> &scene,
                 const Discretization<dim> &discretization,
                 const ExactPressure<dim> *pressure,
                 LevelSolution<dim> &solution);
