@@ -23,12 +23,12 @@ struct Problem
 
 /** In each, W = C P - F <= 0 and P W = 0 can be checked by eye. */
 const std::vector<Problem> problems = {
-    {"both press", {{2, 1}, {1, 2}}, {-3, -3}, {-1, -1}},
-    {"one presses", {{2, 1}, {1, 2}}, {-2, 1}, {-1, 0}},
-    {"nothing touches", {{2, 1}, {1, 2}}, {1, 2}, {0, 0}},
-    {"touching without pressure", {{2, 1}, {1, 2}}, {-2, -1}, {-1, 0}},
-    {"middle opens", {{4, 3, 1}, {3, 5, 3}, {1, 3, 4}}, {-5, -5, -5}, {-1, 0, -1}},
-    {"all press", {{3, 1, 0}, {1, 3, 1}, {0, 1, 3}}, {-4, -5, -4}, {-1, -1, -1}}};
+  {"both press", {{2, 1}, {1, 2}}, {-3, -3}, {-1, -1}},
+  {"one presses", {{2, 1}, {1, 2}}, {-2, 1}, {-1, 0}},
+  {"nothing touches", {{2, 1}, {1, 2}}, {1, 2}, {0, 0}},
+  {"touching without pressure", {{2, 1}, {1, 2}}, {-2, -1}, {-1, 0}},
+  {"middle opens", {{4, 3, 1}, {3, 5, 3}, {1, 3, 4}}, {-5, -5, -5}, {-1, 0, -1}},
+  {"all press", {{3, 1, 0}, {1, 3, 1}, {0, 1, 3}}, {-4, -5, -4}, {-1, -1, -1}}};
 
 BoundConstrainedQP make_qp(const Problem &problem)
 {
@@ -92,7 +92,8 @@ int main()
   const BoundConstrainedQP qp = make_qp(problems[0]);
   const dealii::Vector<double> zero(2);
   for (const double omega : {-1., 0., 2., 2.05})
-    checks.throws<std::invalid_argument>("omega outside (0,2)", "between 0 and 2",
+    checks.throws<std::invalid_argument>("omega outside (0,2)",
+                                         "between 0 and 2",
                                          [&]() {
                                            solve_by_psor(qp, zero, {omega, 1e-10, 10});
                                          });
@@ -101,7 +102,8 @@ int main()
   checks.that("sweeps run out", !solve_by_psor(qp, zero, {0.1, 1e-12, 3}).converged);
   dealii::FullMatrix<double> indefinite(1, 1);
   checks.throws<std::invalid_argument>(
-      "diagonal of C", "not positive",
-      [&]() { BoundConstrainedQP(indefinite, dealii::Vector<double>(1)); });
+    "diagonal of C",
+    "not positive",
+    [&]() { BoundConstrainedQP(indefinite, dealii::Vector<double>(1)); });
   return checks.exit_code();
 }
