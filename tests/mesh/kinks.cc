@@ -174,6 +174,53 @@ void test_cross(Checks &checks)
   checks.that("no line", !Kinks<2>(Lines{{{}, {}}}).cross(first));
 }
 
+/** 1/r and r, integrated over [0,a] x [0,c] with r counted from the origin. */
+double integral_of_inverse(const double a, const double c)
+{
+  return a * std::asinh(c / a) + c * std::asinh(a / c);
+}
+double integral_of_distance(const double a, const double c)
+{
+  return a * c * std::hypot(a, c) / 3. +
+         (a * a * a * std::asinh(c / a) + c * c * c * std::asinh(a / c)) / 6.;
+}
+
+/** A line meets the contact side at (xi, 0): the rule gathers there. */
+void test_ends(Checks &checks)
+{
+  const double xi = 0.3;
+  Scene<2> scene;
+  scene.geometry = make_rectangle(Point(0., 0.), Point(1., 1.), {4, 4});
+  scene.boundary.resize(4);
+  scene.kinks = {{{xi}, {}}};
+  dealii::Triangulation<2> mesh;
+  scene.geometry.make_coarse_mesh(mesh);
+  const Kinks<2> without_contact = Kinks<2>::of_scene(scene);
+  scene.boundary[2].role = Role::contact;
+  const Kinks<2> kinks = Kinks<2>::of_scene(scene);
+  double inverse = 0., distance = 0., area = 0., smallest = 1.;
+  for (const Cell &cell : mesh.active_cell_iterators())
+  {
+    const dealii::Quadrature<2> rule = kinks.quadrature(cell, 4);
+    const auto r = [&](const Point &x) { return std::hypot(x[0] - xi, x[1]); };
+    area += integrate(cell, rule, [](const Point &) { return 1.; });
+    distance += integrate(cell, rule, r);
+    inverse += integrate(cell, rule, [&](const Point &x) { return 1. / r(x); });
+    for (const double weight : rule.get_weights())
+      smallest = std::min(smallest, weight);
+  }
+  const double exact_inverse = integral_of_inverse(xi, 1.) + integral_of_inverse(1. - xi, 1.);
+  const double exact_distance = integral_of_distance(xi, 1.) + integral_of_distance(1. - xi, 1.);
+  checks.near("ends: area", area, 1., 1e-13);
+  checks.near("ends: 1/r", inverse / exact_inverse, 1., 1e-4);
+  checks.near("ends: r", distance / exact_distance, 1., 1e-8);
+  checks.that("ends: no negative weights", smallest >= 0.);
+  const Cell near = mesh.begin_active(), far = mesh.last();
+  checks.that("ends: cells beside a line are affected near contact only",
+              !kinks.cross(near) && kinks.affect(near) && !kinks.affect(far) &&
+                !without_contact.affect(near));
+}
+
 double distance(const std::vector<double> &found, const std::vector<double> &expected)
 {
   double largest = found.size() == expected.size() ? 0. : 1e3;
@@ -220,6 +267,7 @@ int main()
   test_quadrilateral(checks);
   test_mesh(checks);
   test_cross(checks);
+  test_ends(checks);
   test_segments(checks);
   return checks.exit_code();
 }

@@ -180,7 +180,7 @@ const std::vector<BadScene> bad_boundaries = {
   {{"Boundary/Clamped=", "Boundary/Rollers=left right"},
    "Boundary",
    "leave the translation along (0, 1) of the body free"},
-  {{"Scene/Name=A4"}, "Scene/Name", "found 'A4', allowed: described, A1, D1,"},
+  {{"Scene/Name=A4"}, "Scene/Name", "found 'A4', allowed: described, A1, "},
   {{"Scene/Name=a1"}, "Scene/Name", "found 'a1', allowed: described"},
   {{"Scene/Name=A1", "Boundary/Clamped=", "Boundary/Contact=", "Geometry/Distortion=0.1"},
    "Geometry/Distortion",
