@@ -81,10 +81,23 @@ std::vector<Column> cost_columns()
            }}};
 }
 
+/** Filled with Output/Lemmas = true. */
+std::vector<Column> lemma_columns()
+{
+  using R = const LevelRecord &;
+  return {{"lemma_2_l2", [](R r) { return r.lemma_2_l2; }},
+          {"lemma_2_dual", [](R r) { return r.lemma_2_dual; }},
+          {"lemma_3_h1", [](R r) { return r.lemma_3_h1; }},
+          {"lemma_5", [](R r) { return r.lemma_5; }},
+          {"bound_26", [](R r) { return r.bound_26; }},
+          {"bound_27", [](R r) { return r.bound_27; }},
+          {"bound_30", [](R r) { return r.bound_30; }}};
+}
+
 std::vector<Column> all_columns()
 {
   std::vector<Column> columns = solution_columns();
-  for (const auto &more : {error_columns(), cost_columns()})
+  for (const auto &more : {error_columns(), cost_columns(), lemma_columns()})
     columns.insert(columns.end(), more.begin(), more.end());
   return columns;
 }

@@ -297,6 +297,12 @@ void Declarations::declare_output(OutputParameters &output)
       "Write C, F, D and G of the dual problem as Matrix Market files.",
       Patterns::Bool(),
       "true, false");
+  add("Lemmas",
+      output.lemmas,
+      "Fill the columns lemma_... and bound_...: the left-hand sides of Lemmas 2, 3, 5 and of (26), "
+      "(27), (30), where the exact solution is known.",
+      Patterns::Bool(),
+      "true, false");
   leave();
 }
 

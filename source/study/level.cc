@@ -2,8 +2,6 @@
 // One level, from the mesh to the certified answer.
 
 #include <signorini/compliance/compliance.h>
-#include <signorini/errors/displacement_errors.h>
-#include <signorini/errors/pressure_errors.h>
 #include <signorini/parameters/exceptions.h>
 #include <signorini/postprocess/contact_pressure.h>
 #include <signorini/postprocess/error_estimate.h>
@@ -230,6 +228,7 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
     clock.add_to(times.recovery);
   }
 
+  solution.loads = system.loads;
   solution.record.linear_solves = inverse->n_solves();
   solution.record.linear_residual = inverse->largest_residual();
 
@@ -248,47 +247,10 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   return solution;
 }
 
-template <int dim>
-void add_errors(const Scene<dim> &scene,
-                const Discretization<dim> &discretization,
-                const ExactPressure<dim> *pressure,
-                LevelSolution<dim> &solution)
-{
-  StageClock clock;
-  const unsigned int n_points = discretization.n_points + 1;
-  LevelRecord &record = solution.record;
-  if (scene.exact_displacement != nullptr)
-  {
-    const DisplacementErrors errors =
-      compute_displacement_errors(discretization.space, scene, solution.U, n_points);
-    record.u_h1 = errors.h1;
-    record.u_l2 = errors.l2;
-    record.u_superclose_h1 = errors.superclose_h1;
-    record.u_post_h1 = errors.post_h1;
-  }
-  if (pressure != nullptr)
-  {
-    const PressureErrors errors =
-      compute_pressure_errors(discretization.multipliers, solution.P, n_points);
-    record.p_l2 = errors.l2;
-    record.p_post_l2 = errors.post_l2;
-    const DualNormErrors dual = pressure->errors(discretization.multipliers, solution.P);
-    record.p_dual = dual.slobodeckij;
-    record.p_dual_spectral = dual.spectral;
-    record.p_superclose_dual = dual.superclose_slobodeckij;
-    record.p_superclose_dual_spectral = dual.superclose_spectral;
-  }
-  clock.add_to(record.times.errors);
-}
-
 template struct Discretization<2>;
 template LevelSolution<2> solve_level(const Parameters &,
                                       const Scene<2> &,
                                       const Discretization<2> &,
                                       const StartingPressure &,
                                       const Progress &);
-template void add_errors(const Scene<2> &,
-                         const Discretization<2> &,
-                         const ExactPressure<2> *,
-                         LevelSolution<2> &);
 } // namespace Signorini

@@ -33,33 +33,47 @@ double peak_memory_mb()
   return static_cast<double>(memory.VmHWM) / 1024.;
 }
 
+/** What the levels of a study have in common. */
+template <int dim>
+struct StudyContext
+{
+  const Parameters &parameters;
+  const Scene<dim> &scene;
+  /** Null if it is not known. */
+  std::unique_ptr<const ExactPressure<dim>> exact_pressure;
+  MPI_Comm communicator;
+};
+
+/** Whether no finer level follows. */
+bool is_last(const DiscretizationParameters &given, const LevelRecord &record)
+{
+  return record.level == given.finest_level ||
+         record.estimated_relative.value_or(1.) < given.target_error;
+}
+
 /** Everything about one level; the level's large objects live no longer than this call. */
 template <int dim>
-LevelRecord run_level(const Parameters &parameters,
-                      const Scene<dim> &scene,
-                      const ExactPressure<dim> *exact_pressure,
+LevelRecord run_level(const StudyContext<dim> &context,
                       const unsigned int level,
-                      MPI_Comm communicator,
                       const Progress &progress,
                       ResultsWriter &writer,
                       StartingPressure &pressure)
 {
+  const Parameters &parameters = context.parameters;
   progress("mesh");
-  const Discretization<dim> discretization(parameters, scene, level, communicator);
+  const Discretization<dim> discretization(parameters, context.scene, level, context.communicator);
   LevelSolution<dim> solution =
     solve_level(parameters,
-                scene,
+                context.scene,
                 discretization,
                 parameters.solver.warm_start ? pressure : StartingPressure(),
                 progress);
   progress("errors");
-  add_errors(scene, discretization, exact_pressure, solution);
+  add_errors(parameters, context.scene, discretization, context.exact_pressure.get(), solution);
   progress("output");
   StageClock clock;
-  const double reached = solution.record.estimated_relative.value_or(1.);
-  const bool last = level == parameters.discretization.finest_level ||
-                    reached < parameters.discretization.target_error;
-  writer.write_fields(discretization, scene, solution, last);
+  writer.write_fields(
+    discretization, context.scene, solution, is_last(parameters.discretization, solution.record));
   clock.add_to(solution.record.times.output);
   solution.record.cpu_total = cpu_seconds();
   solution.record.peak_memory_mb = peak_memory_mb();
@@ -91,9 +105,9 @@ StudyResult run_study(const Parameters &parameters,
   StudyResult result;
   ResultsWriter writer(parameters, report.directory, communicator);
   print_scene(parameters, scene, report.screen);
-  std::unique_ptr<const ExactPressure<dim>> exact_pressure;
+  StudyContext<dim> context = {parameters, scene, nullptr, communicator};
   if (scene.has_exact_pressure())
-    exact_pressure = std::make_unique<const ExactPressure<dim>>(scene);
+    context.exact_pressure = std::make_unique<const ExactPressure<dim>>(scene);
   const ScreenTable table(scene.exact_displacement != nullptr, scene.has_exact_pressure());
   report.screen << table.header() << std::endl;
   try
@@ -102,21 +116,14 @@ StudyResult run_study(const Parameters &parameters,
     {
       const Progress progress = [&](const std::string &stage)
       { report.progress("level " + std::to_string(level) + ": " + stage); };
-      const LevelRecord record = run_level(parameters,
-                                           scene,
-                                           exact_pressure.get(),
-                                           level,
-                                           communicator,
-                                           progress,
-                                           writer,
-                                           result.pressure);
+      const LevelRecord record = run_level(context, level, progress, writer, result.pressure);
       report.progress("");
       report.screen << table.row(record, result.levels.empty() ? nullptr : &result.levels.back())
                     << std::endl;
       print_warnings(record, tolerance, report.screen);
       result.levels.push_back(record);
       writer.write_tables(result.levels, "");
-      if (record.estimated_relative.value_or(1.) < given.target_error)
+      if (is_last(given, record))
         break;
     }
   }

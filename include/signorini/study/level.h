@@ -59,6 +59,8 @@ struct LevelSolution
   dealii::Vector<double> F;
   /** Empty if nothing touches. */
   dealii::FullMatrix<double> C;
+  /** f_j for all j, not condensed. */
+  DistributedVector loads;
 };
 
 /** Called with what is being done, for the user to watch. */
@@ -82,7 +84,8 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
  * @param pressure the exact pressure; null if it is not known.
  */
 template <int dim>
-void add_errors(const Scene<dim> &scene,
+void add_errors(const Parameters &parameters,
+                const Scene<dim> &scene,
                 const Discretization<dim> &discretization,
                 const ExactPressure<dim> *pressure,
                 LevelSolution<dim> &solution);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/errors/dual_norm_errors.h>
+#include <signorini/multiplier/coupling.h>
+
+#include <string>
+
+namespace Signorini
+{
+/** The left-hand sides of the paper's lemmas and auxiliary bounds for one level. */
+struct LemmaNumbers
+{
+  /** Lemma 2: ‖p - R^H p‖_{0,Gamma_c} and |||p - R^H p|||_{-1/2} in the cosine norm. */
+  double projection_l2;
+  double projection_dual;
+  /** Lemma 3: ‖u - I^h u‖_{1,Omega}. */
+  double interpolation_h1;
+  /** Lemma 5: sup_v a(u - I^h u, v) / ‖v‖_1 over V^h. */
+  double consistency;
+  /** (26): sup_v [p - R^H p, B v] / ‖v‖_1 over V^h. */
+  double bound_26;
+  /** (27): sup_q [q, B(I^h u - u)] / |||q|||_{-1/2} over Q^H. */
+  double bound_27;
+  /** (30): ‖u - pi^{2h} u‖_{1,Omega}; empty where there is no T^{2h}. */
+  std::optional<double> bound_30;
+};
+
+/**
+ * Computes them with one factorisation of the Gram matrix A_1 of V^h: sup_v b(v)/‖v‖_1 is
+ * (b^T A_1^{-1} b)^{1/2}. Needs the exact displacement and pressure. Collective.
+ *
+ * @param loads f_j = int f.phi_j + int t.phi_j, not condensed.
+ * @param n_points Gauss points per direction for integrals of the exact solution.
+ */
+template <int dim>
+LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
+                                   const Scene<dim> &scene,
+                                   const MultiplierSpace<dim> &multipliers,
+                                   const ExactPressure<dim> &pressure,
+                                   const DistributedVector &loads,
+                                   const std::string &linear_solver,
+                                   unsigned int n_points);
+} // namespace Signorini
