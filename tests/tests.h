@@ -14,7 +14,10 @@ class Checks
 {
 public:
   /** @param speak false on ranks other than the first, whose lines would repeat. */
-  explicit Checks(const bool speak = true) : speak_(speak) {}
+  explicit Checks(const bool speak = true)
+    : speak_(speak)
+  {
+  }
 
   void that(const std::string &name, const bool condition)
   {
@@ -22,20 +25,22 @@ public:
   }
 
   /** |value - expected| <= tolerance. */
-  void near(const std::string &name, const double value, const double expected,
-            const double tolerance)
+  void
+  near(const std::string &name, const double value, const double expected, const double tolerance)
   {
-    report(name, std::abs(value - expected) <= tolerance,
+    report(name,
+           std::abs(value - expected) <= tolerance,
            "found " + std::to_string(value) + ", expected " + std::to_string(expected) +
-               ", difference " + std::to_string((value - expected) / tolerance) + " tolerances");
+             ", difference " + std::to_string((value - expected) / tolerance) + " tolerances");
   }
 
   /** low <= value <= high. */
   void between(const std::string &name, const double value, const double low, const double high)
   {
-    report(name, value >= low && value <= high,
+    report(name,
+           value >= low && value <= high,
            "found " + std::to_string(value) + ", expected " + std::to_string(low) + " to " +
-               std::to_string(high));
+             std::to_string(high));
   }
 
   /** The call throws an Exception whose message contains @p fragment. */

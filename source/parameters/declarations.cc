@@ -288,8 +288,7 @@ void Declarations::declare_output(OutputParameters &output)
   add("Inf-sup constant",
       output.inf_sup_constant,
       "Whether the constant beta of Lemma 1 is measured (automatic: up to 1e5 unknowns; it needs "
-      "its own "
-      "factorisation).",
+      "its own factorisation).",
       Patterns::Selection("true|false|automatic"),
       "true, false, automatic");
   add("Compliance",
@@ -297,12 +296,13 @@ void Declarations::declare_output(OutputParameters &output)
       "Write C, F, D and G of the dual problem as Matrix Market files.",
       Patterns::Bool(),
       "true, false");
-  add("Lemmas",
-      output.lemmas,
-      "Fill the columns lemma_... and bound_...: the left-hand sides of Lemmas 2, 3, 5 and of (26), "
-      "(27), (30), where the exact solution is known.",
-      Patterns::Bool(),
-      "true, false");
+  add(
+    "Lemmas",
+    output.lemmas,
+    "Fill the columns lemma_... and bound_...: the left-hand sides of Lemmas 2, 3, 5 and of (26), "
+    "(27), (30), where the exact solution is known.",
+    Patterns::Bool(),
+    "true, false");
   leave();
 }
 

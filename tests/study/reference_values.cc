@@ -26,36 +26,41 @@ struct Reference
 };
 
 const std::vector<Reference> references = {
-    {"quadrilateral", "", 3, 3, 0.13858240027660498, -0.005890348458949236, 0.2282780518280852},
-    {"quadrilateral", "", 4, 6, 0.13839192367425984, -0.005925781477892526, 0.20266948649475497},
-    {"pentagon", "", 3, 3, 0.04003223301365762, -0.0057536690077261395, 0.12753890606349427},
-    {"pentagon", "", 4, 7, 0.04017614509343021, -0.005770977766959463, 0.12432245043818371},
-    {"prescribed", "", 3, 3, 0.19337692547438123, 0.00127128827705591, 0.21051853341817103},
-    {"prescribed", "", 4, 5, 0.19375090829099711, 0.0013847422957592973, 0.19149293342669613},
-    {"a1", "", 4, 5, 0.624997097728132, -0.3288733998864932, 2.876448375675366},
-    {"a1", "Discretization/Patches=7", 4, 4, 0.6251670745768318, -0.3290949291164004,
-     2.7803898504688527},
-    {"two_sides", "", 4, 9, 2.23083963816478, -2.9371927226528616, 5.83514119178593}};
+  {"quadrilateral", "", 3, 3, 0.13858240027660498, -0.005890348458949236, 0.2282780518280852},
+  {"quadrilateral", "", 4, 6, 0.13839192367425984, -0.005925781477892526, 0.20266948649475497},
+  {"pentagon", "", 3, 3, 0.04003223301365762, -0.0057536690077261395, 0.12753890606349427},
+  {"pentagon", "", 4, 7, 0.04017614509343021, -0.005770977766959463, 0.12432245043818371},
+  {"prescribed", "", 3, 3, 0.19337692547438123, 0.00127128827705591, 0.21051853341817103},
+  {"prescribed", "", 4, 5, 0.19375090829099711, 0.0013847422957592973, 0.19149293342669613},
+  {"a1", "", 4, 5, 0.624997097728132, -0.3288733998864932, 2.876448375675366},
+  {"a1",
+   "Discretization/Patches=7",
+   4,
+   4,
+   0.6251670745768318,
+   -0.3290949291164004,
+   2.7803898504688527},
+  {"two_sides", "", 4, 9, 2.23083963816478, -2.9371927226528616, 5.83514119178593}};
 
 StudyResult solve(const std::string &name, std::vector<std::string> overrides)
 {
   std::ostream silence(nullptr);
   const Parameters parameters = read_parameters(SOURCE_DIR "/../runs/" + name + ".prm", overrides);
-  return run_study(parameters, make_scene(parameters), MPI_COMM_WORLD,
-                   {silence, "", [](const std::string &) {}});
+  return run_study(
+    parameters, make_scene(parameters), MPI_COMM_WORLD, {silence, "", [](const std::string &) {}});
 }
 
 void compare(const Reference &reference, Checks &checks)
 {
   std::vector<std::string> overrides = {"Discretization/Coarsest level=3",
                                         "Discretization/Finest level=" +
-                                            std::to_string(reference.level)};
+                                          std::to_string(reference.level)};
   if (!reference.overrides.empty())
     overrides.push_back(reference.overrides);
   const StudyResult result = solve(reference.name, overrides);
   const LevelRecord &finest = result.levels.back();
   const std::string name =
-      reference.name + " " + reference.overrides + " level " + std::to_string(reference.level);
+    reference.name + " " + reference.overrides + " level " + std::to_string(reference.level);
   checks.that(name + " certified", result.certified);
   checks.that(name + " active", finest.active == reference.active);
   const auto close = [&](const std::string &what, const double value, const double expected)
