@@ -25,6 +25,13 @@ void show_progress(const std::string &text)
   std::cerr << erase_line << text << std::flush;
 }
 
+/** What goes wrong at a quadrature point knows its parameter, but not the file. */
+std::string name_file(const std::string &message, const std::string &file_name)
+{
+  const bool named = message.rfind(file_name, 0) == 0 || message.rfind("--", 0) == 0;
+  return named ? message : file_name + ": " + message;
+}
+
 int run(const CommandLine &command_line, MPI_Comm communicator)
 {
   const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
@@ -33,12 +40,10 @@ int run(const CommandLine &command_line, MPI_Comm communicator)
   const Scene<2> scene = make_scene(parameters);
   const std::filesystem::path &directory = command_line.output;
   std::filesystem::path made;
-  agree(communicator,
-        [&]()
-        {
-          if (first_rank)
-            made = prepare_directory(directory);
-        });
+  agree(communicator, [&]() {
+    if (first_rank)
+      made = prepare_directory(directory);
+  });
 
   std::ostream silence(nullptr);
   const bool on_terminal = first_rank && isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
@@ -52,11 +57,11 @@ int run(const CommandLine &command_line, MPI_Comm communicator)
       std::cerr << "signorini: " << result.failure << std::endl;
     return result.certified ? 0 : 2;
   }
-  catch (const InputError &)
+  catch (const InputError &error)
   {
     // Wrong input leaves nothing behind.
     remove_if_unused(directory, made);
-    throw;
+    throw InputError(name_file(error.what(), parameters.file_name));
   }
 }
 

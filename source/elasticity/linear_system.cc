@@ -126,20 +126,18 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
   const unsigned int n = space.element().n_dofs_per_cell();
   dealii::Vector<double> cell_f(n);
   std::vector<dealii::types::global_dof_index> indices(n);
-  agree(communicator,
-        [&]()
-        {
-          for (const auto &cell : space.dofs().active_cell_iterators())
-            if (cell->is_locally_owned())
-            {
-              cell_f = 0.;
-              cell_loads.add(cell, cell_f);
-              cell->get_dof_indices(indices);
-              space.constraints().distribute_local_to_global(
-                stiffness(cell), cell_f, indices, system.A, system.f);
-              system.loads.add(indices, cell_f);
-            }
-        });
+  agree(communicator, [&]() {
+    for (const auto &cell : space.dofs().active_cell_iterators())
+      if (cell->is_locally_owned())
+      {
+        cell_f = 0.;
+        cell_loads.add(cell, cell_f);
+        cell->get_dof_indices(indices);
+        space.constraints().distribute_local_to_global(
+          stiffness(cell), cell_f, indices, system.A, system.f);
+        system.loads.add(indices, cell_f);
+      }
+  });
   system.A.compress(dealii::VectorOperation::add);
   system.f.compress(dealii::VectorOperation::add);
   system.loads.compress(dealii::VectorOperation::add);

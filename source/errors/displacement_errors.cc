@@ -117,8 +117,9 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->is_locally_owned())
       integrals.add(cell, cell_values.reinit(cell), squares);
-  const auto root_of_sum = [&](const double square)
-  { return std::sqrt(dealii::Utilities::MPI::sum(square, communicator)); };
+  const auto root_of_sum = [&](const double square) {
+    return std::sqrt(dealii::Utilities::MPI::sum(square, communicator));
+  };
   DisplacementErrors errors;
   errors.l2 = root_of_sum(squares.l2);
   errors.h1 = root_of_sum(squares.l2 + squares.h1_seminorm);

@@ -176,8 +176,7 @@ DualNormErrors ExactPressure<dim>::errors_on_side(const MultiplierSpace<dim> &sp
   for (unsigned int g = 0; g < 2; ++g)
   {
     const SlobodeckijNorm grid(length, (g + 1) * 8 * m);
-    const auto dual_norm = [&](const dealii::Vector<double> *projection)
-    {
+    const auto dual_norm = [&](const dealii::Vector<double> *projection) {
       const SampledFunction q =
         sample_difference(space, kinks, P, projection, first, last, grid.n_cells());
       return grid.dual_norm(q.arc_lengths, q.weighted_values);
@@ -196,17 +195,13 @@ DualNormErrors ExactPressure<dim>::errors(const MultiplierSpace<dim> &space,
 {
   const dealii::Vector<double> projected_p = project(space);
   DualNormErrors sum = {0., 0., 0., 0.};
-  for_each_side(space.partition().patches,
-                [&](const unsigned int first, const unsigned int last)
-                {
-                  const DualNormErrors side = errors_on_side(space, P, projected_p, first, last);
-                  sum.spectral = std::hypot(sum.spectral, side.spectral);
-                  sum.superclose_spectral =
-                    std::hypot(sum.superclose_spectral, side.superclose_spectral);
-                  sum.slobodeckij = hypot(sum.slobodeckij, side.slobodeckij);
-                  sum.superclose_slobodeckij =
-                    hypot(sum.superclose_slobodeckij, side.superclose_slobodeckij);
-                });
+  for_each_side(space.partition().patches, [&](const unsigned int first, const unsigned int last) {
+    const DualNormErrors side = errors_on_side(space, P, projected_p, first, last);
+    sum.spectral = std::hypot(sum.spectral, side.spectral);
+    sum.superclose_spectral = std::hypot(sum.superclose_spectral, side.superclose_spectral);
+    sum.slobodeckij = hypot(sum.slobodeckij, side.slobodeckij);
+    sum.superclose_slobodeckij = hypot(sum.superclose_slobodeckij, side.superclose_slobodeckij);
+  });
   return sum;
 }
 

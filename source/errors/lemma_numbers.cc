@@ -110,8 +110,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
   NodalVector interpolant(space.dofs().n_dofs());
   dealii::VectorTools::interpolate(
     space.mesh().mapping(), space.dofs(), *scene.exact_displacement, interpolant);
-  const auto exact_p = [&](const Piece &piece, const dealii::Point<dim> &x)
-  {
+  const auto exact_p = [&](const Piece &piece, const dealii::Point<dim> &x) {
     return multipliers.condition(multipliers.partition().patches[piece.patch])
       .exact_pressure->value(x);
   };
@@ -134,11 +133,10 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
   numbers.bound_26 =
     dual_norm(space,
               *inverse,
-              test_on_contact(space,
-                              multipliers,
-                              n_points,
-                              [&](const Piece &piece, const dealii::Point<dim> &x)
-                              { return exact_p(piece, x) - projected_p[piece.patch]; }));
+              test_on_contact(
+                space, multipliers, n_points, [&](const Piece &piece, const dealii::Point<dim> &x) {
+                  return exact_p(piece, x) - projected_p[piece.patch];
+                }));
   const Coupling D = assemble_coupling(space, multipliers.faces(), multipliers.partition());
   numbers.bound_27 = trace_defect(scene, multipliers, D, interpolant, n_points);
   return numbers;

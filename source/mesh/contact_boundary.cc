@@ -25,10 +25,9 @@ std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Sc
       faces.push_back(
         {cell, f, number, std::min(first, last), std::max(first, last), last < first});
     }
-  std::sort(faces.begin(),
-            faces.end(),
-            [](const auto &a, const auto &b)
-            { return a.side != b.side ? a.side < b.side : a.start < b.start; });
+  std::sort(faces.begin(), faces.end(), [](const auto &a, const auto &b) {
+    return a.side != b.side ? a.side < b.side : a.start < b.start;
+  });
   return faces;
 }
 

@@ -87,17 +87,15 @@ ContactPartition partition_by_ratio(const std::vector<ContactFace<dim>> &faces,
                                     const unsigned int ratio)
 {
   std::vector<Patch> patches;
-  for_each_side(faces,
-                [&](const std::size_t first, const std::size_t last)
-                {
-                  const std::size_t n = std::max<std::size_t>(1, (last - first) / ratio);
-                  for (std::size_t t = 0; t < n; ++t)
-                  {
-                    const std::size_t begin = first + t * ratio;
-                    const std::size_t end = t + 1 == n ? last : begin + ratio;
-                    patches.push_back({faces[begin].side, faces[begin].start, faces[end - 1].end});
-                  }
-                });
+  for_each_side(faces, [&](const std::size_t first, const std::size_t last) {
+    const std::size_t n = std::max<std::size_t>(1, (last - first) / ratio);
+    for (std::size_t t = 0; t < n; ++t)
+    {
+      const std::size_t begin = first + t * ratio;
+      const std::size_t end = t + 1 == n ? last : begin + ratio;
+      patches.push_back({faces[begin].side, faces[begin].start, faces[end - 1].end});
+    }
+  });
   return with_pieces(faces, std::move(patches));
 }
 
@@ -105,13 +103,11 @@ template <int dim>
 ContactPartition partition_equally(const std::vector<ContactFace<dim>> &faces, const unsigned int n)
 {
   std::vector<Patch> patches;
-  for_each_side(faces,
-                [&](const std::size_t first, const std::size_t last)
-                {
-                  const double length = faces[last - 1].end;
-                  for (unsigned int t = 0; t < n; ++t)
-                    patches.push_back({faces[first].side, t * length / n, (t + 1) * length / n});
-                });
+  for_each_side(faces, [&](const std::size_t first, const std::size_t last) {
+    const double length = faces[last - 1].end;
+    for (unsigned int t = 0; t < n; ++t)
+      patches.push_back({faces[first].side, t * length / n, (t + 1) * length / n});
+  });
   return with_pieces(faces, std::move(patches));
 }
 

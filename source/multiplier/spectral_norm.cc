@@ -182,12 +182,10 @@ dealii::FullMatrix<double> dual_gram_matrix(const std::vector<Patch> &patches,
                                             const Geometry<dim> &geometry)
 {
   dealii::FullMatrix<double> gram(patches.size(), patches.size());
-  for_each_side(patches,
-                [&](const unsigned int first, const unsigned int last)
-                {
-                  const SpectralNorm norm(geometry.sides[patches[first].side].length());
-                  gram.fill(norm.gram_matrix(patch_ends(patches, first, last)), first, first, 0, 0);
-                });
+  for_each_side(patches, [&](const unsigned int first, const unsigned int last) {
+    const SpectralNorm norm(geometry.sides[patches[first].side].length());
+    gram.fill(norm.gram_matrix(patch_ends(patches, first, last)), first, first, 0, 0);
+  });
   return gram;
 }
 

@@ -34,11 +34,10 @@ void write_certificate(std::ostream &stream,
                     {"linear_residual", level.linear_residual},
                     {"certified", level.is_certified(tolerance)}});
   }
-  const bool certified =
-    failure.empty() && !levels.empty() &&
-    std::all_of(levels.begin(),
-                levels.end(),
-                [&](const LevelRecord &level) { return level.is_certified(tolerance); });
+  const bool certified = failure.empty() && !levels.empty() &&
+                         std::all_of(levels.begin(), levels.end(), [&](const LevelRecord &level) {
+                           return level.is_certified(tolerance);
+                         });
   Json certificate = {{"verdict", certified ? "certified" : "not certified"},
                       {"tolerance", tolerance},
                       {"residual_bound", certificate_bound(tolerance)},

@@ -47,8 +47,7 @@ std::vector<ContactSegment<dim>> trace_contact_line(const DisplacementSpace<dim>
     const Side<dim> &side = multipliers.side(patch);
     const BoundaryCondition<dim> &condition = multipliers.condition(patch);
     const ContactFace<dim> &face = multipliers.faces()[piece.face];
-    const auto point = [&](const double s)
-    {
+    const auto point = [&](const double s) {
       ContactPoint<dim> point;
       point.side = side.name;
       point.s = s;

@@ -72,9 +72,7 @@ std::vector<Column> cost_columns()
           {"t_total", [](R r) { return r.times.total(); }},
           {"cpu_total", [](R r) { return r.cpu_total; }},
           {"peak_memory_mb", [](R r) { return r.peak_memory_mb; }},
-          {"qp_increment_iterations",
-           [](R r) -> std::optional<double>
-           {
+          {"qp_increment_iterations", [](R r) -> std::optional<double> {
              if (!r.increment_iterations)
                return {};
              return *r.increment_iterations;

@@ -71,8 +71,9 @@ std::string ScreenTable::header() const
   line << "level" << std::setw(9) << "dofs" << std::setw(6) << "m" << std::setw(7) << "active"
        << std::setw(6) << "its" << std::setw(number_width) << "force" << std::setw(number_width)
        << "max p";
-  const auto name = [&](const ErrorColumn &column)
-  { line << std::setw(number_width) << column.name << std::setw(order_width) << "order"; };
+  const auto name = [&](const ErrorColumn &column) {
+    line << std::setw(number_width) << column.name << std::setw(order_width) << "order";
+  };
   if (with_displacement_errors_)
     for (const ErrorColumn &column : displacement_columns)
       name(column);
@@ -95,8 +96,7 @@ std::string ScreenTable::row(const LevelRecord &level, const LevelRecord *before
   print_number(line, level.contact_force);
   print_number(line, level.max_pressure);
   const double refinement = before == nullptr ? 0. : before->h / level.h;
-  const auto print = [&](const Error error)
-  {
+  const auto print = [&](const Error error) {
     print_number(line, level.*error);
     print_order(line, level.*error, before == nullptr ? std::nullopt : before->*error, refinement);
   };

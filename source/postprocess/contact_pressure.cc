@@ -33,8 +33,7 @@ RecoveredPressure<dim>::RecoveredPressure(const MultiplierSpace<dim> &space,
 template <int dim>
 double RecoveredPressure<dim>::operator()(const unsigned int patch, const double s) const
 {
-  const auto on_side = [&](const int t)
-  {
+  const auto on_side = [&](const int t) {
     return t >= 0 && t < static_cast<int>(patches_.size()) &&
            patches_[t].side == patches_[patch].side;
   };
@@ -57,8 +56,9 @@ dealii::Vector<double> transfer_pressure(const std::vector<Patch> &from,
   std::size_t first = 0;
   for (std::size_t t = 0; t < to.size(); ++t)
   {
-    const auto before = [&](const Patch &patch)
-    { return patch.side < to[t].side || (patch.side == to[t].side && patch.end <= to[t].start); };
+    const auto before = [&](const Patch &patch) {
+      return patch.side < to[t].side || (patch.side == to[t].side && patch.end <= to[t].start);
+    };
     while (first < from.size() && before(from[first]))
       ++first;
     for (std::size_t k = first;

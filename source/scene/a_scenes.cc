@@ -41,15 +41,13 @@ Scene<2> make_a2()
 {
   constexpr double omega = 3. * dealii::numbers::PI;
   LiftFamily family;
-  family.p = [](const double x)
-  {
+  family.p = [](const double x) {
     const double q = std::max(std::sin(omega * x + 1.), 0.);
     const double dq = omega * std::cos(omega * x + 1.), ddq = -omega * omega * q;
     return Derivatives{
       -2. * q * q * q, -6. * q * q * dq, -12. * q * dq * dq - 6. * q * q * ddq, 0.};
   };
-  family.slack = [](const double x)
-  {
+  family.slack = [](const double x) {
     const double q = std::max(-std::sin(omega * x + 1.), 0.);
     return 0.2 * q * q;
   };

@@ -10,8 +10,7 @@ namespace Signorini
 {
 Scene<2> make_block_on_parabola()
 {
-  const auto function = [](const std::vector<std::string> &components)
-  {
+  const auto function = [](const std::vector<std::string> &components) {
     std::vector<Expression<2>> values;
     for (const std::string &component : components)
       values.emplace_back(component, Constants(), "block on parabola");

@@ -17,8 +17,7 @@ using dealii::numbers::PI;
 Scene<2> make_c1()
 {
   LiftFamily family;
-  family.p = [](const double x)
-  {
+  family.p = [](const double x) {
     const double c = std::cos(PI * x), s = std::sin(PI * x);
     return Derivatives{-(2. + c), PI * s, PI * PI * c, 0.};
   };
@@ -90,8 +89,9 @@ Scene<2> make_c4()
   scene.geometry.classify_after_refinement = true;
 
   scene.boundary.resize(sides.size());
-  const auto condition = [&](const char *name) -> BoundaryCondition<2> &
-  { return scene.boundary[scene.geometry.find_side(name)]; };
+  const auto condition = [&](const char *name) -> BoundaryCondition<2> & {
+    return scene.boundary[scene.geometry.find_side(name)];
+  };
   scene.material = make_lame_material(1., 1.);
   condition("top").role = Role::clamped;
   condition("right") = {

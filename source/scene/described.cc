@@ -105,13 +105,13 @@ void read_boundary(const Parameters &parameters, const SceneReader &reader, Scen
   scene.boundary.resize(sides.size());
   std::vector<std::string> role_names(sides.size());
   const auto assign =
-    [&](const std::string &path, const std::vector<std::string> &names, const Role role)
-  { assign_roles(parameters, path, names, role, scene, role_names); };
+    [&](const std::string &path, const std::vector<std::string> &names, const Role role) {
+      assign_roles(parameters, path, names, role, scene, role_names);
+    };
   assign("Boundary/Clamped", split_words(given.clamped), Role::clamped);
   assign("Boundary/Rollers", split_words(given.rollers), Role::roller);
   assign("Boundary/Contact", split_words(given.contact), Role::contact);
-  const auto assign_data = [&](const std::string &path, const std::string &text, const Role role)
-  {
+  const auto assign_data = [&](const std::string &path, const std::string &text, const Role role) {
     for (const auto &entry : read_side_list(text, parameters.where(path), sides))
     {
       assign(path, {entry.first}, role);
@@ -132,8 +132,9 @@ void read_contact_data(const Parameters &parameters, const SceneReader &reader, 
   std::vector<std::string> names;
   for (const unsigned int side : scene.contact_sides())
     names.push_back(scene.geometry.sides[side].name);
-  const auto per_side = [&](const std::string &path, const std::string &text)
-  { return read_contact_list(text, parameters.where(path), scene.geometry.side_names(), names); };
+  const auto per_side = [&](const std::string &path, const std::string &text) {
+    return read_contact_list(text, parameters.where(path), scene.geometry.side_names(), names);
+  };
   for (const auto &gap : per_side("Contact/Gap", parameters.contact.gap))
     scene.boundary[scene.geometry.find_side(gap.first)].data =
       reader.function(gap.second, 1, "Contact/Gap");

@@ -192,8 +192,7 @@ Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
                     {"right", lower_right, upper_right, P(1., 0.)},
                     {"bottom", lower_left, lower_right, P(0., -1.)},
                     {"top", upper_left, upper_right, P(0., 1.)}};
-  geometry.make_coarse_mesh = [=](dealii::Triangulation<2> &triangulation)
-  {
+  geometry.make_coarse_mesh = [=](dealii::Triangulation<2> &triangulation) {
     dealii::GridGenerator::subdivided_hyper_rectangle(
       triangulation, cells, lower_left, upper_right, true);
   };
@@ -216,9 +215,8 @@ Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
       geometry.upper[d] = std::max(geometry.upper[d], next[d]);
     }
   }
-  geometry.make_coarse_mesh =
-    [vertices, sides = geometry.sides](dealii::Triangulation<2> &triangulation)
-  {
+  geometry.make_coarse_mesh = [vertices,
+                               sides = geometry.sides](dealii::Triangulation<2> &triangulation) {
     if (vertices.size() == 4)
       make_quadrilateral(vertices, triangulation);
     else

@@ -79,8 +79,7 @@ std::array<double, 2> body_force(const LiftFamily &family,
 Scene<2> make_lift_scene(const LiftFamily &family,
                          const std::shared_ptr<const Material<2>> &material)
 {
-  const Field field = [family](const dealii::Point<2> &x)
-  {
+  const Field field = [family](const dealii::Point<2> &x) {
     Jet jet = lift(family, x);
     jet.field.f = body_force(family, x, jet);
     return jet.field;
@@ -89,15 +88,15 @@ Scene<2> make_lift_scene(const LiftFamily &family,
     field,
     material,
     [family](const double x) { return -family.U(x)[0] + family.slack(x); },
-    [family](const double x)
-    { return family.modulus(dealii::Point<2>(x, 0.))[0] * family.p(x)[0]; },
+    [family](const double x) {
+      return family.modulus(dealii::Point<2>(x, 0.))[0] * family.p(x)[0];
+    },
     family.kinks_at_x);
 }
 
 std::function<Derivatives(double)> cubic_pressure(const double a, const double xi)
 {
-  return [=](const double x)
-  {
+  return [=](const double x) {
     const double d = std::max(xi - x, 0.);
     return Derivatives{-a * d * d * d, 3. * a * d * d, -6. * a * d, 0.};
   };
@@ -105,8 +104,7 @@ std::function<Derivatives(double)> cubic_pressure(const double a, const double x
 
 Profile quadratic_slack(const double xi)
 {
-  return [=](const double x)
-  {
+  return [=](const double x) {
     const double d = std::max(x - xi, 0.);
     return d * d;
   };

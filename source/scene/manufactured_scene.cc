@@ -141,8 +141,7 @@ FunctionPointer<2> function_of(const Profile &profile, const unsigned int d)
 
 std::shared_ptr<const Material<2>> make_lame_material(const double lambda, const double mu)
 {
-  const auto number = [](const double value)
-  {
+  const auto number = [](const double value) {
     std::ostringstream text;
     text << std::setprecision(17) << value;
     return Expression<2>(text.str(), {}, "catalogue");

@@ -38,8 +38,7 @@ Scene<2> make_o1()
 Scene<2> make_v1()
 {
   LiftFamily family = contact_of_a1();
-  family.modulus = [](const dealii::Point<2> &x)
-  {
+  family.modulus = [](const dealii::Point<2> &x) {
     const double phase = 2. * x[0] + x[1];
     return Modulus{1. + 0.5 * std::sin(phase), std::cos(phase), 0.5 * std::cos(phase)};
   };

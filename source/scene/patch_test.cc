@@ -28,8 +28,9 @@ Scene<2> make_patch_test()
   Scene<2> scene;
   scene.geometry = make_rectangle({0., 0.}, {1., 1.}, {1, 1});
   scene.boundary.resize(scene.geometry.sides.size());
-  const auto side = [&](const char *name) -> BoundaryCondition<2> &
-  { return scene.boundary[scene.geometry.find_side(name)]; };
+  const auto side = [&](const char *name) -> BoundaryCondition<2> & {
+    return scene.boundary[scene.geometry.find_side(name)];
+  };
   side("left") = {Role::traction, constant({"0.125", "0"}), nullptr};
   side("right") = {Role::traction, constant({"-0.125", "0"}), nullptr};
   side("top").role = Role::clamped;

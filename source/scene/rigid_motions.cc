@@ -26,8 +26,7 @@ dealii::LAPACKFullMatrix<double> normal_equations(const Scene<2> &scene,
                                                   const double size)
 {
   dealii::LAPACKFullMatrix<double> matrix(3, 3);
-  const auto impose = [&](const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n)
-  {
+  const auto impose = [&](const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) {
     const auto row = normal_motion(x - centre, n, size);
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)

@@ -21,10 +21,9 @@ bool contains(const std::vector<std::string> &names, const std::string &name)
 /** Expressions may hold a ':' of their own (c ? a : b); a name is a single word before it. */
 bool looks_like_a_name(const std::string &text)
 {
-  return !text.empty() && std::all_of(text.begin(),
-                                      text.end(),
-                                      [](const unsigned char c)
-                                      { return std::isalnum(c) != 0 || c == '_' || c == '-'; });
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](const unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-';
+  });
 }
 } // namespace
 
@@ -60,10 +59,9 @@ SideTexts read_contact_list(const std::string &text,
   }
   for (const auto &entry : read_side_list(text, where, sides))
   {
-    const bool repeated =
-      std::any_of(entries.begin(),
-                  entries.end(),
-                  [&](const auto &other) { return other.first == entry.first; });
+    const bool repeated = std::any_of(entries.begin(), entries.end(), [&](const auto &other) {
+      return other.first == entry.first;
+    });
     if (repeated || !contains(contact_sides, entry.first))
       throw InputError(where + ": found an entry for '" + entry.first +
                        "', allowed: one for each contact side (" + join(contact_sides) + ").");

@@ -69,8 +69,7 @@ FieldAtPoint cut_off(const UncutField &uncut, const double y)
 
 Field field_of(const StressFunctionOf &Z)
 {
-  return [Z](const dealii::Point<2> &x)
-  {
+  return [Z](const dealii::Point<2> &x) {
     // +0.0: on the branch cut the value from above is meant.
     return cut_off(uncut_field(Z(Complex(x[0], std::abs(x[1]))), x[1]), x[1]);
   };
@@ -89,8 +88,9 @@ Scene<2> make_westergaard_scene(const StressFunctionOf &Z,
 Profile opening_gap(const StressFunctionOf &Z, const double xi)
 {
   const Field field = field_of(Z);
-  return [=](const double x)
-  { return -field(dealii::Point<2>(x, 0.)).u[1] + 0.5 * std::max(x - xi, 0.); };
+  return [=](const double x) {
+    return -field(dealii::Point<2>(x, 0.)).u[1] + 0.5 * std::max(x - xi, 0.);
+  };
 }
 
 const Profile flat = [](const double) { return 0.; };
@@ -98,8 +98,7 @@ const Profile flat = [](const double) { return 0.; };
 /** Z = i c0 (z-xi)^s, p = -c0 sin(pi s) (xi-x)_+^s. */
 StressFunctionOf power(const double c0, const double xi, const double s)
 {
-  return [=](const Complex &z)
-  {
+  return [=](const Complex &z) {
     const Complex t = z - xi, i(0., 1.);
     return StressFunction{i * c0 * std::pow(t, s + 1.) / (s + 1.),
                           i * c0 * std::pow(t, s),
@@ -140,8 +139,7 @@ StressFunction two_ends(const Complex &z)
 Scene<2> make_a3()
 {
   constexpr double A = 2., xi = dealii::numbers::SQRT1_2;
-  const StressFunctionOf Z = [=](const Complex &z)
-  {
+  const StressFunctionOf Z = [=](const Complex &z) {
     const Complex t = z - xi, factor(0., -A / dealii::numbers::PI);
     if (t == Complex(0.))
       return StressFunction{};
@@ -179,8 +177,7 @@ Scene<2> make_b2()
 // B3: Hertz' pressure, exact for the parabolic gap (kappa+1) c0 (x-middle)^2/(8 mu).
 Scene<2> make_b3()
 {
-  const StressFunctionOf Z = [](const Complex &z)
-  {
+  const StressFunctionOf Z = [](const Complex &z) {
     const Complex i(0., 1.), t = z - middle;
     StressFunction hertz = two_ends(z);
     hertz.Zh -= i * c0 / 2. * t * t;
@@ -200,11 +197,12 @@ Scene<2> make_b4()
 {
   constexpr double xi = 0.5, s = 0.25;
   const StressFunctionOf Z = power(2., xi, s);
-  return make_westergaard_scene(
-    Z,
-    [](const double x)
-    { return -2. * std::sin(dealii::numbers::PI * s) * std::pow(std::max(xi - x, 0.), s); },
-    opening_gap(Z, xi),
-    {xi});
+  return make_westergaard_scene(Z,
+                                [](const double x) {
+                                  return -2. * std::sin(dealii::numbers::PI * s) *
+                                         std::pow(std::max(xi - x, 0.), s);
+                                },
+                                opening_gap(Z, xi),
+                                {xi});
 }
 } // namespace Signorini

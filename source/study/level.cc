@@ -56,8 +56,7 @@ QPResult solve_dual_problem(const SolverParameters &parameters,
                             const BoundConstrainedQP &qp,
                             const dealii::Vector<double> &start)
 {
-  const auto by_psor = [&]()
-  {
+  const auto by_psor = [&]() {
     return solve_by_psor(
       qp,
       start.size() > 0 ? start : dealii::Vector<double>(qp.size()),
@@ -104,15 +103,11 @@ void solve_contact(const Parameters &parameters,
 {
   const unsigned int m = discretization.multipliers.n_multipliers();
   const unsigned int every = std::max(1U, m / 20);
-  solution.C = compute_compliance(inverse,
-                                  discretization.space,
-                                  discretization.condensed_D,
-                                  [&](const unsigned int done)
-                                  {
-                                    if (done % every == 0)
-                                      progress("compliance: column " + std::to_string(done) +
-                                               " of " + std::to_string(m));
-                                  });
+  solution.C = compute_compliance(
+    inverse, discretization.space, discretization.condensed_D, [&](const unsigned int done) {
+      if (done % every == 0)
+        progress("compliance: column " + std::to_string(done) + " of " + std::to_string(m));
+    });
   clock.add_to(solution.record.times.compliance);
   progress("dual problem");
   const dealii::Vector<double> P_start =

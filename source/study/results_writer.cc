@@ -19,12 +19,10 @@ namespace
 /** Small files come from rank 0; if it cannot write one, all ranks hear of it. */
 void write_on_first_rank(MPI_Comm communicator, const std::function<void()> &write)
 {
-  agree(communicator,
-        [&]()
-        {
-          if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-            write();
-        });
+  agree(communicator, [&]() {
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      write();
+  });
 }
 } // namespace
 
@@ -37,12 +35,10 @@ ResultsWriter::ResultsWriter(const Parameters &parameters,
 {
   if (directory_.empty())
     return;
-  write_on_first_rank(communicator_,
-                      [&]()
-                      {
-                        write_file(directory_ / "parameters.prm",
-                                   [&](std::ostream &stream) { stream << parameters_.echo; });
-                      });
+  write_on_first_rank(communicator_, [&]() {
+    write_file(directory_ / "parameters.prm",
+               [&](std::ostream &stream) { stream << parameters_.echo; });
+  });
 }
 
 std::filesystem::path ResultsWriter::level_file(const char *name,
@@ -61,14 +57,12 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization,
 {
   if (directory_.empty())
     return;
-  write_on_first_rank(communicator_,
-                      [&]()
-                      {
-                        const auto line = trace_contact_line(
-                          discretization.space, discretization.multipliers, solution.U, solution.P);
-                        write_file(level_file("contact", solution.record.level, ".csv"),
-                                   [&](std::ostream &stream) { write_contact_csv(stream, line); });
-                      });
+  write_on_first_rank(communicator_, [&]() {
+    const auto line =
+      trace_contact_line(discretization.space, discretization.multipliers, solution.U, solution.P);
+    write_file(level_file("contact", solution.record.level, ".csv"),
+               [&](std::ostream &stream) { write_contact_csv(stream, line); });
+  });
   const std::string &vtu = parameters_.output.vtu;
   if (vtu == "all" || (vtu == "finest" && last_level))
     write_vtu(discretization, scene, solution);
@@ -87,24 +81,20 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
   write_solution_vtu(body, discretization.space, scene, solution.U);
   solution_files_.emplace_back(level, body.filename().string());
   contact_files_.emplace_back(level, contact.filename().string());
-  write_on_first_rank(communicator_,
-                      [&]()
-                      {
-                        const auto line = trace_contact_line(
-                          discretization.space, discretization.multipliers, solution.U, solution.P);
-                        write_file(contact,
-                                   [&](std::ostream &stream) { write_contact_vtu(stream, line); });
-                        write_pvd(directory_ / "solution.pvd", solution_files_);
-                        write_pvd(directory_ / "contact.pvd", contact_files_);
-                      });
+  write_on_first_rank(communicator_, [&]() {
+    const auto line =
+      trace_contact_line(discretization.space, discretization.multipliers, solution.U, solution.P);
+    write_file(contact, [&](std::ostream &stream) { write_contact_vtu(stream, line); });
+    write_pvd(directory_ / "solution.pvd", solution_files_);
+    write_pvd(directory_ / "contact.pvd", contact_files_);
+  });
 }
 
 template <int dim>
 void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization,
                                        const LevelSolution<dim> &solution)
 {
-  const auto write = [&](const char *name, const auto &...what)
-  {
+  const auto write = [&](const char *name, const auto &...what) {
     write_file(level_file(name, solution.record.level, ".mtx"),
                [&](std::ostream &stream) { write_matrix_market(stream, what...); });
   };
@@ -119,16 +109,13 @@ void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels, const s
 {
   if (directory_.empty())
     return;
-  write_on_first_rank(
-    communicator_,
-    [&]()
-    {
-      write_file(directory_ / "convergence.csv",
-                 [&](std::ostream &stream) { write_convergence_csv(stream, levels); });
-      write_file(directory_ / "certificate.json",
-                 [&](std::ostream &stream)
-                 { write_certificate(stream, levels, parameters_.solver.tolerance, failure); });
+  write_on_first_rank(communicator_, [&]() {
+    write_file(directory_ / "convergence.csv",
+               [&](std::ostream &stream) { write_convergence_csv(stream, levels); });
+    write_file(directory_ / "certificate.json", [&](std::ostream &stream) {
+      write_certificate(stream, levels, parameters_.solver.tolerance, failure);
     });
+  });
 }
 
 template void ResultsWriter::write_fields(const Discretization<2> &,

@@ -21,8 +21,9 @@ double cpu_seconds()
 {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval &time)
-  { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+  const auto seconds = [](const timeval &time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
@@ -114,8 +115,9 @@ StudyResult run_study(const Parameters &parameters,
   {
     for (unsigned int level = given.coarsest_level; level <= given.finest_level; ++level)
     {
-      const Progress progress = [&](const std::string &stage)
-      { report.progress("level " + std::to_string(level) + ": " + stage); };
+      const Progress progress = [&](const std::string &stage) {
+        report.progress("level " + std::to_string(level) + ": " + stage);
+      };
       const LevelRecord record = run_level(context, level, progress, writer, result.pressure);
       report.progress("");
       report.screen << table.row(record, result.levels.empty() ? nullptr : &result.levels.back())
