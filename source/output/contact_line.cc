@@ -92,6 +92,7 @@ void write_contact_vtu(std::ostream &stream, const std::vector<ContactSegment<di
   for (std::size_t k = 0; k < line.size(); ++k)
   {
     patches[k].patch_index = k;
+    patches[k].reference_cell = dealii::ReferenceCells::get_hypercube<dim - 1>();
     patches[k].n_subdivisions = 1;
     patches[k].data.reinit(names.size(), 2);
     for (unsigned int v = 0; v < 2; ++v)

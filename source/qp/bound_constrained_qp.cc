@@ -29,14 +29,17 @@ BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, Vector F_,
 BoundConstrainedQP::Vector BoundConstrainedQP::gradient(const Vector &P) const
 {
   Vector W(size());
-  if (size() > 0)
-    C.vmult(W, P);
+  if (size() == 0)
+    return W;
+  C.vmult(W, P);
   W -= F;
   return W;
 }
 
 double BoundConstrainedQP::energy(const Vector &P) const
 {
+  if (size() == 0)
+    return 0.;
   const Vector W = gradient(P);
   return 0.5 * (P * W) - 0.5 * (P * F);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What is known about a level when the exact solution is.
 
+#include <signorini/errors/contact_ends.h>
 #include <signorini/errors/displacement_errors.h>
 #include <signorini/errors/lemma_numbers.h>
 #include <signorini/errors/pressure_errors.h>
@@ -57,9 +58,12 @@ void add_errors(const Parameters &parameters,
     record_displacement_errors(
       compute_displacement_errors(discretization.space, scene, solution.U, n_points), record);
   if (pressure != nullptr)
+  {
     record_pressure_errors(compute_pressure_errors(multipliers, solution.P, n_points),
                            pressure->errors(multipliers, solution.P),
                            record);
+    record.endpoint_error = contact_end_error(multipliers, scene, solution.P);
+  }
   if (parameters.output.lemmas && scene.exact_displacement != nullptr && pressure != nullptr)
     record_lemma_numbers(compute_lemma_numbers(discretization.space,
                                                scene,

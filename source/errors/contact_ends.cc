@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where contact ends, in the exact and in the discrete solution.
+
+#include <signorini/errors/contact_ends.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+/** Arc lengths at which the sign of the exact pressure changes from 0 to negative or back. */
+template <int dim>
+std::vector<double> exact_ends(const Scene<dim> &scene, const unsigned int number)
+{
+  const Side<dim> &side = scene.geometry.sides[number];
+  const dealii::Function<dim> &p = *scene.boundary[number].exact_pressure;
+  const std::vector<double> cuts = Kinks<dim>(scene.kinks).cut(side.start, side.end);
+  std::vector<double> ends;
+  for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
+  {
+    const double s = cuts[i] * side.length(), step = 1e-6 * side.length();
+    const bool before = p.value(side.point(s - step)) < 0.;
+    const bool after = p.value(side.point(s + step)) < 0.;
+    if (before != after)
+      ends.push_back(s);
+  }
+  return ends;
+}
+
+/** Arc lengths between a pressing patch and one that does not press. */
+std::vector<double> discrete_ends(const std::vector<Patch> &patches,
+                                  const unsigned int number,
+                                  const dealii::Vector<double> &P)
+{
+  std::vector<double> ends;
+  for (std::size_t tau = 0; tau + 1 < patches.size(); ++tau)
+    if (patches[tau].side == number && patches[tau + 1].side == number &&
+        (P[tau] < 0.) != (P[tau + 1] < 0.))
+      ends.push_back(patches[tau].end);
+  return ends;
+}
+
+/** The largest distance of a point of @p from to the nearest of @p to. */
+double one_sided_distance(const std::vector<double> &from, const std::vector<double> &to)
+{
+  double largest = 0.;
+  for (const double s : from)
+  {
+    double nearest = std::abs(s - to.front());
+    for (const double t : to)
+      nearest = std::min(nearest, std::abs(s - t));
+    largest = std::max(largest, nearest);
+  }
+  return largest;
+}
+} // namespace
+
+template <int dim>
+std::optional<double> contact_end_error(const MultiplierSpace<dim> &space,
+                                        const Scene<dim> &scene,
+                                        const dealii::Vector<double> &P)
+{
+  std::optional<double> largest;
+  for (const unsigned int number : scene.contact_sides())
+  {
+    const std::vector<double> exact = exact_ends(scene, number);
+    const std::vector<double> discrete = discrete_ends(space.partition().patches, number, P);
+    if (exact.empty() != discrete.empty())
+      return {};
+    if (!exact.empty())
+      largest = std::max({largest.value_or(0.),
+                          one_sided_distance(exact, discrete),
+                          one_sided_distance(discrete, exact)});
+  }
+  return largest;
+}
+
+template std::optional<double> contact_end_error(const MultiplierSpace<2> &,
+                                                 const Scene<2> &,
+                                                 const dealii::Vector<double> &);
+} // namespace Signorini
