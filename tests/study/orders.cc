@@ -6,72 +6,41 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <sstream>
-
+#include "study_helpers.h"
 #include "tests.h"
 
 using namespace Signorini;
 
 namespace
 {
-StudyResult solve(const std::string &text, const std::vector<std::string> &overrides = {})
-{
-  std::ostream silence(nullptr);
-  const Parameters parameters = parse_parameters(text, "test", overrides);
-  return run_study(parameters, make_scene(parameters), MPI_COMM_WORLD,
-                   {silence, "", [](const std::string &) {}});
-}
-
-const std::string a1 = "subsection Scene\n set Name = A1\n end\n";
-
-/** Least-squares slope of log(error) against log(h). */
-double slope(const std::vector<LevelRecord> &levels, std::optional<double> LevelRecord::*error)
-{
-  double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
-  for (const LevelRecord &level : levels)
-  {
-    const double a = std::log(level.h), b = std::log(*(level.*error));
-    n += 1.;
-    x += a;
-    y += b;
-    xx += a * a;
-    xy += a * b;
-  }
-  return (n * xy - x * y) / (n * xx - x * x);
-}
+const std::string a1 = named_scene("A1");
 
 void check_orders(Checks &checks)
 {
   const auto nested =
-      solve(a1, {"Discretization/Coarsest level=4", "Discretization/Finest level=7"}).levels;
+    solve(a1, {"Discretization/Coarsest level=4", "Discretization/Finest level=7"}).levels;
   checks.near("A1, H=2h, order of u_h1", slope(nested, &LevelRecord::u_h1), 1., 0.1);
   checks.near("A1, H=2h, order of u_l2", slope(nested, &LevelRecord::u_l2), 2., 0.1);
-  checks.near("A1, H=2h, order of u_superclose", slope(nested, &LevelRecord::u_superclose_h1), 2.,
-              0.1);
+  checks.near(
+    "A1, H=2h, order of u_superclose", slope(nested, &LevelRecord::u_superclose_h1), 2., 0.1);
   checks.near("A1, H=2h, order of u_post", slope(nested, &LevelRecord::u_post_h1), 2., 0.1);
   checks.near("A1, H=2h, order of p_l2", slope(nested, &LevelRecord::p_l2), 1., 0.1);
   checks.between("A1, H=2h, order of p_post_l2", slope(nested, &LevelRecord::p_post_l2), 1.3, 1.6);
   checks.between("A1, effectivity", *nested.back().effectivity(), 0.98, 1.02);
-  const auto wide = solve(a1, {"Discretization/Patch ratio=4", "Discretization/Coarsest level=4",
-                               "Discretization/Finest level=7"})
-                        .levels;
-  checks.between("A1, H=4h, order of u_superclose", slope(wide, &LevelRecord::u_superclose_h1), 1.4,
-                 1.9);
+  const auto wide = solve(a1,
+                          {"Discretization/Patch ratio=4",
+                           "Discretization/Coarsest level=4",
+                           "Discretization/Finest level=7"})
+                      .levels;
+  checks.between(
+    "A1, H=4h, order of u_superclose", slope(wide, &LevelRecord::u_superclose_h1), 1.4, 1.9);
   checks.near("A1, H=4h, order of p_l2", slope(wide, &LevelRecord::p_l2), 1., 0.15);
-}
-
-double relative_distance(const dealii::Vector<double> &a, const dealii::Vector<double> &b)
-{
-  dealii::Vector<double> difference = a;
-  difference -= b;
-  return difference.l2_norm() / b.l2_norm();
 }
 
 /** Every solver finds the same pressure, from a cold or a warm start. */
 void check_agreement(Checks &checks)
 {
-  const auto P = [&](const std::vector<std::string> &more)
-  {
+  const auto P = [&](const std::vector<std::string> &more) {
     std::vector<std::string> overrides = {"Discretization/Finest level=6"};
     overrides.insert(overrides.end(), more.begin(), more.end());
     return solve(a1, overrides).pressure.P;
@@ -79,15 +48,18 @@ void check_agreement(Checks &checks)
   const auto active_set = P({});
   const double bound = 100. * 1e-10;
   for (const char *omega : {"0.5", "1", "1.1", "1.5", "1.9"})
-    checks.near(std::string("psor with omega ") + omega + " = active set",
-                relative_distance(
-                    P({"Solver/Contact solver=psor", std::string("Solver/Relaxation=") + omega}),
-                    active_set),
-                0., bound);
-  checks.near("cold = warm start", relative_distance(P({"Solver/Warm start=false"}), active_set),
-              0., 1e-12);
-  checks.near("KLU = MUMPS", relative_distance(P({"Solver/Linear solver=amesos_klu"}), active_set),
-              0., 1e-10);
+    checks.near(
+      std::string("psor with omega ") + omega + " = active set",
+      relative_distance(
+        P({"Solver/Contact solver=psor", std::string("Solver/Relaxation=") + omega}), active_set),
+      0.,
+      bound);
+  checks.near(
+    "cold = warm start", relative_distance(P({"Solver/Warm start=false"}), active_set), 0., 1e-12);
+  checks.near("KLU = MUMPS",
+              relative_distance(P({"Solver/Linear solver=amesos_klu"}), active_set),
+              0.,
+              1e-10);
 }
 
 void check_iterations(Checks &checks)
@@ -97,10 +69,12 @@ void check_iterations(Checks &checks)
     flat = flat && level.qp_iterations <= 3;
   checks.that("with the warm start at most three active sets per level", flat);
   // From P = 0 with omega = 1: 62 sweeps for m = 16, as counted by an independent implementation.
-  const LevelRecord level =
-      solve(a1, {"Discretization/Coarsest level=5", "Discretization/Finest level=5",
-                 "Solver/Contact solver=psor", "Solver/Relaxation=1"})
-          .levels.back();
+  const LevelRecord level = solve(a1,
+                                  {"Discretization/Coarsest level=5",
+                                   "Discretization/Finest level=5",
+                                   "Solver/Contact solver=psor",
+                                   "Solver/Relaxation=1"})
+                              .levels.back();
   checks.that("sweeps of psor", level.qp_iterations == 62 && *level.increment_iterations == 62);
 }
 
@@ -113,7 +87,7 @@ void check_omissions(Checks &checks)
   checks.that("nothing touches: no contact", open.active == 0 && open.contact_force == 0.);
   checks.that("no exact solution: no errors", !open.u_h1 && !open.p_l2 && !open.effectivity());
   const auto stopped =
-      solve(a1, {"Discretization/Target error=0.05", "Discretization/Finest level=9"});
+    solve(a1, {"Discretization/Target error=0.05", "Discretization/Finest level=9"});
   checks.between("target error", *stopped.levels.back().estimated_relative, 0.02, 0.05);
   checks.that("target error: stopped early", stopped.levels.back().level < 7 && stopped.certified);
 }
@@ -132,21 +106,17 @@ void check_patches_finer_than_the_mesh(Checks &checks)
 
 void check_failures(Checks &checks)
 {
-  const auto exhausted = solve(a1, {"Solver/Contact solver=psor", "Solver/Maximum iterations=3",
-                                    "Discretization/Finest level=4"});
+  const auto exhausted = solve(
+    a1,
+    {"Solver/Contact solver=psor", "Solver/Maximum iterations=3", "Discretization/Finest level=4"});
   checks.that("sweeps run out: not certified", !exhausted.certified && exhausted.failure.empty());
-  checks.throws<InputError>(
-      "H = h refused", "not inf-sup stable",
-      [&]() {
-        solve(a1, {"Discretization/Patch ratio=1", "Solver/Require stability=true"});
-      });
-  checks.throws<InputError>(
-      "patches without free nodes", "sees no free mesh node",
-      [&]()
-      {
-        solve("subsection Boundary\n set Clamped = left right top\n set Contact = bottom\n end\n",
-              {"Discretization/Coarsest level=0"});
-      });
+  checks.throws<InputError>("H = h refused", "not inf-sup stable", [&]() {
+    solve(a1, {"Discretization/Patch ratio=1", "Solver/Require stability=true"});
+  });
+  checks.throws<InputError>("patches without free nodes", "sees no free mesh node", [&]() {
+    solve("subsection Boundary\n set Clamped = left right top\n set Contact = bottom\n end\n",
+          {"Discretization/Coarsest level=0"});
+  });
 }
 } // namespace
 

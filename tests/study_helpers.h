@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/parameters/parameters.h>
+#include <signorini/study/study.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+/** Solves a study silently, without files. */
+inline Signorini::StudyResult solve(const std::string &text,
+                                    const std::vector<std::string> &overrides = {})
+{
+  std::ostream silence(nullptr);
+  const Signorini::Parameters parameters = Signorini::parse_parameters(text, "test", overrides);
+  return Signorini::run_study(parameters,
+                              Signorini::make_scene(parameters),
+                              MPI_COMM_WORLD,
+                              {silence, "", [](const std::string &) {}});
+}
+
+/** The parameter file of a scene of the catalogue. */
+inline std::string named_scene(const std::string &name)
+{
+  return "subsection Scene\n set Name = " + name + "\n end\n";
+}
+
+/** Overrides for a study from one level to another. */
+inline std::vector<std::string> levels(const unsigned int coarsest, const unsigned int finest)
+{
+  return {"Discretization/Coarsest level=" + std::to_string(coarsest),
+          "Discretization/Finest level=" + std::to_string(finest)};
+}
+
+/** Least-squares slope of log(value) against log(h). */
+template <typename Value>
+double slope(const std::vector<Signorini::LevelRecord> &levels, const Value &value)
+{
+  double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
+  for (const Signorini::LevelRecord &level : levels)
+  {
+    const double a = std::log(level.h), b = std::log(value(level));
+    n += 1.;
+    x += a;
+    y += b;
+    xx += a * a;
+    xy += a * b;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+/** The slope of an error. */
+inline double slope(const std::vector<Signorini::LevelRecord> &levels,
+                    std::optional<double> Signorini::LevelRecord::*const error)
+{
+  return slope(levels, [error](const Signorini::LevelRecord &level) { return *(level.*error); });
+}
+
+/** |a - b| / |b|. */
+inline double relative_distance(const dealii::Vector<double> &a, const dealii::Vector<double> &b)
+{
+  dealii::Vector<double> difference = a;
+  difference -= b;
+  return difference.l2_norm() / b.l2_norm();
+}
