@@ -4,9 +4,8 @@
 #include <signorini/elasticity/integration.h>
 #include <signorini/errors/displacement_errors.h>
 #include <signorini/parameters/exceptions.h>
+#include <signorini/postprocess/nodal_interpolation.h>
 #include <signorini/postprocess/patch_interpolation.h>
-
-#include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <cmath>
 
@@ -35,11 +34,9 @@ public:
     : space_(space)
     , exact_(exact)
     , U_(U)
-    , interpolant_minus_U_(space.dofs().n_dofs())
+    , interpolant_minus_U_(interpolate_at_nodes(space, exact))
     , value_(dim)
   {
-    dealii::VectorTools::interpolate(
-      space.mesh().mapping(), space.dofs(), exact, interpolant_minus_U_);
     interpolant_minus_U_ -= U;
     if (space.mesh().has_parents())
       interpolation_.emplace(space);

@@ -7,10 +7,10 @@
 #include <signorini/errors/displacement_errors.h>
 #include <signorini/errors/lemma_numbers.h>
 #include <signorini/errors/pressure_errors.h>
+#include <signorini/postprocess/nodal_interpolation.h>
 #include <signorini/stiffness_inverse/stiffness_inverse.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <cmath>
 
@@ -107,9 +107,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
                                    const unsigned int n_points)
 {
   const dealii::Vector<double> projected_p = pressure.project(multipliers);
-  NodalVector interpolant(space.dofs().n_dofs());
-  dealii::VectorTools::interpolate(
-    space.mesh().mapping(), space.dofs(), *scene.exact_displacement, interpolant);
+  const NodalVector interpolant = interpolate_at_nodes(space, *scene.exact_displacement);
   const auto exact_p = [&](const Piece &piece, const dealii::Point<dim> &x) {
     return multipliers.condition(multipliers.partition().patches[piece.patch])
       .exact_pressure->value(x);
