@@ -36,6 +36,7 @@ QPResult solve_by_psor(const BoundConstrainedQP &qp,
   result.P = start;
   for (unsigned int i = 0; i < qp.size(); ++i)
     result.P[i] = std::min(qp.bound[i], start[i]);
+  result.converged = qp.size() == 0; // nothing to do
   double last_increment = 0.;
   while (result.iterations < options.maximum_iterations && !result.converged)
   {

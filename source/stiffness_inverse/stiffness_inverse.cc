@@ -4,6 +4,7 @@
 #include <signorini/parameters/exceptions.h>
 #include <signorini/stiffness_inverse/stiffness_inverse.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/trilinos_solver.h>
 
@@ -104,9 +105,12 @@ void StiffnessInverse::refuse_singular_matrix() const
 std::unique_ptr<StiffnessInverse> factorise(const dealii::TrilinosWrappers::SparseMatrix &A,
                                             const std::string &name)
 {
-  // MUMPS is the faster one from a few thousand unknowns on, and the only one that works on
-  // several ranks at once.
-  const bool klu = name == "amesos_klu";
+  // KLU starts faster, MUMPS works on all ranks at once and wins from some ten thousand unknowns
+  // on.
+  constexpr unsigned int largest_for_klu = 10000;
+  const bool one_rank = dealii::Utilities::MPI::n_mpi_processes(A.get_mpi_communicator()) == 1;
+  const bool klu =
+    name == "amesos_klu" || (name == "automatic" && one_rank && A.m() <= largest_for_klu);
   return std::make_unique<AmesosInverse>(A, klu ? "Amesos_Klu" : "Amesos_Mumps");
 }
 } // namespace Signorini
