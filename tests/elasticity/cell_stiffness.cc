@@ -75,8 +75,9 @@ double exact_entry(const unsigned int v,
                    const double b)
 {
   const auto stretch = [](const unsigned int i, const unsigned int j) { return i == j ? 1. : -1.; };
-  const auto mass = [](const unsigned int i, const unsigned int j)
-  { return i == j ? 1. / 3. : 1. / 6.; };
+  const auto mass = [](const unsigned int i, const unsigned int j) {
+    return i == j ? 1. / 3. : 1. / 6.;
+  };
   const auto slope = [](const unsigned int i) { return i == 0 ? -0.5 : 0.5; };
   const unsigned int vx = v % 2, vy = v / 2, wx = w % 2, wy = w / 2;
   const double xx = b / a * stretch(vx, wx) * mass(vy, wy);
@@ -149,9 +150,9 @@ void shapes(Checks &checks)
       energy = std::max(energy, body.energy(motion));
     checks.near(name + ": rigid motions", energy, 0., 1e-13 * scale);
     // eps = ((0.3, 0.1), (0.1, -0.2)): tr = 0.1, eps:eps = 0.15.
-    const double linear =
-      body.energy([](const Point<2> &x)
-                  { return Point<2>(0.3 * x[0] + 0.4 * x[1], -0.2 * x[0] - 0.2 * x[1]); });
+    const double linear = body.energy([](const Point<2> &x) {
+      return Point<2>(0.3 * x[0] + 0.4 * x[1], -0.2 * x[0] - 0.2 * x[1]);
+    });
     checks.near(
       name + ": linear field", linear, areas[k] * (lambda * 0.01 + 2. * mu * 0.15), 1e-12);
   }
@@ -176,8 +177,7 @@ void congruent_cells(Checks &checks)
 /** nu = 0: a(u,u) = int E eps:eps. */
 void varying_modulus(Checks &checks)
 {
-  const auto material = [](const std::string &modulus)
-  {
+  const auto material = [](const std::string &modulus) {
     return "subsection Material\nset Young's modulus = " + modulus +
            "\nset Poisson's ratio = 0\nend\n";
   };
@@ -216,9 +216,9 @@ void forces(Checks &checks)
               internal * nodal_values(body.space, rotation),
               0.,
               1e-13 * scale);
-  const auto linear = nodal_values(
-    body.space,
-    [](const Point<2> &x) { return Point<2>(0.3 * x[0] + 0.4 * x[1], -0.2 * x[0] - 0.2 * x[1]); });
+  const auto linear = nodal_values(body.space, [](const Point<2> &x) {
+    return Point<2>(0.3 * x[0] + 0.4 * x[1], -0.2 * x[0] - 0.2 * x[1]);
+  });
   // Area of the pentagon by the shoelace formula: 5.
   checks.near("work of a linear field",
               linear * NodalVector(internal_forces(body.space, body.scene, linear)),

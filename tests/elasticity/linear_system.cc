@@ -100,9 +100,9 @@ void loads(Checks &checks)
                            2),
                     Point<2>(2. / 9., 0.845),
                     first - 14. / 81.);
-  checks.throws<InputError>("loads without a value",
-                            "Load/Body force: found the value",
-                            [] { System(loaded("sqrt(x - 0.1); 0", "", "0", ""), 2); });
+  checks.throws<InputError>("loads without a value", "Load/Body force: found the value", [] {
+    System(loaded("sqrt(x - 0.1); 0", "", "0", ""), 2);
+  });
 }
 
 /** (A x, y) = (A y, x), (A x, x) > 0, and nothing but a diagonal in constrained rows. */
@@ -144,8 +144,9 @@ void matrix(Checks &checks)
 /** eps11 = 0.3, eps22 = -0.1, eps12 = 0 has sigma n = 0 on horizontal sides for lambda = mu. */
 void linear_field(Checks &checks)
 {
-  const Field exact = [](const Point<2> &x)
-  { return Point<2>(0.05 + 0.3 * x[0] - 0.2 * x[1], -0.02 + 0.2 * x[0] - 0.1 * x[1]); };
+  const Field exact = [](const Point<2> &x) {
+    return Point<2>(0.05 + 0.3 * x[0] - 0.2 * x[1], -0.02 + 0.2 * x[0] - 0.1 * x[1]);
+  };
   const std::string u = "0.05 + 0.3*x - 0.2*y; -0.02 + 0.2*x - 0.1*y";
   const System body("subsection Geometry\nset Distortion = 0.3\nset Cells = 2, 1\nend\n"
                     "subsection Boundary\nset Contact = bottom\nset Displacement = left: " +
@@ -178,8 +179,7 @@ double largest_on_side(const System &body,
 
 void rollers(Checks &checks)
 {
-  const auto text = [](const std::string &boundary)
-  {
+  const auto text = [](const std::string &boundary) {
     return "subsection Geometry\nset Shape = polygon\nset Vertices = 0,0; 2,1; 1,3; -1,2.2\nend\n"
            "subsection Boundary\n" +
            boundary + "end\n" + entry("Load", "Body force", "1; -2") + elastic;

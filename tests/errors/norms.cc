@@ -128,14 +128,10 @@ void interpolants(Checks &checks)
   checks.near("x^2: L2", by_hand.l2, std::sqrt(l2), 1e-15);
   checks.near("x^2: H1", by_hand.h1, std::sqrt(l2 + h * h / 3.), 1e-15);
   checks.near("x^2: pi^{2h} is exact", *by_hand.post_h1, 0., 1e-14);
-  checks.throws<InputError>("no finite value",
-                            "no finite value",
-                            []
-                            {
-                              const OneLevel level(scene("", "x; y", "1; 0; 0; sqrt(y - 0.02)", ""),
-                                                   4);
-                              errors(level, NodalVector(level.space().dofs().n_dofs()));
-                            });
+  checks.throws<InputError>("no finite value", "no finite value", [] {
+    const OneLevel level(scene("", "x; y", "1; 0; 0; sqrt(y - 0.02)", ""), 4);
+    errors(level, NodalVector(level.space().dofs().n_dofs()));
+  });
 }
 
 std::string pressed(const std::string &pressure, const std::string &discretization)
@@ -177,8 +173,9 @@ void square_root(Checks &checks)
                                  "set Kinks at x = " + text + "\nset Patches = 7\n"),
                          3);
     const auto P = RandomNumbers(9).vector(7);
-    const auto integral = [&](const double x)
-    { return 2. / 3. * std::pow(std::max(c - x, 0.), 1.5); };
+    const auto integral = [&](const double x) {
+      return 2. / 3. * std::pow(std::max(c - x, 0.), 1.5);
+    };
     double squared = 0.5 * c * c;
     for (unsigned int tau = 0; tau < 7; ++tau)
     {

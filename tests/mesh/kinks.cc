@@ -51,24 +51,24 @@ void test_rectangle(Checks &checks)
       checks.near("rectangle: max(x-c,0)^" + std::to_string(k) + " y^" + std::to_string(j),
                   integrate(cell,
                             kinks.quadrature(cell, 3),
-                            [&](const Point &x)
-                            { return positive_power(x[0] - 0.3, k) * std::pow(x[1], j); }),
+                            [&](const Point &x) {
+                              return positive_power(x[0] - 0.3, k) * std::pow(x[1], j);
+                            }),
                   std::pow(0.7, k + 1) / (k + 1) * std::pow(2., j + 1) / (j + 1),
                   1e-14);
 
   // |x-a| |x-b| |y-c| |y-d| with the lines in any order, twice and outside of the cell.
   const Kinks<2> several(Lines{{{0.6, 0.3, 0.6, -1., 7.}, {1.7, 0.5, 2., 0.}}});
-  const auto signed_integral = [](const double a, const double b, const double end)
-  {
-    const auto primitive = [&](const double x)
-    { return x * x * x / 3. - (a + b) * x * x / 2. + a * b * x; };
+  const auto signed_integral = [](const double a, const double b, const double end) {
+    const auto primitive = [&](const double x) {
+      return x * x * x / 3. - (a + b) * x * x / 2. + a * b * x;
+    };
     return 2. * primitive(a) - 2. * primitive(b) + primitive(end);
   };
   checks.near("rectangle: crossing lines",
               integrate(cell,
                         several.quadrature(cell, 2),
-                        [](const Point &x)
-                        {
+                        [](const Point &x) {
                           return std::abs(x[0] - 0.3) * std::abs(x[0] - 0.6) *
                                  std::abs(x[1] - 0.5) * std::abs(x[1] - 1.7);
                         }),
@@ -107,8 +107,9 @@ void test_quadrilateral(Checks &checks)
     for (unsigned int a = 0; a <= 4; ++a)
       for (unsigned int b = 0; a + b <= 4; ++b)
       {
-        const Integrand power = [&](const Point &x)
-        { return std::pow(x[0], a) * std::pow(x[1], b); };
+        const Integrand power = [&](const Point &x) {
+          return std::pow(x[0], a) * std::pow(x[1], b);
+        };
         off = std::max(off,
                        std::abs(integrate(cell, rule, power) / integrate(cell, gauss, power) - 1.));
       }
@@ -149,8 +150,9 @@ void test_mesh(Checks &checks)
   unsigned int crossed = 0;
   for (const Cell &cell : mesh.active_cell_iterators())
   {
-    const Integrand f = [&](const Point &x)
-    { return positive_power(x[0] - xi, 1) * positive_power(eta - x[1], 2); };
+    const Integrand f = [&](const Point &x) {
+      return positive_power(x[0] - xi, 1) * positive_power(eta - x[1], 2);
+    };
     const bool cross = kinks.cross(cell);
     crossed += cross ? 1 : 0;
     plain += integrate(cell, gauss, f);
@@ -232,10 +234,12 @@ double distance(const std::vector<double> &found, const std::vector<double> &exp
 void test_segments(Checks &checks)
 {
   const Kinks<2> kinks(Lines{{{0.5, 0.25}, {0.8}}});
-  const auto cut =
-    [&](
-      const std::string &name, const Point &a, const Point &b, const std::vector<double> &expected)
-  { checks.near("cut " + name, distance(kinks.cut(a, b), expected), 0., 1e-15); };
+  const auto cut = [&](const std::string &name,
+                       const Point &a,
+                       const Point &b,
+                       const std::vector<double> &expected) {
+    checks.near("cut " + name, distance(kinks.cut(a, b), expected), 0., 1e-15);
+  };
   cut("along x", Point(0., 0.), Point(1., 0.), {0., 0.25, 0.5, 1.});
   cut("against x", Point(1., 0.), Point(0., 0.), {0., 0.5, 0.75, 1.});
   cut("along y", Point(0.5, 0.), Point(0.5, 2.), {0., 0.4, 1.});

@@ -60,8 +60,9 @@ bool is_nested(const dealii::Triangulation<2> &mesh, const unsigned int parent_l
 {
   for (const auto &parent : mesh.cell_iterators_on_level(parent_level))
   {
-    const auto middle = [&](const unsigned int a, const unsigned int b)
-    { return parent->vertex(a) + 0.5 * (parent->vertex(b) - parent->vertex(a)); };
+    const auto middle = [&](const unsigned int a, const unsigned int b) {
+      return parent->vertex(a) + 0.5 * (parent->vertex(b) - parent->vertex(a));
+    };
     const Point centre = middle(0, 3) + 0.5 * (middle(1, 2) - middle(0, 3));
     const std::vector<Point> expected = {parent->vertex(0),
                                          middle(0, 1),

@@ -59,15 +59,14 @@ void gaps(Checks &checks)
       "gap with two kinks" + with,
       OneLevel(
         square("max(x - 0.3, 0) + abs(x - 0.55)", "set Kinks at x = 0.3, 0.55\n" + partition), 3),
-      [&](const double x)
-      {
+      [&](const double x) {
         const double d = x - 0.55;
         return 0.5 * std::pow(positive(x - 0.3), 2) + 0.5 * d * std::abs(d);
       });
   }
-  checks.throws<InputError>("gap without a value",
-                            "Contact/Gap: found the value",
-                            [] { OneLevel(square("sqrt(x - 0.02)", ""), 4); });
+  checks.throws<InputError>("gap without a value", "Contact/Gap: found the value", [] {
+    OneLevel(square("sqrt(x - 0.02)", ""), 4);
+  });
 }
 
 /** Weights sum to the pieces' lengths, points lie on the side at their arc length. */

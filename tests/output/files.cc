@@ -63,8 +63,7 @@ void matrix_market(Checks &checks)
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 4; ++j)
       matrix(i, j) = random() * std::pow(10., 100. * random());
-  const auto written = [](const auto &...what)
-  {
+  const auto written = [](const auto &...what) {
     std::ostringstream stream;
     write_matrix_market(stream, what...);
     return read_matrix_market(stream.str());
@@ -90,9 +89,9 @@ void contact_line(Checks &checks)
                          entry("Exact solution", "Pressure", "-x") +
                          entry("Discretization", "Patch ratio", "3"),
                        3);
-  const NodalVector U = nodal_values(level.space(),
-                                     [](const dealii::Point<2> &x)
-                                     { return dealii::Point<2>(x[0], 2. * x[0] - x[1]); });
+  const NodalVector U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
+    return dealii::Point<2>(x[0], 2. * x[0] - x[1]);
+  });
   dealii::Vector<double> P(2);
   P[0] = -1.;
   P[1] = -2.;
@@ -140,8 +139,7 @@ void disk(Checks &checks, const fs::path &directory)
   checks.that("directories are made", fs::is_directory(directory / "a" / "b"));
   checks.that("nothing is left in them", fs::is_empty(directory / "a" / "b"));
   const fs::path file = directory / "a" / "table.csv";
-  const auto n_files = [&]()
-  {
+  const auto n_files = [&]() {
     const fs::directory_iterator entries(directory / "a");
     return std::count_if(
       begin(entries), end(entries), [](const auto &entry) { return entry.is_regular_file(); });
@@ -149,34 +147,25 @@ void disk(Checks &checks, const fs::path &directory)
   write_file(file, [](std::ostream &stream) { stream << "first"; });
   checks.that("a file is written", read(file) == "first");
   bool untouched = false;
-  write_file(file,
-             [&](std::ostream &stream)
-             {
-               stream << "second" << std::flush;
-               untouched = read(file) == "first";
-             });
+  write_file(file, [&](std::ostream &stream) {
+    stream << "second" << std::flush;
+    untouched = read(file) == "first";
+  });
   checks.that("the old file stays until the new one is complete",
               untouched && read(file) == "second");
-  checks.throws<std::runtime_error>("a writer that fails",
-                                    "no more",
-                                    [&]()
-                                    {
-                                      write_file(file,
-                                                 [](std::ostream &stream)
-                                                 {
-                                                   stream << "half";
-                                                   throw std::runtime_error("no more");
-                                                 });
-                                    });
+  checks.throws<std::runtime_error>("a writer that fails", "no more", [&]() {
+    write_file(file, [](std::ostream &stream) {
+      stream << "half";
+      throw std::runtime_error("no more");
+    });
+  });
   checks.that("the old file survives it and is alone", read(file) == "second" && n_files() == 1);
-  checks.throws<ComputationError>(
-    "a stream that fails",
-    "could not be written",
-    [&]() { write_file(file, [](std::ostream &stream) { stream.setstate(std::ios::badbit); }); });
-  checks.throws<ComputationError>(
-    "a directory that is missing",
-    "could not be written",
-    [&]() { write_file(directory / "missing" / "file", [](std::ostream &) {}); });
+  checks.throws<ComputationError>("a stream that fails", "could not be written", [&]() {
+    write_file(file, [](std::ostream &stream) { stream.setstate(std::ios::badbit); });
+  });
+  checks.throws<ComputationError>("a directory that is missing", "could not be written", [&]() {
+    write_file(directory / "missing" / "file", [](std::ostream &) {});
+  });
   checks.that("no temporary files", n_files() == 1 && read(file) == "second");
   checks.throws<InputError>(
     "a directory below a file", "--output: found", [&]() { prepare_directory(file / "results"); });
@@ -193,8 +182,9 @@ void vtu(Checks &checks, const fs::path &directory)
     const fs::path file = directory / "solution.vtu";
     write_solution_vtu(file, level.space(), level.scene, level.solve().U);
     const std::string text = read(file);
-    const auto has = [&](const std::string &name)
-    { return text.find("Name=\"" + name + "\"") != std::string::npos; };
+    const auto has = [&](const std::string &name) {
+      return text.find("Name=\"" + name + "\"") != std::string::npos;
+    };
     const std::string name = "VTU of level " + std::to_string(number);
     checks.that(name + ": fields", has("displacement") && has("stress") && has("von_mises_stress"));
     checks.that(name + ": recovered displacement where there are parents",

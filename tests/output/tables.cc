@@ -95,8 +95,7 @@ void screen_table(Checks &checks)
               table.header().size() == first.size() && first.size() == second.size());
   const auto words = split_words(second);
   // h is halved: 0.4 -> 0.2 is order 1, 0.02 -> 0.005 order 2.
-  const auto order_after = [&](const std::string &number)
-  {
+  const auto order_after = [&](const std::string &number) {
     for (std::size_t i = 0; i + 1 < words.size(); ++i)
       if (words[i] == number)
         return words[i + 1];
@@ -118,8 +117,7 @@ void screen_table(Checks &checks)
 void certificate(Checks &checks)
 {
   using Json = nlohmann::json;
-  const auto parse = [](const std::vector<LevelRecord> &levels, const std::string &failure)
-  {
+  const auto parse = [](const std::vector<LevelRecord> &levels, const std::string &failure) {
     std::ostringstream stream;
     write_certificate(stream, levels, 1e-10, failure);
     return Json::parse(stream.str());

@@ -188,9 +188,9 @@ void test_overrides(Checks &checks)
   checks.that("= in a value", formula.value == "bottom: x==0 ? 1 : 2");
   checks.that("an override is one line", scan_override("Contact/Gap=x\n+\r1").value == "x + 1");
   for (const char *argument : {"Solver/Tolerance", "=1", ""})
-    checks.throws<InputError>("override '" + std::string(argument) + "'",
-                              "--set: found '",
-                              [&] { scan_override(argument); });
+    checks.throws<InputError>("override '" + std::string(argument) + "'", "--set: found '", [&] {
+      scan_override(argument);
+    });
   checks.throws<InputError>("unknown override",
                             "--set: Solvr/Tolerance: unknown parameter; did you "
                             "mean 'Solver/Tolerance'?",

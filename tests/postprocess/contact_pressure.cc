@@ -62,8 +62,9 @@ void recovery(Checks &checks, const Scene<2> &scene)
   const std::vector<Patch> patches = both(patches_between(left, {0., 0.3, 0.4, 1.}),
                                           patches_between(bottom, {0., 0.1, 0.4, 0.5, 1.}));
   const auto space = make_space(scene, patches);
-  const auto exact = [](const unsigned int side, const double s)
-  { return side == left ? -1. - 2. * s : -3. + 2.5 * s; };
+  const auto exact = [](const unsigned int side, const double s) {
+    return side == left ? -1. - 2. * s : -3. + 2.5 * s;
+  };
   Vector P(patches.size());
   for (unsigned int tau = 0; tau < patches.size(); ++tau)
     P[tau] = exact(patches[tau].side, patches[tau].middle());
@@ -111,8 +112,7 @@ double force(const std::vector<Patch> &patches, const Vector &P, const unsigned 
 
 void transfer(Checks &checks)
 {
-  const auto equal = [](const unsigned int n)
-  {
+  const auto equal = [](const unsigned int n) {
     std::vector<double> positions;
     for (unsigned int i = 0; i <= n; ++i)
       positions.push_back(static_cast<double>(i) / n);

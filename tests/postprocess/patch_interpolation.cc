@@ -41,8 +41,9 @@ struct Biquadratic
   }
   Tensor<2, 2> gradient(const Point<2> &x) const
   {
-    const auto slope = [](const double t, const unsigned int i)
-    { return i == 0 ? 0. : i * std::pow(t, i - 1); };
+    const auto slope = [](const double t, const unsigned int i) {
+      return i == 0 ? 0. : i * std::pow(t, i - 1);
+    };
     Tensor<2, 2> sum;
     for (unsigned int k = 0; k < 2; ++k)
       for (unsigned int i = 0; i < 9; ++i)
@@ -147,15 +148,13 @@ void mapped_parent(Checks &checks)
                        "set Vertices = 0,0; 2,-0.5; 2.5,1.5; -0.3,1\nend\n"
                        "subsection Boundary\nset Clamped = side2\nset Contact = side0\nend\n",
                        1);
-  const auto F = [&](const Point<2> &xi)
-  {
+  const auto F = [&](const Point<2> &xi) {
     Point<2> x;
     for (unsigned int v = 0; v < 4; ++v)
       x += (v % 2 == 1 ? xi[0] : 1. - xi[0]) * (v / 2 == 1 ? xi[1] : 1. - xi[1]) * corners[v];
     return x;
   };
-  const auto jacobian = [&](const Point<2> &xi)
-  {
+  const auto jacobian = [&](const Point<2> &xi) {
     Tensor<2, 2> J;
     for (unsigned int i = 0; i < 2; ++i)
     {
@@ -165,8 +164,7 @@ void mapped_parent(Checks &checks)
     return J;
   };
   // Newton's method for F(xi) = x.
-  const auto inverse = [&](const Point<2> &x)
-  {
+  const auto inverse = [&](const Point<2> &x) {
     Point<2> xi(0.5, 0.5);
     for (unsigned int k = 0; k < 20; ++k)
       xi += invert(jacobian(xi)) * (x - F(xi));
@@ -178,8 +176,7 @@ void mapped_parent(Checks &checks)
     "biquadratic function of the parent's coordinates",
     level,
     [&](const Point<2> &x) { return q.value(inverse(x)); },
-    [&](const Point<2> &x)
-    {
+    [&](const Point<2> &x) {
       const Point<2> xi = inverse(x);
       return q.gradient(xi) * invert(jacobian(xi));
     });

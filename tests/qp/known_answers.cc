@@ -92,18 +92,15 @@ int main()
   const BoundConstrainedQP qp = make_qp(problems[0]);
   const dealii::Vector<double> zero(2);
   for (const double omega : {-1., 0., 2., 2.05})
-    checks.throws<std::invalid_argument>("omega outside (0,2)",
-                                         "between 0 and 2",
-                                         [&]() {
-                                           solve_by_psor(qp, zero, {omega, 1e-10, 10});
-                                         });
+    checks.throws<std::invalid_argument>("omega outside (0,2)", "between 0 and 2", [&]() {
+      solve_by_psor(qp, zero, {omega, 1e-10, 10});
+    });
   // At the solution the residual vanishes; elsewhere it is the projected step.
   checks.near("residual at zero", qp.kkt_residual(zero), 1., 1e-15);
   checks.that("sweeps run out", !solve_by_psor(qp, zero, {0.1, 1e-12, 3}).converged);
   dealii::FullMatrix<double> indefinite(1, 1);
-  checks.throws<std::invalid_argument>(
-    "diagonal of C",
-    "not positive",
-    [&]() { BoundConstrainedQP(indefinite, dealii::Vector<double>(1)); });
+  checks.throws<std::invalid_argument>("diagonal of C", "not positive", [&]() {
+    BoundConstrainedQP(indefinite, dealii::Vector<double>(1));
+  });
   return checks.exit_code();
 }

@@ -38,8 +38,9 @@ Matrix random_matrix(const unsigned int m, RandomNumbers &random)
 Matrix logarithmic_kernel(const unsigned int m)
 {
   // Second differences of the second antiderivative of -log|t|.
-  const auto antiderivative = [](const double t)
-  { return t == 0. ? 0. : 0.75 * t * t - 0.5 * t * t * std::log(std::abs(t)); };
+  const auto antiderivative = [](const double t) {
+    return t == 0. ? 0. : 0.75 * t * t - 0.5 * t * t * std::log(std::abs(t));
+  };
   const double H = 1. / m;
   Matrix C(m, m);
   for (unsigned int i = 0; i < m; ++i)
@@ -296,6 +297,7 @@ void scaling(Checks &checks)
 void empty(Checks &checks)
 {
   const BoundConstrainedQP qp{Matrix(), Vector()};
+  checks.near("empty problem, energy", qp.energy(Vector()), 0., 0.);
   const QPResult sets = solve_by_active_set(qp, {}, {1e-10, 10});
   const QPResult psor = solve_by_psor(qp, Vector(), {1.1, 1e-10, 10});
   checks.that("empty problem, active set", sets.converged && sets.P.size() == 0);

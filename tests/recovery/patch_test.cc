@@ -77,11 +77,10 @@ void distorted_meshes(Checks &checks)
                                   "subsection Boundary\nset Clamped = top\nset Contact = bottom\n"
                                   "set Traction = left: 0.08; 0 | right: -0.08; 0\nend\n" +
                                   entry("Contact", "Gap", "-0.1");
-  check(checks,
-        "anisotropic, distorted mesh",
-        OneLevel(anisotropic, 3),
-        -0.184,
-        [](const Point<2> &x) { return Point<2>(-0.04 * (1. - x[1]), 0.1 * (1. - x[1])); });
+  check(
+    checks, "anisotropic, distorted mesh", OneLevel(anisotropic, 3), -0.184, [](const Point<2> &x) {
+      return Point<2>(-0.04 * (1. - x[1]), 0.1 * (1. - x[1]));
+    });
 }
 
 /** Rotated bar between rollers, lowered by 0.3 along the normal (1, -2)/sqrt(5) of side0. */
@@ -96,11 +95,9 @@ void oblique_sides(Checks &checks)
     "set Displacement = side2: d; -2*d\nend\n";
   // The height is sqrt(5): eps = 0.3/sqrt(5), p = -3 eps; u.n grows linearly from 0 on side0.
   const dealii::Tensor<1, 2> n = Point<2>(1., -2.) / std::sqrt(5.);
-  check(checks,
-        "oblique sides",
-        OneLevel(text, 3),
-        -0.9 / std::sqrt(5.),
-        [&](const Point<2> &x) { return -0.3 / std::sqrt(5.) * (x * n) * n; });
+  check(checks, "oblique sides", OneLevel(text, 3), -0.9 / std::sqrt(5.), [&](const Point<2> &x) {
+    return -0.3 / std::sqrt(5.) * (x * n) * n;
+  });
 }
 } // namespace
 

@@ -189,8 +189,9 @@ void test_sample(Checks &checks, const Sample &sample)
   const Point x(0.3, 0.4);
   const Stress s = stress(scene, x);
   const BoundaryCondition<2> &bottom = scene.boundary.at(scene.geometry.find_side("bottom"));
-  const auto force = [&](const unsigned int c)
-  { return scene.body_force == nullptr ? 0. : scene.body_force->value(x, c); };
+  const auto force = [&](const unsigned int c) {
+    return scene.body_force == nullptr ? 0. : scene.body_force->value(x, c);
+  };
   const std::vector<double> found = {scene.exact_displacement->value(x, 0),
                                      scene.exact_displacement->value(x, 1),
                                      force(0),
@@ -222,8 +223,9 @@ auto difference(const Function &f, const Point &x, const unsigned int d)
 /** grad u and -div sigma = f at points away from kinks. */
 void test_interior(Checks &checks, const Scene<2> &scene)
 {
-  const auto u = [&](const Point &x)
-  { return Point(scene.exact_displacement->value(x, 0), scene.exact_displacement->value(x, 1)); };
+  const auto u = [&](const Point &x) {
+    return Point(scene.exact_displacement->value(x, 0), scene.exact_displacement->value(x, 1));
+  };
   const auto sigma = [&](const Point &x) { return stress(scene, x); };
   double gradient = 0., balance = 0.;
   for (const Point &x : {Point(0.3, 0.4), Point(0.62, 0.23), Point(0.85, 0.7), Point(0.1, 0.9)})

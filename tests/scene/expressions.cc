@@ -76,12 +76,12 @@ void test_refusals(Checks &checks)
     checks.throws<InputError>("refused: '" + std::string(text) + "'",
                               "here: the expression '",
                               [&] { Expression<2>(text, {}, "here"); });
-  checks.throws<InputError>("assignment is explained",
-                            "comparisons are written '=='",
-                            [] { Expression<2>("x=3", {}, "here"); });
-  checks.throws<InputError>("unknown name is named",
-                            "Unexpected token \"unknown\"",
-                            [] { Expression<2>("1+unknown", {}, "here"); });
+  checks.throws<InputError>("assignment is explained", "comparisons are written '=='", [] {
+    Expression<2>("x=3", {}, "here");
+  });
+  checks.throws<InputError>("unknown name is named", "Unexpected token \"unknown\"", [] {
+    Expression<2>("1+unknown", {}, "here");
+  });
 }
 
 void test_constants(Checks &checks)

@@ -96,8 +96,7 @@ void test_a1(Checks &checks)
   compare(checks, "A1 g(0.3)", *bottom.data, Point(0.3, 0.), {-0.021}, 1e-15);
   compare(checks, "A1 g(0.8)", *bottom.data, Point(0.8, 0.), {-0.00737084989848}, 1e-13);
 
-  const auto traction = [](const double x, const double y)
-  {
+  const auto traction = [](const double x, const double y) {
     const double M = std::max(xi - x, 0.);
     const double s11 = M * M * M * (10. * y * y - 10. / 3.) + 0.2 * x * x * y - 0.4 * x * y * y -
                        0.2 * x * y + 8. * x / 15. - 0.6 * y * y * y + 0.6 * y;
@@ -203,8 +202,9 @@ void test_described(Checks &checks)
   for (const Point &x : {Point(0.3, 0.4), Point(0.7, 0.1), Point(0.95, 0.8), Point(0., 0.5)})
     for (unsigned int c = 0; c < 2; ++c)
     {
-      const auto difference = [&](const FunctionPointer<2> &a, const FunctionPointer<2> &b)
-      { off = std::max(off, std::abs(a->value(x, c) - b->value(x, c))); };
+      const auto difference = [&](const FunctionPointer<2> &a, const FunctionPointer<2> &b) {
+        off = std::max(off, std::abs(a->value(x, c) - b->value(x, c)));
+      };
       difference(a1.exact_displacement, same.exact_displacement);
       difference(a1.body_force, same.body_force);
       if (c == 0)

@@ -110,14 +110,11 @@ void singular(Checks &checks, const std::string &body, const System &system)
     {"any load", system.random_vector(4)}, {"balanced load", in_range}};
   for (const std::string name : solvers)
     for (const auto &b : right_hand_sides)
-      checks.throws<ComputationError>(body + ", " + b.first + ", " + name,
-                                      "singular",
-                                      [&]()
-                                      {
-                                        const auto inverse = factorise(system.A, name);
-                                        DistributedVector x = system.space.make_vector();
-                                        inverse->solve(x, b.second);
-                                      });
+      checks.throws<ComputationError>(body + ", " + b.first + ", " + name, "singular", [&]() {
+        const auto inverse = factorise(system.A, name);
+        DistributedVector x = system.space.make_vector();
+        inverse->solve(x, b.second);
+      });
 }
 } // namespace
 
