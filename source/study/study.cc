@@ -9,6 +9,7 @@
 
 #include <sys/resource.h>
 
+#include "memory_limit.h"
 #include "results_writer.h"
 #include "scene_summary.h"
 
@@ -103,6 +104,7 @@ StudyResult run_study(const Parameters &parameters,
 {
   const DiscretizationParameters &given = parameters.discretization;
   const double tolerance = parameters.solver.tolerance;
+  refuse_huge_levels(parameters, scene);
   StudyResult result;
   ResultsWriter writer(parameters, report.directory, communicator);
   print_scene(parameters, scene, report.screen);

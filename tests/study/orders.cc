@@ -113,6 +113,9 @@ void check_failures(Checks &checks)
   checks.throws<InputError>("H = h refused", "not inf-sup stable", [&]() {
     solve(a1, {"Discretization/Patch ratio=1", "Solver/Require stability=true"});
   });
+  checks.throws<InputError>("a level that cannot fit into memory", "GiB", [&]() {
+    solve(a1, {"Discretization/Finest level=14"});
+  });
   checks.throws<InputError>("patches without free nodes", "sees no free mesh node", [&]() {
     solve("subsection Boundary\n set Clamped = left right top\n set Contact = bottom\n end\n",
           {"Discretization/Coarsest level=0"});

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What fits into memory.
+
+#include "memory_limit.h"
+
+#include <signorini/parameters/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <unistd.h>
+
+namespace Signorini
+{
+namespace
+{
+/** Mesh, matrix and factors took 3.8 kB per cell for 2^14 cells of a square and 4.8 kB for 2^16
+ * (Amesos MUMPS): the factors grow like n log n. */
+double needed_bytes(const double cells)
+{
+  return cells * std::max(1e3, 500. * (std::log2(cells) - 7.));
+}
+
+double physical_memory()
+{
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+} // namespace
+
+template <int dim>
+void refuse_huge_levels(const Parameters &parameters, const Scene<dim> &scene)
+{
+  if (parameters.discretization.target_error > 0.)
+    return;
+  dealii::Triangulation<dim> coarse_mesh;
+  scene.geometry.make_coarse_mesh(coarse_mesh);
+  const unsigned int level = parameters.discretization.finest_level;
+  const double cells = coarse_mesh.n_active_cells() * std::pow(2., double(dim) * level);
+  const double needed = needed_bytes(cells);
+  if (needed < physical_memory())
+    return;
+  constexpr double gibibyte = 1024. * 1024. * 1024.;
+  std::ostringstream message;
+  message << parameters.where("Discretization/Finest level") << ": found '" << level
+          << "', which makes " << cells << " cells and needs more than "
+          << std::ceil(needed / gibibyte) << " GiB, allowed: levels that fit into the "
+          << std::floor(physical_memory() / gibibyte) << " GiB of this machine.";
+  throw InputError(message.str());
+}
+
+template void refuse_huge_levels(const Parameters &, const Scene<2> &);
+} // namespace Signorini
