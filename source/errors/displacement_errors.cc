@@ -30,7 +30,8 @@ public:
 
   ErrorIntegrals(const DisplacementSpace<dim> &space,
                  const dealii::Function<dim> &exact,
-                 const NodalVector &U)
+                 const NodalVector &U,
+                 const unsigned int n_points)
     : space_(space)
     , exact_(exact)
     , U_(U)
@@ -39,7 +40,7 @@ public:
   {
     interpolant_minus_U_ -= U;
     if (space.mesh().has_parents())
-      interpolation_.emplace(space);
+      interpolation_.emplace(space, dealii::QGauss<dim>(n_points));
   }
 
   void add(const CellIterator &cell, const dealii::FEValues<dim> &values, Squares &squares)
@@ -109,7 +110,7 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
                               dealii::update_values | dealii::update_gradients |
                                 dealii::update_quadrature_points | dealii::update_JxW_values |
                                 dealii::update_inverse_jacobians);
-  ErrorIntegrals<dim> integrals(space, *scene.exact_displacement, U);
+  ErrorIntegrals<dim> integrals(space, *scene.exact_displacement, U, n_points);
   Squares squares;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->is_locally_owned())

@@ -3,6 +3,7 @@
 
 #include <signorini/output/files.h>
 #include <signorini/output/solution_vtu.h>
+#include <signorini/parameters/agreement.h>
 #include <signorini/parameters/exceptions.h>
 #include <signorini/postprocess/patch_interpolation.h>
 
@@ -108,7 +109,7 @@ struct RecoveredField
     const dealii::Quadrature<dim> nodes(element.base_element(0).get_unit_support_points());
     dealii::FEValues<dim> at_nodes(
       space.mesh().mapping(), space.element(), nodes, dealii::update_inverse_jacobians);
-    PatchInterpolation<dim> interpolation(space);
+    PatchInterpolation<dim> interpolation(space, nodes);
     dealii::Vector<double> cell_values(element.n_dofs_per_cell());
     auto cell = dofs.begin_active();
     for (const auto &q1_cell : space.dofs().active_cell_iterators())
@@ -143,8 +144,13 @@ void write_patches(const std::filesystem::path &path,
   }
   const std::filesystem::path temporary = path.string() + ".part";
   data_out.write_vtu_in_parallel(temporary.string(), communicator);
-  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    std::filesystem::rename(temporary, path);
+  agree(communicator, [&]() {
+    std::error_code error;
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+      std::filesystem::rename(temporary, path, error);
+    if (error)
+      throw ComputationError("The file '" + path.string() + "' could not be written.");
+  });
 }
 } // namespace
 

@@ -20,7 +20,7 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const NodalVec
                                dealii::update_values | dealii::update_gradients |
                                  dealii::update_inverse_jacobians | dealii::update_JxW_values);
   const dealii::FEValuesExtractors::Vector displacement(0);
-  PatchInterpolation<dim> interpolation(space);
+  PatchInterpolation<dim> interpolation(space, values.get_quadrature());
   std::vector<dealii::Tensor<1, dim>> u(values.n_quadrature_points);
   std::vector<dealii::Tensor<2, dim>> du(values.n_quadrature_points);
   double squared_difference = 0.;

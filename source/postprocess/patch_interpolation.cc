@@ -28,11 +28,15 @@ unsigned int bit(const unsigned int number, const unsigned int d)
 } // namespace
 
 template <int dim>
-PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space)
+PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
+                                            const dealii::Quadrature<dim> &usual_rule)
   : space_(space)
   , polynomials_(dealii::Polynomials::LagrangeEquidistant::generate_complete_basis(2))
+  , usual_points_(usual_rule.get_points())
 {
   Assert(space.mesh().has_parents(), dealii::ExcMessage("pi^{2h} needs the level before"));
+  for (unsigned int c = 0; c < tables_.size(); ++c)
+    tables_[c] = make_table(usual_points_, c);
 }
 
 template <int dim>
@@ -61,13 +65,7 @@ template <int dim>
 const typename PatchInterpolation<dim>::ShapeTable &
 PatchInterpolation<dim>::table(const dealii::Quadrature<dim> &quadrature, const unsigned int child)
 {
-  if (table_points_.empty())
-  {
-    table_points_ = quadrature.get_points();
-    for (unsigned int c = 0; c < tables_.size(); ++c)
-      tables_[c] = make_table(table_points_, c);
-  }
-  if (quadrature.get_points() == table_points_)
+  if (quadrature.get_points() == usual_points_)
     return tables_[child];
   cut_table_ = make_table(quadrature.get_points(), child);
   return cut_table_;

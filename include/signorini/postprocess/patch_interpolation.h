@@ -31,7 +31,10 @@ class PatchInterpolation
 public:
   using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-  explicit PatchInterpolation(const DisplacementSpace<dim> &space);
+  /** @param usual_rule the rule of most cells; its shape functions are computed once. */
+  explicit PatchInterpolation(
+    const DisplacementSpace<dim> &space,
+    const dealii::Quadrature<dim> &usual_rule = dealii::Quadrature<dim>());
 
   /**
    * pi^{2h} of the nodal values @p U at the points of @p fe_values, which is at @p cell and knows
@@ -58,7 +61,7 @@ private:
 
   const DisplacementSpace<dim> &space_;
   dealii::TensorProductPolynomials<dim> polynomials_;
-  std::vector<dealii::Point<dim>> table_points_;
+  std::vector<dealii::Point<dim>> usual_points_;
   std::array<ShapeTable, dealii::GeometryInfo<dim>::max_children_per_cell> tables_;
   ShapeTable cut_table_;
   std::array<dealii::Tensor<1, dim>, n_nodes> nodal_values_;
