@@ -35,6 +35,7 @@ CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space,
                                   const Kinks<dim> &kinks)
   : material_(material)
   , constant_(material.is_constant())
+  , curved_(space.mesh().is_curved())
   , kinks_(constant_ ? Kinks<dim>({}) : kinks)
   , affine_values_(space.mesh().mapping(), space.element(), kinks_, 2, stiffness_flags)
   , general_values_(space.mesh().mapping(), space.element(), kinks_, 4, stiffness_flags)
@@ -45,7 +46,7 @@ CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space,
 template <int dim>
 bool CellStiffness<dim>::is_congruent(const CellIterator &cell) const
 {
-  if (!constant_ || shape_.empty())
+  if (!constant_ || curved_ || shape_.empty())
     return false;
   const double size = shape_.back().norm();
   for (const unsigned int v : cell->vertex_indices())
@@ -83,7 +84,7 @@ const dealii::FullMatrix<double> &CellStiffness<dim>::operator()(const CellItera
   if (is_congruent(cell))
     return matrix_;
   shape_ = shape_of<dim>(cell);
-  const bool exact_with_two_points = constant_ && is_parallelogram<dim>(shape_);
+  const bool exact_with_two_points = constant_ && !curved_ && is_parallelogram<dim>(shape_);
   integrate((exact_with_two_points ? affine_values_ : general_values_).reinit(cell));
   return matrix_;
 }

@@ -16,11 +16,11 @@ std::vector<double> exact_ends(const Scene<dim> &scene, const unsigned int numbe
 {
   const Side<dim> &side = scene.geometry.sides[number];
   const dealii::Function<dim> &p = *scene.boundary[number].exact_pressure;
-  const std::vector<double> cuts = Kinks<dim>(scene.kinks).cut(side.start, side.end);
+  const std::vector<double> cuts = Kinks<dim>(scene.kinks).cut(side, 0., side.length());
   std::vector<double> ends;
   for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
   {
-    const double s = cuts[i] * side.length(), step = 1e-6 * side.length();
+    const double s = cuts[i], step = 1e-6 * side.length();
     const bool before = p.value(side.point(s - step)) < 0.;
     const bool after = p.value(side.point(s + step)) < 0.;
     if (before != after)

@@ -50,10 +50,8 @@ std::vector<double> cut_side(const Side<dim> &side,
   std::vector<double> cuts;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     cuts.push_back(i * side.length() / n_intervals);
-  const std::vector<double> crossings = kinks.cut(side.start, side.end);
-  for (const double t : crossings)
+  for (const double s : kinks.cut(side, 0., side.length()))
   {
-    const double s = t * side.length();
     cuts.push_back(s);
     for (unsigned int k = 0; k < 14; ++k)
       for (const double sign : {-1., 1.})
@@ -126,8 +124,7 @@ ExactPressure<dim>::ExactPressure(const Scene<dim> &scene)
     const Side<dim> &side = scene.geometry.sides[number];
     const SampledFunction p =
       sample(*scene.boundary[number].exact_pressure, side, cut_side(side, kinks, 4096), 8);
-    coefficients_[number] =
-      SpectralNorm(side.length()).coefficients(p.arc_lengths, p.weighted_values);
+    coefficients_[number] = spectral_norm_on(side).coefficients(p.arc_lengths, p.weighted_values);
   }
 }
 
@@ -155,7 +152,7 @@ DualNormErrors ExactPressure<dim>::errors_on_side(const MultiplierSpace<dim> &sp
 {
   const std::vector<Patch> &patches = space.partition().patches;
   const unsigned int number = patches[first].side, m = last - first;
-  const double length = scene_.geometry.sides[number].length();
+  const Side<dim> &side = scene_.geometry.sides[number];
   const std::vector<double> ends = patch_ends(patches, first, last);
   dealii::Vector<double> P_side(m), difference(m);
   for (unsigned int i = 0; i < m; ++i)
@@ -163,19 +160,19 @@ DualNormErrors ExactPressure<dim>::errors_on_side(const MultiplierSpace<dim> &sp
     P_side[i] = P[first + i];
     difference[i] = projected_p[first + i] - P[first + i];
   }
-  const SpectralNorm norm(length);
+  const SpectralNorm norm = spectral_norm_on(side);
   const dealii::Vector<double> &p = coefficients_.at(number);
   DualNormErrors errors;
   errors.spectral = norm.distance(p, ends, P_side);
   errors.superclose_spectral = norm.distance(dealii::Vector<double>(p.size()), ends, difference);
-  if (m > largest_slobodeckij)
+  if (m > largest_slobodeckij || !side.is_straight())
     return errors;
 
   const Kinks<dim> kinks(scene_.kinks);
   std::array<double, 2> norms, superclose_norms;
   for (unsigned int g = 0; g < 2; ++g)
   {
-    const SlobodeckijNorm grid(length, (g + 1) * 8 * m);
+    const SlobodeckijNorm grid(side.length(), (g + 1) * 8 * m);
     const auto dual_norm = [&](const dealii::Vector<double> *projection) {
       const SampledFunction q =
         sample_difference(space, kinks, P, projection, first, last, grid.n_cells());

@@ -37,12 +37,13 @@ DistributedVector test_on_contact(const DisplacementSpace<dim> &space,
     {
       const double t = face.parameter(rule.arc_lengths[k]);
       const double weighted = q(piece, rule.points[k]) * rule.weights[k];
+      const dealii::Tensor<1, dim> n = side.normal(rule.arc_lengths[k]);
       for (unsigned int v = 0; v < 2; ++v)
         for (unsigned int d = 0; d < dim; ++d)
         {
           const auto dof = cell->face(face.face_no)->vertex_dof_index(v, d);
           if (b.in_local_range(dof))
-            b(dof) += weighted * (v == 0 ? 1. - t : t) * side.normal[d];
+            b(dof) += weighted * (v == 0 ? 1. - t : t) * n[d];
         }
     }
   }
@@ -82,9 +83,12 @@ double trace_defect(const Scene<dim> &scene,
     const Side<dim> &side = multipliers.side(multipliers.partition().patches[piece.patch]);
     const auto rule = multipliers.rule(piece, n_points, true);
     for (std::size_t k = 0; k < rule.points.size(); ++k)
+    {
+      const dealii::Tensor<1, dim> n = side.normal(rule.arc_lengths[k]);
       for (unsigned int d = 0; d < dim; ++d)
         b[piece.patch] -=
-          scene.exact_displacement->value(rule.points[k], d) * side.normal[d] * rule.weights[k];
+          scene.exact_displacement->value(rule.points[k], d) * n[d] * rule.weights[k];
+    }
   }
   const auto gram = dual_gram_matrix(multipliers.partition().patches, scene.geometry);
   dealii::LAPACKFullMatrix<double> S(gram.m(), gram.n());

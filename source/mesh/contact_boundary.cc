@@ -4,9 +4,28 @@
 #include <signorini/mesh/contact_boundary.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
+namespace
+{
+/** The arc lengths of both ends of a face; where a closed side ends, 0 is its length. */
+template <int dim, typename Face>
+std::pair<double, double> arc_lengths_of(const Face &face, const Side<dim> &side)
+{
+  std::pair<double, double> ends = {side.arc_length(face->vertex(0)),
+                                    side.arc_length(face->vertex(1))};
+  if (!side.is_closed())
+    return ends;
+  const double middle =
+    side.arc_length(face->vertex(0) + 0.5 * (face->vertex(1) - face->vertex(0)));
+  for (double *const end : {&ends.first, &ends.second})
+    *end += side.length() * std::round((middle - *end) / side.length());
+  return ends;
+}
+} // namespace
+
 template <int dim>
 std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Scene<dim> &scene)
 {
@@ -20,8 +39,7 @@ std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Sc
       if (scene.boundary[number].role != Role::contact)
         continue;
       const Side<dim> &side = scene.geometry.sides[number];
-      const double first = side.arc_length(cell->face(f)->vertex(0));
-      const double last = side.arc_length(cell->face(f)->vertex(1));
+      const auto [first, last] = arc_lengths_of(cell->face(f), side);
       faces.push_back(
         {cell, f, number, std::min(first, last), std::max(first, last), last < first});
     }

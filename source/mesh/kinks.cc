@@ -17,16 +17,16 @@ constexpr double tolerance = 1e-10;
 
 using Polygon = std::vector<dealii::Point<2>>;
 
-/** The part of a convex polygon with sign * (x_d - position) >= 0. */
-Polygon clip(const Polygon &polygon, const unsigned int d, const double position, const double sign)
+/** The part of a convex polygon on one side of a line. */
+Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign)
 {
   Polygon part;
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
     const dealii::Point<2> &a = polygon[i];
     const dealii::Point<2> &b = polygon[(i + 1) % polygon.size()];
-    const double da = sign * (a[d] - position);
-    const double db = sign * (b[d] - position);
+    const double da = sign * line.signed_distance(a);
+    const double db = sign * line.signed_distance(b);
     if (da >= 0.)
       part.push_back(a);
     if ((da > 0. && db < 0.) || (da < 0. && db > 0.))
@@ -125,24 +125,11 @@ double jacobian(const dealii::Triangulation<2>::cell_iterator &cell, const deali
                                   xi[0] * (cell->vertex(3) - cell->vertex(1));
   return ds[0] * dt[1] - ds[1] * dt[0];
 }
-
-/** Lowest and highest coordinate of the cell's vertices. */
-std::pair<double, double> extent(const dealii::Triangulation<2>::cell_iterator &cell,
-                                 const unsigned int d)
-{
-  double lowest = cell->vertex(0)[d], highest = lowest;
-  for (const unsigned int v : cell->vertex_indices())
-  {
-    lowest = std::min(lowest, cell->vertex(v)[d]);
-    highest = std::max(highest, cell->vertex(v)[d]);
-  }
-  return {lowest, highest};
-}
 } // namespace
 
 template <int dim>
-Kinks<dim>::Kinks(const std::array<std::vector<double>, dim> &positions)
-  : positions_(positions)
+Kinks<dim>::Kinks(std::vector<KinkLine<dim>> lines)
+  : lines_(std::move(lines))
 {
 }
 
@@ -153,9 +140,9 @@ Kinks<dim> Kinks<dim>::of_scene(const Scene<dim> &scene)
   for (const unsigned int number : scene.contact_sides())
   {
     const Side<dim> &side = scene.geometry.sides[number];
-    const std::vector<double> cuts = kinks.cut(side.start, side.end);
+    const std::vector<double> cuts = kinks.cut(side, 0., side.length());
     for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
-      kinks.ends_.push_back(side.point(cuts[i] * side.length()));
+      kinks.ends_.push_back(side.point(cuts[i]));
   }
   return kinks;
 }
@@ -181,24 +168,36 @@ template <int dim>
 std::vector<double> Kinks<dim>::cut(const dealii::Point<dim> &a, const dealii::Point<dim> &b) const
 {
   std::vector<double> cuts = {0., 1.};
-  for (unsigned int d = 0; d < dim; ++d)
-    for (const double position : positions_[d])
-    {
-      const double t = (position - a[d]) / (b[d] - a[d]);
-      if (t > tolerance && t < 1. - tolerance)
-        cuts.push_back(t);
-    }
+  for (const KinkLine<dim> &line : lines_)
+  {
+    const double da = line.signed_distance(a), db = line.signed_distance(b);
+    const double t = da / (da - db);
+    if (t > tolerance && t < 1. - tolerance)
+      cuts.push_back(t);
+  }
   std::sort(cuts.begin(), cuts.end());
   return cuts;
 }
 
 template <int dim>
-bool Kinks<dim>::touch(const dealii::Point<dim> &a, const dealii::Point<dim> &b) const
+std::vector<double> Kinks<dim>::cut(const Side<dim> &side, const double from, const double to) const
 {
-  const double margin = tolerance * a.distance(b);
-  for (unsigned int d = 0; d < dim; ++d)
-    for (const double position : positions_[d])
-      if (std::abs(position - a[d]) < margin || std::abs(position - b[d]) < margin)
+  const double margin = tolerance * (to - from);
+  std::vector<double> cuts = {from, to};
+  for (const KinkLine<dim> &line : lines_)
+    for (const double s : side.crossings(line.normal, line.position, from + margin, to - margin))
+      cuts.push_back(s);
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+template <int dim>
+bool Kinks<dim>::touch(const Side<dim> &side, const double from, const double to) const
+{
+  const double margin = tolerance * (to - from);
+  for (const KinkLine<dim> &line : lines_)
+    for (const double end : {from, to})
+      if (!side.crossings(line.normal, line.position, end - margin, end + margin).empty())
         return true;
   return false;
 }
@@ -206,15 +205,18 @@ bool Kinks<dim>::touch(const dealii::Point<dim> &a, const dealii::Point<dim> &b)
 template <int dim>
 bool Kinks<dim>::cross(const typename dealii::Triangulation<dim>::cell_iterator &cell) const
 {
-  for (unsigned int d = 0; d < dim; ++d)
+  for (const KinkLine<dim> &line : lines_)
   {
-    if (positions_[d].empty())
-      continue;
-    const auto range = extent(cell, d);
-    const double margin = tolerance * (range.second - range.first);
-    for (const double position : positions_[d])
-      if (position > range.first + margin && position < range.second - margin)
-        return true;
+    double lowest = 0., highest = 0.;
+    for (const unsigned int v : cell->vertex_indices())
+    {
+      const double distance = line.signed_distance(cell->vertex(v));
+      lowest = v == 0 ? distance : std::min(lowest, distance);
+      highest = v == 0 ? distance : std::max(highest, distance);
+    }
+    const double margin = tolerance * (highest - lowest);
+    if (lowest < -margin && highest > margin)
+      return true;
   }
   return false;
 }
@@ -226,19 +228,18 @@ Kinks<dim>::quadrature(const typename dealii::Triangulation<dim>::cell_iterator 
 {
   std::vector<Polygon> pieces = {
     {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}};
-  for (unsigned int d = 0; d < dim; ++d)
-    for (const double position : positions_[d])
-    {
-      std::vector<Polygon> parts;
-      for (const Polygon &piece : pieces)
-        for (const double sign : {-1., 1.})
-        {
-          Polygon part = clip(piece, d, position, sign);
-          if (part.size() > 2)
-            parts.push_back(std::move(part));
-        }
-      pieces = std::move(parts);
-    }
+  for (const KinkLine<dim> &line : lines_)
+  {
+    std::vector<Polygon> parts;
+    for (const Polygon &piece : pieces)
+      for (const double sign : {-1., 1.})
+      {
+        Polygon part = clip(piece, line, sign);
+        if (part.size() > 2)
+          parts.push_back(std::move(part));
+      }
+    pieces = std::move(parts);
+  }
   PolygonRule rule(n_points, ends_near(cell));
   for (const Polygon &piece : pieces)
     rule.add(piece);

@@ -5,6 +5,8 @@
 #include <signorini/parameters/exceptions.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <sstream>
@@ -37,6 +39,19 @@ void distort(const Geometry<dim> &geometry, dealii::Triangulation<dim> &triangul
       }
   }
 }
+/** With bilinear maps, pi^{2h} would lose an order on curved bodies: the map of a cell of T^{2h}
+ * must be that of its children up to higher order. */
+template <int dim>
+std::unique_ptr<const dealii::Mapping<dim>>
+make_mapping(const dealii::Triangulation<dim> &triangulation, const bool curved)
+{
+  if (!curved)
+    return std::make_unique<dealii::MappingQ1<dim>>();
+  // The cache asks the manifolds once per cell, not in every integral.
+  auto mapping = std::make_unique<dealii::MappingQCache<dim>>(2);
+  mapping->initialize(dealii::MappingQ<dim>(2), triangulation);
+  return mapping;
+}
 } // namespace
 
 template <int dim>
@@ -48,6 +63,7 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
                    dealii::Triangulation<dim>::none,
                    /*allow_artificial_cells=*/false,
                    dealii::parallel::shared::Triangulation<dim>::partition_metis)
+  , curved_(geometry.curved)
   , parents_are_nested_(level > 0 && (geometry.distortion == 0. || level > coarsest_level))
 {
   const unsigned int first = std::min(coarsest_level, level);
@@ -58,6 +74,7 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
   triangulation_.refine_global(level - first);
   if (geometry.classify_after_refinement)
     number_boundary(geometry.sides, triangulation_);
+  mapping_ = make_mapping(triangulation_, curved_);
 }
 
 template <int dim>

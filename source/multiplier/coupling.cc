@@ -61,7 +61,8 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
                            const std::vector<ContactFace<dim>> &faces,
                            const ContactPartition &partition)
 {
-  // The trace of a bilinear function is linear: two Gauss points are exact.
+  // phi_j.n dS is linear on a straight face and of degree two on one that is a parabola: two Gauss
+  // points are exact.
   FaceValues<dim> face_values(space.mesh().mapping(),
                               space.element(),
                               2,

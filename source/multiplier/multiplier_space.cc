@@ -63,26 +63,23 @@ typename MultiplierSpace<dim>::Rule MultiplierSpace<dim>::rule(const Piece &piec
 {
   const Side<dim> &side = this->side(partition_.patches[piece.patch]);
   const double length = piece.end - piece.start;
-  const dealii::Point<dim> start = side.point(piece.start);
-  const dealii::Tensor<1, dim> tangent = (side.end - side.start) / side.length();
-  const dealii::Point<dim> end = side.point(piece.end);
-  std::vector<double> cuts = kinks_.cut(start, end);
+  std::vector<double> cuts = kinks_.cut(side, piece.start, piece.end);
   // A singularity less than a length away is as bad as one inside.
-  const bool near_kink = kinks_.touch(start, end) ||
-                         kinks_.cut(start - length * tangent, end + length * tangent).size() > 2;
+  const bool near_kink = kinks_.touch(side, piece.start, piece.end) ||
+                         kinks_.cut(side, piece.start - length, piece.end + length).size() > 2;
   const bool refined = graded && near_kink;
   if (refined)
     cuts = grade(cuts);
   const dealii::QGauss<1> gauss(refined ? std::max(n_points, fewest_graded_points) : n_points);
-  const dealii::Quadrature<1> quadrature = split_quadrature(gauss, cuts);
   Rule rule;
-  for (unsigned int q = 0; q < quadrature.size(); ++q)
-  {
-    const double along = length * quadrature.point(q)[0];
-    rule.arc_lengths.push_back(piece.start + along);
-    rule.points.push_back(start + along * tangent);
-    rule.weights.push_back(length * quadrature.weight(q));
-  }
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+    for (unsigned int q = 0; q < gauss.size(); ++q)
+    {
+      const double part = cuts[i + 1] - cuts[i];
+      rule.arc_lengths.push_back(cuts[i] + part * gauss.point(q)[0]);
+      rule.points.push_back(side.point(rule.arc_lengths.back()));
+      rule.weights.push_back(part * gauss.weight(q));
+    }
   return rule;
 }
 

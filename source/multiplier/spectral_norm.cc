@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// |||.|||_{-1/2,Gamma_c} by cosine series, side by side.
+// |||.|||_{-1/2,Gamma_c} by cosine or Fourier series, side by side.
 
 #include <signorini/multiplier/spectral_norm.h>
 
@@ -12,7 +12,6 @@ namespace Signorini
 {
 namespace
 {
-constexpr unsigned int n_modes = 8192;
 using dealii::numbers::PI;
 
 /** Sums up amount * sin(k theta) (or cos) for k = 1..n_modes over many theta. */
@@ -20,8 +19,11 @@ template <bool sine>
 class Harmonics
 {
 public:
-  explicit Harmonics(dealii::Vector<double> &sums)
+  /** Mode k adds to sums[first + k - 1]. */
+  Harmonics(dealii::Vector<double> &sums, const unsigned int first, const unsigned int n_modes)
     : sums_(sums)
+    , first_(first)
+    , n_modes_(n_modes)
   {
   }
   ~Harmonics()
@@ -48,7 +50,7 @@ private:
   /** Rotates unit vectors by theta; their errors add up to n_modes * 1e-16 only. */
   void flush()
   {
-    for (unsigned int k = 1; k <= n_modes && n_ > 0; ++k)
+    for (unsigned int k = 0; k < n_modes_ && n_ > 0; ++k)
     {
       double sum = 0.;
       for (unsigned int l = 0; l < n_lanes; ++l)
@@ -58,46 +60,65 @@ private:
         y_[l] = x_[l] * sin_[l] + y_[l] * cos_[l];
         x_[l] = x;
       }
-      sums_[k] += sum;
+      sums_[first_ + k] += sum;
     }
     amount_ = {};
     n_ = 0;
   }
 
   dealii::Vector<double> &sums_;
+  unsigned int first_;
+  unsigned int n_modes_;
   unsigned int n_ = 0;
   Lanes cos_ = {}, sin_ = {}, x_ = {}, y_ = {}, amount_ = {};
 };
 } // namespace
 
-SpectralNorm::SpectralNorm(const double length)
+SpectralNorm::SpectralNorm(const double length, const bool closed)
   : length_(length)
+  , closed_(closed)
+  , omega_((closed ? 2. : 1.) * PI / length)
+  // The highest frequency is the same for both kinds.
+  , n_modes_(closed ? 4096 : 8192)
 {
+}
+
+unsigned int SpectralNorm::mode(const unsigned int coefficient) const
+{
+  return coefficient <= n_modes_ ? coefficient : coefficient - n_modes_;
 }
 
 double SpectralNorm::weight(const unsigned int k) const
 {
-  const double frequency = k * PI / length_;
+  const double frequency = k * omega_;
   return 1. / std::sqrt(1. + frequency * frequency);
 }
 
-unsigned int SpectralNorm::n_tail_modes(const unsigned int m)
+unsigned int SpectralNorm::n_tail_modes(const unsigned int m) const
 {
-  // S_k has the period 2 m on equal intervals.
-  const unsigned int period = 2 * std::max(m, 1U);
-  return period < n_modes / 2 ? period * ((n_modes / 2) / period) : n_modes / 2;
+  // S_k has this period on equal intervals.
+  const unsigned int period = (closed_ ? 1 : 2) * std::max(m, 1U);
+  return period < n_modes_ / 2 ? period * ((n_modes_ / 2) / period) : n_modes_ / 2;
+}
+
+double SpectralNorm::tail() const
+{
+  return 2. / length_ / std::pow(omega_, 3) / (2. * double(n_modes_) * (n_modes_ + 1.));
 }
 
 SpectralNorm::Vector SpectralNorm::coefficients(const std::vector<double> &arc_lengths,
                                                 const std::vector<double> &weighted_values) const
 {
-  Vector sums(n_modes + 1);
+  Vector sums(1 + (closed_ ? 2 : 1) * n_modes_);
   {
-    Harmonics<false> cosines(sums);
+    Harmonics<false> cosines(sums, 1, n_modes_);
+    Harmonics<true> sines(sums, 1 + n_modes_, n_modes_);
     for (std::size_t q = 0; q < arc_lengths.size(); ++q)
     {
       sums[0] += weighted_values[q];
-      cosines.add(PI * arc_lengths[q] / length_, weighted_values[q]);
+      cosines.add(omega_ * arc_lengths[q], weighted_values[q]);
+      if (closed_)
+        sines.add(omega_ * arc_lengths[q], weighted_values[q]);
     }
   }
   sums *= std::sqrt(2. / length_);
@@ -108,16 +129,22 @@ SpectralNorm::Vector SpectralNorm::coefficients(const std::vector<double> &arc_l
 SpectralNorm::Vector SpectralNorm::coefficients_of_constants(const std::vector<double> &ends,
                                                              const Vector &values) const
 {
-  // int q cos(k pi s/L) = -(L/(k pi)) sum of jumps times sin; the sines vanish at both ends.
-  Vector sums(n_modes + 1);
+  // int q cos(k omega s) = -sum of jumps times sin / (k omega): on an open side the sines vanish at
+  // both ends. int q sin = +sum of jumps times cos / (k omega).
+  Vector sums(1 + (closed_ ? 2 : 1) * n_modes_);
   {
-    Harmonics<true> sines(sums);
-    for (unsigned int i = 1; i < values.size(); ++i)
-      sines.add(PI * ends[i] / length_, values[i] - values[i - 1]);
+    Harmonics<true> sines(sums, 1, n_modes_);
+    Harmonics<false> cosines(sums, 1 + n_modes_, n_modes_);
+    for (unsigned int i = closed_ ? 0 : 1; i < values.size(); ++i)
+    {
+      const double jump = values[i] - (i > 0 ? values[i - 1] : values[values.size() - 1]);
+      sines.add(omega_ * ends[i], -jump);
+      if (closed_)
+        cosines.add(omega_ * ends[i], jump);
+    }
   }
-  for (unsigned int k = 1; k <= n_modes; ++k)
-    sums[k] *= -std::sqrt(2. / length_) * length_ / (k * PI);
-  sums[0] = 0.;
+  for (unsigned int c = 1; c < sums.size(); ++c)
+    sums[c] *= std::sqrt(2. / length_) / (mode(c) * omega_);
   for (unsigned int i = 0; i < values.size(); ++i)
     sums[0] += values[i] * (ends[i + 1] - ends[i]) / std::sqrt(length_);
   return sums;
@@ -128,38 +155,38 @@ double SpectralNorm::distance(const Vector &f,
                               const Vector &values) const
 {
   const Vector q_H = coefficients_of_constants(ends, values);
-  double square = 0.;
-  for (unsigned int k = 0; k <= n_modes; ++k)
-    square += weight(k) * (f[k] - q_H[k]) * (f[k] - q_H[k]);
-  // q_k = -(2/L)^{1/2} L/(k pi) S_k: the mean of S_k² gives the rest of the sum.
   const unsigned int n_last = n_tail_modes(values.size());
-  double mean = 0.;
-  for (unsigned int k = n_modes - n_last + 1; k <= n_modes; ++k)
-    mean += std::pow(q_H[k] * k * PI / length_, 2) * length_ / 2. / n_last;
-  square += length_ * length_ / (PI * PI * PI) * mean / (double(n_modes) * (n_modes + 1.));
-  return std::sqrt(square);
+  double square = 0., mean = 0.;
+  for (unsigned int c = 0; c < q_H.size(); ++c)
+  {
+    const unsigned int k = mode(c);
+    square += weight(k) * (f[c] - q_H[c]) * (f[c] - q_H[c]);
+    // q_k = (2/L)^{1/2} S_k/(k omega): the mean of S_k² gives the rest of the sum.
+    if (k > n_modes_ - n_last)
+      mean += std::pow(q_H[c] * k * omega_, 2) * length_ / 2. / n_last;
+  }
+  return std::sqrt(square + tail() * mean);
 }
 
 dealii::FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &ends) const
 {
   const unsigned int m = ends.size() - 1;
   const unsigned int n_last = n_tail_modes(m);
-  // Modes from here on count for the infinitely many after them, too.
-  const unsigned int first_last = n_modes - n_last + 1;
-  const double tail = length_ * length_ / (PI * PI * PI) / (double(n_modes) * (n_modes + 1.));
-  dealii::FullMatrix<double> weighted(m, n_modes + 1);
+  dealii::FullMatrix<double> weighted(m, 1 + (closed_ ? 2 : 1) * n_modes_);
   Vector unit(m);
   for (unsigned int i = 0; i < m; ++i)
   {
     unit = 0.;
     unit[i] = 1.;
     const Vector q = coefficients_of_constants(ends, unit);
-    for (unsigned int k = 0; k <= n_modes; ++k)
+    for (unsigned int c = 0; c < q.size(); ++c)
     {
+      const unsigned int k = mode(c);
       double square = weight(k);
-      if (k >= first_last)
-        square += tail * std::pow(k * PI / length_, 2) * length_ / 2. / n_last;
-      weighted(i, k) = std::sqrt(square) * q[k];
+      // The last modes count for the infinitely many after them, too.
+      if (k > n_modes_ - n_last)
+        square += tail() * std::pow(k * omega_, 2) * length_ / 2. / n_last;
+      weighted(i, c) = std::sqrt(square) * q[c];
     }
   }
   dealii::FullMatrix<double> gram(m, m);
@@ -183,7 +210,7 @@ dealii::FullMatrix<double> dual_gram_matrix(const std::vector<Patch> &patches,
 {
   dealii::FullMatrix<double> gram(patches.size(), patches.size());
   for_each_side(patches, [&](const unsigned int first, const unsigned int last) {
-    const SpectralNorm norm(geometry.sides[patches[first].side].length());
+    const SpectralNorm norm = spectral_norm_on(geometry.sides[patches[first].side]);
     gram.fill(norm.gram_matrix(patch_ends(patches, first, last)), first, first, 0, 0);
   });
   return gram;

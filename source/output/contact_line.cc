@@ -49,12 +49,12 @@ std::vector<ContactSegment<dim>> trace_contact_line(const DisplacementSpace<dim>
     const ContactFace<dim> &face = multipliers.faces()[piece.face];
     const auto point = [&](const double s) {
       ContactPoint<dim> point;
-      point.side = side.name;
+      point.side = side.name();
       point.s = s;
       point.x = side.point(s);
       point.p_H = P[piece.patch];
       point.p_recovered = recovered(piece.patch, s);
-      point.u_n = normal_displacement(space, face, side.normal, U, s);
+      point.u_n = normal_displacement(space, face, side.normal(s), U, s);
       point.g = condition.data->value(point.x);
       if (condition.exact_pressure != nullptr)
         point.p_exact = condition.exact_pressure->value(point.x);

@@ -179,7 +179,10 @@ void write_solution_vtu(const std::filesystem::path &path,
   }
   else
     data_out.add_data_vector(space.dofs(), U, stress);
-  data_out.build_patches(space.mesh().mapping(), space.mesh().has_parents() ? 2 : 1);
+  data_out.build_patches(space.mesh().mapping(),
+                         space.mesh().has_parents() ? 2 : 1,
+                         space.mesh().is_curved() ? dealii::DataOut<dim>::curved_inner_cells
+                                                  : dealii::DataOut<dim>::no_curved_cells);
   write_patches(path, data_out, space.mesh().communicator());
 }
 

@@ -25,27 +25,43 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const dealii
 template <int dim>
 RecoveredPressure<dim>::RecoveredPressure(const MultiplierSpace<dim> &space,
                                           const dealii::Vector<double> &P)
-  : patches_(space.partition().patches)
+  : space_(space)
   , P_(P)
 {
 }
 
 template <int dim>
+typename RecoveredPressure<dim>::Neighbour
+RecoveredPressure<dim>::neighbour(const unsigned int patch, const int step) const
+{
+  const std::vector<Patch> &patches = space_.partition().patches;
+  const auto on_side = [&](const int t) {
+    return t >= 0 && t < static_cast<int>(patches.size()) && patches[t].side == patches[patch].side;
+  };
+  int next = static_cast<int>(patch) + step;
+  if (on_side(next))
+    return {static_cast<unsigned int>(next), patches[next].middle()};
+  const Side<dim> &side = space_.side(patches[patch]);
+  if (!side.is_closed())
+    return {patch, patches[patch].middle()};
+  // The patch at the other end of the list.
+  for (next = static_cast<int>(patch); on_side(next - step);)
+    next -= step;
+  return {static_cast<unsigned int>(next), patches[next].middle() + step * side.length()};
+}
+
+template <int dim>
 double RecoveredPressure<dim>::operator()(const unsigned int patch, const double s) const
 {
-  const auto on_side = [&](const int t) {
-    return t >= 0 && t < static_cast<int>(patches_.size()) &&
-           patches_[t].side == patches_[patch].side;
-  };
-  const int here = static_cast<int>(patch);
-  int next = s < patches_[patch].middle() ? here - 1 : here + 1;
-  if (!on_side(next))
-    next = 2 * here - next;
-  if (!on_side(next))
+  const double middle = space_.partition().patches[patch].middle();
+  const int step = s < middle ? -1 : 1;
+  Neighbour next = neighbour(patch, step);
+  if (next.patch == patch)
+    next = neighbour(patch, -step);
+  if (next.patch == patch)
     return P_[patch];
-  const double slope =
-    (P_[next] - P_[patch]) / (patches_[next].middle() - patches_[patch].middle());
-  return std::min(0., P_[patch] + slope * (s - patches_[patch].middle()));
+  const double slope = (P_[next.patch] - P_[patch]) / (next.middle - middle);
+  return std::min(0., P_[patch] + slope * (s - middle));
 }
 
 dealii::Vector<double> transfer_pressure(const std::vector<Patch> &from,

@@ -83,9 +83,9 @@ Scene<2> make_c4()
   scene.geometry = make_rectangle({0., 0.}, {1., 1.}, {1, 1});
   std::vector<Side<2>> &sides = scene.geometry.sides;
   const std::size_t left = scene.geometry.find_side("left");
-  const dealii::Point<2> division(0., 0.75);
-  sides.push_back({"upper left", division, sides[left].end, sides[left].normal});
-  sides[left].end = division;
+  const dealii::Point<2> division(0., 0.75), normal(-1., 0.);
+  sides.emplace_back("upper left", division, sides[left].end(), normal);
+  sides[left] = Side<2>("left", sides[left].start(), division, normal);
   scene.geometry.classify_after_refinement = true;
 
   scene.boundary.resize(sides.size());
@@ -104,7 +104,7 @@ Scene<2> make_c4()
                        function_of([](const double y) { return bump(6., eta, y)[0]; }, 1)};
   scene.body_force = body_force_of(corner_field);
   scene.exact_displacement = displacement_of(corner_field);
-  scene.kinks = {{{xi}, {eta}}};
+  scene.kinks = lines_at<2>({{{xi}, {eta}}});
   return scene;
 }
 } // namespace Signorini

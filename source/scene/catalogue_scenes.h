@@ -20,6 +20,9 @@ Scene<2> make_c1();
 Scene<2> make_c2();
 Scene<2> make_c3();
 Scene<2> make_c4();
+Scene<2> make_e1();
+Scene<2> make_e2();
+Scene<2> make_e3();
 Scene<2> make_o1();
 Scene<2> make_v1();
 /** Constant strain under full contact: exact on every mesh. */

@@ -131,7 +131,7 @@ void read_contact_data(const Parameters &parameters, const SceneReader &reader, 
 {
   std::vector<std::string> names;
   for (const unsigned int side : scene.contact_sides())
-    names.push_back(scene.geometry.sides[side].name);
+    names.push_back(scene.geometry.sides[side].name());
   const auto per_side = [&](const std::string &path, const std::string &text) {
     return read_contact_list(text, parameters.where(path), scene.geometry.side_names(), names);
   };

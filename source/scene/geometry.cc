@@ -133,8 +133,7 @@ bool lies_on(const Face &face, const Side<2> &side)
   for (unsigned int v = 0; v < 2; ++v)
   {
     const double s = side.arc_length(face->vertex(v));
-    if (std::abs((face->vertex(v) - side.start) * side.normal) > margin || s < -margin ||
-        s > length + margin)
+    if (side.point(s).distance(face->vertex(v)) > margin || s < -margin || s > length + margin)
       return false;
   }
   return true;
@@ -163,7 +162,7 @@ template <int dim>
 std::size_t Geometry<dim>::find_side(const std::string &name) const
 {
   std::size_t i = 0;
-  while (i < sides.size() && sides[i].name != name)
+  while (i < sides.size() && sides[i].name() != name)
     ++i;
   return i;
 }
@@ -173,7 +172,7 @@ std::vector<std::string> Geometry<dim>::side_names() const
 {
   std::vector<std::string> names;
   for (const Side<dim> &side : sides)
-    names.push_back(side.name);
+    names.push_back(side.name());
   return names;
 }
 
@@ -207,8 +206,8 @@ Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
   for (std::size_t i = 0; i < n; ++i)
   {
     const dealii::Point<2> &next = vertices[(i + 1) % n];
-    geometry.sides.push_back(
-      {"side" + std::to_string(i), vertices[i], next, normal_to_the_right(vertices[i], next)});
+    geometry.sides.emplace_back(
+      "side" + std::to_string(i), vertices[i], next, normal_to_the_right(vertices[i], next));
     for (unsigned int d = 0; d < 2; ++d)
     {
       geometry.lower[d] = std::min(geometry.lower[d], next[d]);

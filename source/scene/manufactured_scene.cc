@@ -164,7 +164,7 @@ Scene<2> make_manufactured_scene(const Field &field,
   {
     const std::size_t side = scene.geometry.find_side(name);
     scene.boundary[side] = {
-      Role::traction, traction_of(field, material, scene.geometry.sides[side].normal), nullptr};
+      Role::traction, traction_of(field, material, scene.geometry.sides[side].normal(0.)), nullptr};
   }
   scene.boundary[scene.geometry.find_side("top")].role = Role::clamped;
   scene.boundary[scene.geometry.find_side("bottom")] = {
@@ -172,7 +172,7 @@ Scene<2> make_manufactured_scene(const Field &field,
   scene.material = material;
   scene.body_force = body_force_of(field);
   scene.exact_displacement = displacement_of(field);
-  scene.kinks[0] = kinks_at_x;
+  scene.kinks = lines_at<2>({{kinks_at_x, {}}});
   return scene;
 }
 } // namespace Signorini

@@ -36,10 +36,13 @@ dealii::LAPACKFullMatrix<double> normal_equations(const Scene<2> &scene,
   {
     const Side<2> &side = scene.geometry.sides[i];
     const Role role = scene.boundary[i].role;
-    for (const dealii::Point<2> &x : {side.start, side.end})
+    // Two points tell all about a segment, three about a circle.
+    for (const double share : {0., 1. / 3., 2. / 3., 1.})
     {
+      const double s = share * side.length();
+      const dealii::Point<2> x = side.point(s);
       if (role == Role::roller)
-        impose(x, side.normal);
+        impose(x, side.normal(s));
       if (role == Role::clamped || role == Role::displacement)
         for (unsigned int d = 0; d < 2; ++d)
           impose(x, dealii::Point<2>::unit_vector(d));

@@ -89,12 +89,22 @@ Scene<2> make_scene(const Parameters &parameters)
   }
   refuse_free_motions(scene, parameters);
   const DiscretizationParameters &discretization = parameters.discretization;
-  scene.kinks[0].insert(
-    scene.kinks[0].end(), discretization.kinks_at_x.begin(), discretization.kinks_at_x.end());
-  scene.kinks[1].insert(
-    scene.kinks[1].end(), discretization.kinks_at_y.begin(), discretization.kinks_at_y.end());
+  const std::vector<KinkLine<2>> more =
+    lines_at<2>({{discretization.kinks_at_x, discretization.kinks_at_y}});
+  scene.kinks.insert(scene.kinks.end(), more.begin(), more.end());
   return scene;
 }
 
+template <int dim>
+std::vector<KinkLine<dim>> lines_at(const std::array<std::vector<double>, dim> &positions)
+{
+  std::vector<KinkLine<dim>> lines;
+  for (unsigned int d = 0; d < dim; ++d)
+    for (const double position : positions[d])
+      lines.push_back({dealii::Point<dim>::unit_vector(d), position});
+  return lines;
+}
+
 template struct Scene<2>;
+template std::vector<KinkLine<2>> lines_at<2>(const std::array<std::vector<double>, 2> &);
 } // namespace Signorini

@@ -25,7 +25,7 @@ std::string describe_boundary(const Scene<dim> &scene)
     std::vector<std::string> names;
     for (unsigned int i = 0; i < scene.boundary.size(); ++i)
       if (scene.boundary[i].role == role.first)
-        names.push_back(scene.geometry.sides[i].name);
+        names.push_back(scene.geometry.sides[i].name());
     if (!names.empty())
       parts.push_back(role.second + (" " + join(names, " ")));
   }

@@ -186,7 +186,7 @@ void rollers(Checks &checks)
   };
   const System clamped(text("set Rollers = side0\nset Clamped = side2\nset Contact = side1\n"), 3);
   const NodalVector U = clamped.solve();
-  const auto &n = clamped.scene.geometry.sides[0].normal;
+  const auto n = clamped.scene.geometry.sides[0].normal(0.);
   const dealii::Tensor<1, 2> zero, tangent = Point<2>(-n[1], n[0]);
   checks.near("no motion normal to a roller", largest_on_side(clamped, U, 0, n, zero), 0., 1e-14);
   checks.that("rollers slide", largest_on_side(clamped, U, 0, tangent, zero) > 0.01);
@@ -199,10 +199,11 @@ void rollers(Checks &checks)
   const System corner(text("set Rollers = side0 side1\nset Contact = side2\n"), 3);
   const NodalVector V = corner.solve();
   for (const unsigned int side : {0U, 1U})
-    checks.near("two rollers that meet: side " + std::to_string(side),
-                largest_on_side(corner, V, side, corner.scene.geometry.sides[side].normal, zero),
-                0.,
-                1e-13);
+    checks.near(
+      "two rollers that meet: side " + std::to_string(side),
+      largest_on_side(corner, V, side, corner.scene.geometry.sides[side].normal(0.), zero),
+      0.,
+      1e-13);
 
   // A roller on a displaced side: the corner keeps the prescribed value.
   const System moved(text("set Rollers = side0\nset Displacement = side1: 0.2; 0.1\n"

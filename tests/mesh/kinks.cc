@@ -9,6 +9,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -20,8 +21,12 @@ namespace
 {
 using Point = dealii::Point<2>;
 using Cell = dealii::Triangulation<2>::active_cell_iterator;
-using Lines = std::array<std::vector<double>, 2>;
 using Integrand = std::function<double(const Point &)>;
+
+std::vector<KinkLine<2>> lines(const std::vector<double> &at_x, const std::vector<double> &at_y)
+{
+  return lines_at<2>({{at_x, at_y}});
+}
 
 double integrate(const Cell &cell, const dealii::Quadrature<2> &rule, const Integrand &f)
 {
@@ -45,7 +50,7 @@ void test_rectangle(Checks &checks)
   dealii::Triangulation<2> mesh;
   make_rectangle(Point(0., 0.), Point(1., 2.), {1, 1}).make_coarse_mesh(mesh);
   const Cell cell = mesh.begin_active();
-  const Kinks<2> kinks(Lines{{{0.3}, {}}});
+  const Kinks<2> kinks(lines({0.3}, {}));
   for (unsigned int k = 1; k <= 4; ++k)
     for (unsigned int j = 0; j <= 2; ++j)
       checks.near("rectangle: max(x-c,0)^" + std::to_string(k) + " y^" + std::to_string(j),
@@ -58,7 +63,7 @@ void test_rectangle(Checks &checks)
                   1e-14);
 
   // |x-a| |x-b| |y-c| |y-d| with the lines in any order, twice and outside of the cell.
-  const Kinks<2> several(Lines{{{0.6, 0.3, 0.6, -1., 7.}, {1.7, 0.5, 2., 0.}}});
+  const Kinks<2> several(lines({0.6, 0.3, 0.6, -1., 7.}, {1.7, 0.5, 2., 0.}));
   const auto signed_integral = [](const double a, const double b, const double end) {
     const auto primitive = [&](const double x) {
       return x * x * x / 3. - (a + b) * x * x / 2. + a * b * x;
@@ -76,7 +81,7 @@ void test_rectangle(Checks &checks)
               1e-14);
   checks.near("rectangle: nine pieces", several.quadrature(cell, 2).size(), 9 * 4, 0);
   checks.near("rectangle: a missed cell keeps its rule",
-              Kinks<2>(Lines{{{2.}, {0.}}}).quadrature(cell, 3).size(),
+              Kinks<2>(lines({2.}, {0.})).quadrature(cell, 3).size(),
               9,
               0);
 }
@@ -89,13 +94,13 @@ void test_quadrilateral(Checks &checks)
   const Cell cell = mesh.begin_active();
   const dealii::QGauss<2> gauss(6);
   const std::vector<std::pair<std::string, Kinks<2>>> rows = {
-    {"no line", Kinks<2>(Lines{{{}, {}}})},
-    {"one line", Kinks<2>(Lines{{{1.}, {}}})},
-    {"lines across", Kinks<2>(Lines{{{}, {0.5, 1.5}}})},
-    {"both ways", Kinks<2>(Lines{{{0.4, 1., 2.5}, {0.3, 1.2, 1.7}}})},
-    {"through corners", Kinks<2>(Lines{{{2.}, {1.}}})},
-    {"almost through corners", Kinks<2>(Lines{{{2. - 1e-13, 3. - 1e-9}, {1. + 1e-12}}})},
-    {"outside", Kinks<2>(Lines{{{-1., 5.}, {3.}}})}};
+    {"no line", Kinks<2>(lines({}, {}))},
+    {"one line", Kinks<2>(lines({1.}, {}))},
+    {"lines across", Kinks<2>(lines({}, {0.5, 1.5}))},
+    {"both ways", Kinks<2>(lines({0.4, 1., 2.5}, {0.3, 1.2, 1.7}))},
+    {"through corners", Kinks<2>(lines({2.}, {1.}))},
+    {"almost through corners", Kinks<2>(lines({2. - 1e-13, 3. - 1e-9}, {1. + 1e-12}))},
+    {"outside", Kinks<2>(lines({-1., 5.}, {3.}))}};
   for (const auto &row : rows)
   {
     const dealii::Quadrature<2> rule = row.second.quadrature(cell, 4);
@@ -120,7 +125,7 @@ void test_quadrilateral(Checks &checks)
                dealii::GeometryInfo<2>::is_inside_unit_cell(rule.point(q), 1e-12);
     checks.that("quadrilateral, " + row.first + ": points inside, no negative weights", inside);
   }
-  const Kinks<2> kinks(Lines{{{1.}, {1.}}});
+  const Kinks<2> kinks(lines({1.}, {1.}));
   const dealii::Quadrature<2> rule = kinks.quadrature(cell, 4);
   for (unsigned int k = 1; k <= 4; ++k)
   {
@@ -144,7 +149,7 @@ void test_mesh(Checks &checks)
   make_rectangle(Point(0., 0.), Point(1., 1.), {7, 5}).make_coarse_mesh(mesh);
   dealii::GridTools::distort_random(0.25, mesh, true);
   const double xi = std::sqrt(0.5), eta = 0.4;
-  const Kinks<2> kinks(Lines{{{xi}, {eta}}});
+  const Kinks<2> kinks(lines({xi}, {eta}));
   const dealii::Quadrature<2> gauss = dealii::QGauss<2>(3);
   double by_pieces = 0., plain = 0.;
   unsigned int crossed = 0;
@@ -169,11 +174,11 @@ void test_cross(Checks &checks)
   dealii::Triangulation<2> mesh;
   make_rectangle(Point(0., 0.), Point(1., 1.), {2, 2}).make_coarse_mesh(mesh);
   const Cell first = mesh.begin_active();
-  checks.that("line through the cell", Kinks<2>(Lines{{{0.25}, {}}}).cross(first));
-  checks.that("line along an edge", !Kinks<2>(Lines{{{0.5, 0.}, {0.5}}}).cross(first));
-  checks.that("line elsewhere", !Kinks<2>(Lines{{{0.75}, {-0.2}}}).cross(first));
-  checks.that("line across y", Kinks<2>(Lines{{{0.75}, {0.1}}}).cross(first));
-  checks.that("no line", !Kinks<2>(Lines{{{}, {}}}).cross(first));
+  checks.that("line through the cell", Kinks<2>(lines({0.25}, {})).cross(first));
+  checks.that("line along an edge", !Kinks<2>(lines({0.5, 0.}, {0.5})).cross(first));
+  checks.that("line elsewhere", !Kinks<2>(lines({0.75}, {-0.2})).cross(first));
+  checks.that("line across y", Kinks<2>(lines({0.75}, {0.1})).cross(first));
+  checks.that("no line", !Kinks<2>(lines({}, {})).cross(first));
 }
 
 /** 1/r and r, integrated over [0,a] x [0,c] with r counted from the origin. */
@@ -194,7 +199,7 @@ void test_ends(Checks &checks)
   Scene<2> scene;
   scene.geometry = make_rectangle(Point(0., 0.), Point(1., 1.), {4, 4});
   scene.boundary.resize(4);
-  scene.kinks = {{{xi}, {}}};
+  scene.kinks = lines({xi}, {});
   dealii::Triangulation<2> mesh;
   scene.geometry.make_coarse_mesh(mesh);
   const Kinks<2> without_contact = Kinks<2>::of_scene(scene);
@@ -233,7 +238,7 @@ double distance(const std::vector<double> &found, const std::vector<double> &exp
 
 void test_segments(Checks &checks)
 {
-  const Kinks<2> kinks(Lines{{{0.5, 0.25}, {0.8}}});
+  const Kinks<2> kinks(lines({0.5, 0.25}, {0.8}));
   const auto cut = [&](const std::string &name,
                        const Point &a,
                        const Point &b,
@@ -246,10 +251,6 @@ void test_segments(Checks &checks)
   cut("a diagonal", Point(0., 0.), Point(1., 1.), {0., 0.25, 0.5, 0.8, 1.});
   cut("beside all lines", Point(0.6, 0.), Point(0.7, 0.), {0., 1.});
   cut("that ends on lines", Point(0.25, 0.), Point(0.5, 0.), {0., 1.});
-  checks.that("touch",
-              kinks.touch(Point(0.25, 0.), Point(0.3, 0.)) &&
-                kinks.touch(Point(0.6, 0.), Point(0.6, 0.8)) &&
-                !kinks.touch(Point(0., 0.), Point(1., 0.)));
   const dealii::Quadrature<1> split = split_quadrature(dealii::QGauss<1>(2), {0., 0.3, 0.8, 1.});
   double sum = 0., weights = 0.;
   for (unsigned int q = 0; q < split.size(); ++q)
@@ -260,6 +261,56 @@ void test_segments(Checks &checks)
   checks.near("split rule: number of points", split.size(), 6, 0);
   checks.near("split rule: length", weights, 1., 1e-15);
   checks.near("split rule: max(t-c,0)^3", sum, std::pow(0.7, 4) / 4., 1e-15);
+}
+/** The same on sides, by arc length. */
+void test_sides(Checks &checks)
+{
+  const Kinks<2> kinks(lines({0.5, 0.25}, {0.8}));
+  const Side<2> bottom("bottom", Point(-1., 0.), Point(1., 0.), Point(0., -1.));
+  checks.near("cut of a side", distance(kinks.cut(bottom, 0., 2.), {0., 1.25, 1.5, 2.}), 0., 1e-15);
+  checks.near("cut of a part", distance(kinks.cut(bottom, 1.3, 1.6), {1.3, 1.5, 1.6}), 0., 1e-15);
+  checks.near("ends are no cuts", distance(kinks.cut(bottom, 1.25, 1.5), {1.25, 1.5}), 0., 1e-15);
+  const Side<2> column("column", Point(0.6, 0.), Point(0.6, 2.), Point(1., 0.));
+  checks.that("touch",
+              kinks.touch(bottom, 1.25, 1.3) && kinks.touch(column, 0., 0.8) &&
+                !kinks.touch(bottom, 0., 2.));
+
+  // On the circle of radius 2 about (1, 0) from the angle -pi the line y = 0.8 is met where
+  // sin(angle) = 0.4, x = 0.5 and x = 0.25 where cos(angle) = -0.25 and -0.375.
+  const double pi = dealii::numbers::PI;
+  const auto circle = Side<2>::arc("circle", Point(1., 0.), 2., -pi, pi, Body::inside);
+  std::vector<double> expected = {0., 4. * pi};
+  for (const double angle : {std::asin(0.4),
+                             pi - std::asin(0.4),
+                             std::acos(-0.25),
+                             -std::acos(-0.25),
+                             std::acos(-0.375),
+                             -std::acos(-0.375)})
+    expected.push_back(2. * (angle + pi));
+  std::sort(expected.begin(), expected.end());
+  checks.near("cut of a circle", distance(kinks.cut(circle, 0., 4. * pi), expected), 0., 1e-14);
+  const double first = expected[1];
+  checks.that("touch a circle",
+              kinks.touch(circle, first, first + 0.1) && kinks.touch(circle, 0., first) &&
+                !kinks.touch(circle, 0., 4. * pi));
+  checks.near("cut beyond the seam",
+              distance(kinks.cut(circle, 4. * pi, 4. * pi + first + 0.1),
+                       {4. * pi, 4. * pi + first, 4. * pi + first + 0.1}),
+              0.,
+              1e-14);
+
+  // |y - 2 x| on the unit square.
+  dealii::Triangulation<2> mesh;
+  make_rectangle(Point(0., 0.), Point(1., 1.), {1, 1}).make_coarse_mesh(mesh);
+  const double length = std::sqrt(5.);
+  const Kinks<2> slope({{dealii::Tensor<1, 2>({-2. / length, 1. / length}), 0.}});
+  // Over x < 1/2 it is 1/6, over x > 1/2 it is 1/2.
+  checks.near("an oblique line",
+              integrate(mesh.begin_active(),
+                        slope.quadrature(mesh.begin_active(), 3),
+                        [](const Point &x) { return std::abs(x[1] - 2. * x[0]); }),
+              2. / 3.,
+              1e-14);
 }
 } // namespace
 
@@ -273,5 +324,6 @@ int main()
   test_cross(checks);
   test_ends(checks);
   test_segments(checks);
+  test_sides(checks);
   return checks.exit_code();
 }

@@ -131,7 +131,7 @@ void test_boundary(Checks &checks, const std::string &name, const Geometry<2> &g
     const Side<2> &side = geometry.sides.at(face->boundary_id());
     covered[face->boundary_id()] += face->measure();
     for (const unsigned int v : {0, 1})
-      off = std::max(off, std::abs((face->vertex(v) - side.start) * side.normal));
+      off = std::max(off, std::abs((face->vertex(v) - side.start()) * side.normal(0.)));
   }
   checks.near(name + ": faces lie on their sides", off, 0., 1e-14);
   double difference = 0.;

@@ -94,7 +94,8 @@ void moments(Checks &checks, const std::string &name, const OneLevel &level)
     {
       const Patch &patch = level.multipliers().partition().patches[tau];
       const Side<2> &side = level.multipliers().side(patch);
-      const double expected = fields[k](side.point(patch.middle())) * side.normal * patch.length();
+      const double expected =
+        fields[k](side.point(patch.middle())) * side.normal(0.) * patch.length();
       largest = std::max(largest, std::abs(DtU[tau] - expected));
     }
     checks.near(name + names[k], largest, 0., 1e-14);

@@ -130,6 +130,59 @@ void check_coefficients(Checks &checks)
   }
   checks.near("cosine coefficients of a cubic", largest, 0., 1e-11);
 }
+/**
+ * On a closed side of length L, (-1)^i on m patches is a square wave of m/2 periods: the harmonics
+ * j = 1, 3, 5, ... of the frequency pi m/L, with the squares 8 L/(pi j)².
+ */
+void check_closed_side(Checks &checks)
+{
+  const double pi = dealii::numbers::PI;
+  for (const double length : {2. * pi, 4. * pi})
+    for (const unsigned int m : {4U, 8U, 32U})
+    {
+      double square = 0.;
+      for (unsigned int j = 1; j < 200000; j += 2)
+        square +=
+          8. * length / std::pow(pi * j, 2) / std::sqrt(1. + std::pow(j * pi * m / length, 2));
+      const double exact = std::sqrt(square);
+      const SpectralNorm norm(length, /*closed=*/true);
+      const auto ends = equal_ends(m, length);
+      const auto q = checkerboard(m);
+      const std::string name = "closed side, (-1)^i, m = " + std::to_string(m);
+      const double found = norm.distance(norm.coefficients({}, {}), ends, q);
+      checks.near(name, found, exact, 1e-7 * exact);
+      auto image = q;
+      norm.gram_matrix(ends).vmult(image, q);
+      checks.near(name + ", Gram matrix", std::sqrt(q * image), exact, 1e-7 * exact);
+      dealii::Vector<double> one(m);
+      one = 1.;
+      checks.near(
+        "closed side, constant", norm.distance(norm.coefficients({}, {}), ends, one),
+        std::sqrt(length), 1e-12);
+    }
+
+  // 3 cos(2 s) - sin(5 s) on the unit circle: pi (9 (1 + 4)^{-1/2} + (1 + 25)^{-1/2}).
+  const dealii::QGauss<1> gauss(8);
+  const unsigned int n = 64;
+  std::vector<double> s, w;
+  for (unsigned int c = 0; c < n; ++c)
+    for (unsigned int p = 0; p < gauss.size(); ++p)
+    {
+      s.push_back(2. * pi * (c + gauss.point(p)[0]) / n);
+      w.push_back((3. * std::cos(2. * s.back()) - std::sin(5. * s.back())) * gauss.weight(p) * 2. *
+                  pi / n);
+    }
+  const SpectralNorm circle(2. * pi, true);
+  auto modes = circle.coefficients(s, w);
+  // The rule is exact up to some 8 * 64 oscillations only.
+  for (unsigned int c = 0; c < modes.size(); ++c)
+    modes[c] = (c - 1) % 4096 < 100 ? modes[c] : 0.;
+  dealii::Vector<double> nothing(1);
+  checks.near("closed side, harmonics",
+              circle.distance(modes, {0., 2. * pi}, nothing),
+              std::sqrt(pi * (9. / std::sqrt(5.) + 1. / std::sqrt(26.))),
+              1e-12);
+}
 } // namespace
 
 int main()
@@ -139,5 +192,6 @@ int main()
   check_constants(checks);
   check_seminorm(checks);
   check_coefficients(checks);
+  check_closed_side(checks);
   return checks.exit_code();
 }

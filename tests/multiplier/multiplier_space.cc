@@ -91,7 +91,7 @@ void rules(Checks &checks)
       for (std::size_t q = 0; q < rule.points.size(); ++q)
       {
         sums[piece.patch] += rule.weights[q];
-        off_side = std::max(off_side, std::abs((rule.points[q] - side.start) * side.normal));
+        off_side = std::max(off_side, std::abs((rule.points[q] - side.start()) * side.normal(0.)));
         off_arc =
           std::max(off_arc, std::abs(side.arc_length(rule.points[q]) - rule.arc_lengths[q]));
       }

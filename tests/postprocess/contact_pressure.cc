@@ -101,6 +101,26 @@ void recovery(Checks &checks, const Scene<2> &scene)
   checks.near("sides do not mix", by_side(1, 0.), -0.5, 1e-15);
 }
 
+/** Around a circle the last patch is next to the first. */
+void closed_side(Checks &checks)
+{
+  const Scene<2> ring = make_scene(parse_parameters("", "test", {"Scene/Name=E1"}));
+  const unsigned int outer = ring.geometry.find_side("outer");
+  const double length = ring.geometry.sides[outer].length();
+  const unsigned int m = 12;
+  std::vector<Patch> patches;
+  Vector P(m);
+  for (unsigned int tau = 0; tau < m; ++tau)
+  {
+    patches.push_back({outer, tau * length / m, (tau + 1) * length / m});
+    P[tau] = -2. - std::cos(2. * dealii::numbers::PI * tau / m);
+  }
+  const auto space = make_space(ring, patches);
+  const RecoveredPressure<2> recovered(space, P);
+  checks.near("closed side: no jump at the seam", recovered(0, 0.), recovered(m - 1, length), 1e-14);
+  checks.near("closed side: mean of the neighbours", recovered(0, 0.), 0.5 * (P[0] + P[m - 1]), 1e-14);
+}
+
 double force(const std::vector<Patch> &patches, const Vector &P, const unsigned int side)
 {
   double sum = 0.;
@@ -154,6 +174,7 @@ int main(int argc, char **argv)
     "subsection Boundary\nset Clamped = top\nset Contact = left bottom\nend\n", "test"));
   summary(checks, scene);
   recovery(checks, scene);
+  closed_side(checks);
   transfer(checks);
   return checks.exit_code();
 }

@@ -228,7 +228,11 @@ void test_interior(Checks &checks, const Scene<2> &scene)
   };
   const auto sigma = [&](const Point &x) { return stress(scene, x); };
   double gradient = 0., balance = 0.;
-  for (const Point &x : {Point(0.3, 0.4), Point(0.62, 0.23), Point(0.85, 0.7), Point(0.1, 0.9)})
+  const std::vector<Point> in_square = {
+    Point(0.3, 0.4), Point(0.62, 0.23), Point(0.85, 0.7), Point(0.1, 0.9)};
+  const std::vector<Point> in_circle = {
+    Point(1.2, 0.4), Point(0.45, -0.7), Point(-0.15, -0.95), Point(0.1, -0.8), Point(-0.9, 1.2)};
+  for (const Point &x : scene.geometry.curved ? in_circle : in_square)
   {
     const Stress ds[2] = {difference(sigma, x, 0), difference(sigma, x, 1)};
     for (unsigned int c = 0; c < 2; ++c)
@@ -254,8 +258,9 @@ void test_sides(Checks &checks, const Scene<2> &scene)
     const Side<2> &side = scene.geometry.sides[i];
     for (const double share : {0.01, 0.21, 0.4, 0.55, 0.76, 0.99})
     {
-      const Point x = side.point(share * side.length());
-      const auto t = stress(scene, x) * side.normal;
+      const double s = share * side.length();
+      const Point x = side.point(s);
+      const auto t = stress(scene, x) * side.normal(s);
       const Point u(scene.exact_displacement->value(x, 0), scene.exact_displacement->value(x, 1));
       if (condition.role == Role::clamped)
         held = std::max(held, u.norm());
@@ -267,8 +272,8 @@ void test_sides(Checks &checks, const Scene<2> &scene)
       if (condition.role != Role::contact)
         continue;
       const double p = condition.exact_pressure->value(x);
-      const double w = u * side.normal - condition.data->value(x);
-      pressed = std::max(pressed, (t - p * side.normal).norm());
+      const double w = u * side.normal(s) - condition.data->value(x);
+      pressed = std::max(pressed, (t - p * side.normal(s)).norm());
       product = std::max(product, std::abs(p * w));
       sign = std::max({sign, p, w});
     }
@@ -279,6 +284,26 @@ void test_sides(Checks &checks, const Scene<2> &scene)
   checks.near(scene.name + ": p w = 0", product, 0., 1e-14);
   checks.between(scene.name + ": p <= 0, w <= 0", sign, -1., 1e-14);
 }
+/** E2 at r = 1.5, theta = 0.7 and on its circle, from an independent program. */
+void test_e2(Checks &checks)
+{
+  const Scene<2> scene = make_scene(parse_parameters("", "a.prm", {"Scene/Name=E2"}));
+  const auto at = [](const double r, const double theta) {
+    return Point(r * std::cos(theta), r * std::sin(theta));
+  };
+  const Point x = at(1.5, 0.7);
+  const auto near = [&](const std::string &name, const double value, const double expected) {
+    checks.near("E2: " + name, value, expected, 1e-11);
+  };
+  near("u1", scene.exact_displacement->value(x, 0), 0.0263044093388);
+  near("u2", scene.exact_displacement->value(x, 1), 0.0453764564707);
+  near("f1", scene.body_force->value(x, 0), 0.666834800541);
+  near("f2", scene.body_force->value(x, 1), 0.818676393806);
+  const BoundaryCondition<2> &contact = scene.boundary[scene.geometry.find_side("outer")];
+  near("p(0.7)", contact.exact_pressure->value(at(2., 0.7)), -0.301326871725);
+  near("g(0.7)", contact.data->value(at(2., 0.7)), 0.00849835714501);
+  near("g(2)", contact.data->value(at(2., 2.)), 0.223750964705);
+}
 } // namespace
 
 int main()
@@ -287,6 +312,7 @@ int main()
   Checks checks;
   for (const Sample &sample : samples)
     test_sample(checks, sample);
+  test_e2(checks);
   for (const CatalogueEntry &entry : catalogue())
   {
     const Scene<2> scene = make_scene(parse_parameters("", "a.prm", {"Scene/Name=" + entry.name}));

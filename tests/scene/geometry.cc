@@ -78,8 +78,8 @@ void check_side(Checks &checks,
     return checks.that(name + " exists", false);
   const Side<2> &side = geometry.sides[i];
   const double length = std::hypot(end[0] - start[0], end[1] - start[1]);
-  checks.near(name + ": ends", side.start.distance(start) + side.end.distance(end), 0., 1e-15);
-  checks.near(name + ": normal", (side.normal - normal).norm(), 0., 1e-15);
+  checks.near(name + ": ends", side.start().distance(start) + side.end().distance(end), 0., 1e-15);
+  checks.near(name + ": normal", (side.normal(0.) - normal).norm(), 0., 1e-15);
   checks.near(name + ": length", side.length(), length, 1e-15);
   const Point middle = start + 0.25 * (end - start);
   checks.near(name + ": arc length", side.arc_length(middle), 0.25 * length, 1e-15);
@@ -104,6 +104,101 @@ void test_geometry(Checks &checks)
               triangle.side_names() == std::vector<std::string>({"side0", "side1", "side2"}));
   checks.near("triangle: diameter", triangle.diameter(), 5., 0.);
 }
+/** Arc length, point and normal of an arc agree with each other and with angles. */
+void check_arc(Checks &checks,
+               const std::string &name,
+               const Side<2> &arc,
+               const Point &centre,
+               const double radius,
+               const double first,
+               const double last,
+               const double sign)
+{
+  checks.near(name + ": length", arc.length(), radius * (last - first), 1e-14);
+  double point = 0., normal = 0., length = 0.;
+  for (const double share : {0., 0.1, 0.37, 0.5, 0.85, 0.999})
+  {
+    const double s = share * arc.length(), angle = first + share * (last - first);
+    const Point direction(std::cos(angle), std::sin(angle));
+    point = std::max(point, arc.point(s).distance(centre + radius * direction));
+    normal = std::max(normal, (arc.normal(s) - sign * direction).norm());
+    length = std::max(length, std::abs(arc.arc_length(arc.point(s)) - s));
+  }
+  checks.near(name + ": points", point, 0., 1e-14);
+  checks.near(name + ": normals", normal, 0., 1e-14);
+  checks.near(name + ": arc lengths", length, 0., 1e-14);
+}
+
+/** Every vertex and the middle of every edge on a side's faces lie on it, and nowhere else. */
+void check_curved_mesh(Checks &checks, const std::string &name, const Geometry<2> &geometry)
+{
+  dealii::Triangulation<2> mesh;
+  geometry.make_coarse_mesh(mesh);
+  mesh.refine_global(3);
+  double off = 0., area = 0.;
+  std::vector<double> lengths(geometry.sides.size(), 0.);
+  for (const auto &cell : mesh.active_cell_iterators())
+  {
+    area += cell->measure();
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary())
+      {
+        const Side<2> &side = geometry.sides[face->boundary_id()];
+        for (const Point &x : {face->vertex(0), face->vertex(1), face->center(true)})
+          off = std::max(off, side.point(side.arc_length(x)).distance(x));
+        lengths[face->boundary_id()] += face->measure();
+      }
+  }
+  checks.near(name + ": boundary points on their sides", off, 0., 1e-14);
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+  {
+    const double length = geometry.sides[i].length();
+    checks.near(name + ": chords of " + geometry.sides[i].name(), lengths[i] / length, 1., 3e-3);
+    checks.that(name + ": chords of " + geometry.sides[i].name() + " are no longer than the side",
+                lengths[i] < (1. + 1e-14) * length);
+  }
+  checks.between(name + ": area over that of the box",
+                 area / (geometry.upper[0] - geometry.lower[0]) /
+                   (geometry.upper[1] - geometry.lower[1]),
+                 0.5,
+                 dealii::numbers::PI / 4.);
+}
+
+void test_curved_geometry(Checks &checks)
+{
+  const double pi = dealii::numbers::PI;
+  const Geometry<2> ring = make_ring(1., 2.);
+  check_arc(checks, "inner circle", ring.sides[0], Point(), 1., -pi, pi, -1.);
+  check_arc(checks, "outer circle", ring.sides[1], Point(), 2., -pi, pi, 1.);
+  checks.that("circles are closed", ring.sides[0].is_closed() && ring.sides[1].is_closed());
+  check_curved_mesh(checks, "ring", ring);
+
+  const Geometry<2> half = make_half_disc(1.5);
+  check_side(checks, half, "flat", Point(-1.5, 0.), Point(1.5, 0.), Point(0., 1.));
+  check_arc(checks, "half circle", half.sides[1], Point(), 1.5, -pi, 0., 1.);
+  checks.that("half a circle is open", !half.sides[1].is_closed());
+  check_curved_mesh(checks, "half disc", half);
+  check_arc(checks,
+            "arc across the negative x-axis",
+            Side<2>::arc("arc", Point(3., -1.), 0.5, 0.9 * pi, 1.4 * pi, Body::outside),
+            Point(3., -1.),
+            0.5,
+            0.9 * pi,
+            1.4 * pi,
+            -1.);
+
+  // A ring on rollers turns about its centre; a half disc on rollers along its arc does so, too.
+  Scene<2> scene;
+  scene.geometry = ring;
+  scene.boundary.resize(2);
+  checks.near("free ring: three motions", free_rigid_motions(scene).size(), 3, 0);
+  scene.boundary[0].role = Role::roller;
+  checks.that("ring on rollers: the rotation about its centre",
+              free_rigid_motions(scene).size() == 1 &&
+                free_rigid_motions(scene)[0].name == "the rotation about (0, 0)");
+  scene.boundary[0].role = Role::clamped;
+  checks.that("clamped ring", free_rigid_motions(scene).empty());
+}
 } // namespace
 
 int main()
@@ -111,6 +206,7 @@ int main()
   dealii::deal_II_exceptions::disable_abort_on_exception();
   Checks checks;
   test_geometry(checks);
+  test_curved_geometry(checks);
   test_rigid_motions(checks);
   return checks.exit_code();
 }

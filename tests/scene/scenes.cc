@@ -124,8 +124,9 @@ void test_a1(Checks &checks)
                 a1.contact_sides() == std::vector<unsigned int>{2});
   checks.that("A1 is known exactly", a1.has_exact_pressure());
   checks.that("A1 kinks and those of the parameters",
-              a1.kinks[0].size() == 1 && std::abs(a1.kinks[0][0] - xi) < 1e-15 &&
-                a1.kinks[1] == std::vector<double>{0.25});
+              a1.kinks.size() == 2 && std::abs(a1.kinks[0].position - xi) < 1e-15 &&
+                a1.kinks[0].normal[0] == 1. && a1.kinks[1].position == 0.25 &&
+                a1.kinks[1].normal[1] == 1.);
 }
 
 /** Contact conditions, u = 0 on the clamped side, and p = sigma_n along the contact side. */

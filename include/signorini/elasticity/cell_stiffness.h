@@ -32,6 +32,8 @@ private:
 
   const Material<dim> &material_;
   bool constant_;
+  /** Whether vertices alone do not tell the shape of a cell. */
+  bool curved_;
   Kinks<dim> kinks_;
   CellValues<dim> affine_values_;
   CellValues<dim> general_values_;

@@ -33,7 +33,8 @@ public:
 
   /**
    * The paper's norm is Richardson's extrapolation of grids with 8 m and 16 m cells, m the patches
-   * of the side, and left out where a side has more than 128 of them (its cost grows like m³).
+   * of the side. It is left out where a side has more than 128 of them (its cost grows like m³) and
+   * on arcs (distances are not arc lengths there).
    */
   DualNormErrors errors(const MultiplierSpace<dim> &space, const dealii::Vector<double> &P) const;
 

@@ -6,13 +6,12 @@
 #include <deal.II/base/quadrature.h>
 #include <deal.II/grid/tria.h>
 
-#include <array>
 #include <vector>
 
 namespace Signorini
 {
 /**
- * Lines x_d = const at which data is not smooth. What they cross is integrated on the pieces, all
+ * Lines at which data is not smooth. What they cross is integrated on the pieces, all
  * else with the plain rule. Where a line meets a contact side, contact may end and derivatives of
  * the solution may be unbounded: cells near such a point are integrated on pieces that shrink
  * towards it.
@@ -22,7 +21,7 @@ class Kinks
 {
 public:
   /** Lines only. */
-  explicit Kinks(const std::array<std::vector<double>, dim> &positions);
+  explicit Kinks(std::vector<KinkLine<dim>> lines);
   /** The lines of a scene, and where they meet its contact sides. */
   static Kinks of_scene(const Scene<dim> &scene);
 
@@ -32,8 +31,14 @@ public:
    */
   std::vector<double> cut(const dealii::Point<dim> &a, const dealii::Point<dim> &b) const;
 
-  /** Whether a line passes through an end of the segment from @p a to @p b. */
-  bool touch(const dealii::Point<dim> &a, const dealii::Point<dim> &b) const;
+  /**
+   * The arc lengths, sorted, at which the part [from, to] of a side (or of its continuation) is
+   * cut: from, the crossings, to.
+   */
+  std::vector<double> cut(const Side<dim> &side, double from, double to) const;
+
+  /** Whether a line passes through an end of the part [from, to] of a side. */
+  bool touch(const Side<dim> &side, double from, double to) const;
 
   /** Whether a line runs through the interior of the cell. */
   bool cross(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
@@ -43,8 +48,9 @@ public:
   bool affect(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
 
   /**
-   * A rule on the reference cell that integrates on the pieces of a (straight-sided) cell, with
-   * @p n_points Gauss points per direction on each.
+   * A rule on the reference cell that integrates on the pieces of a cell, with @p n_points Gauss
+   * points per direction on each. A curved cell is cut like the quadrilateral of its vertices: the
+   * rule is as accurate there for smooth functions, and nearly so for others.
    */
   dealii::Quadrature<dim> quadrature(const typename dealii::Triangulation<dim>::cell_iterator &cell,
                                      unsigned int n_points) const;
@@ -54,7 +60,7 @@ private:
   std::vector<dealii::Point<dim>>
   ends_near(const typename dealii::Triangulation<dim>::cell_iterator &cell) const;
 
-  std::array<std::vector<double>, dim> positions_;
+  std::vector<KinkLine<dim>> lines_;
   /** Possible ends of contact zones. */
   std::vector<dealii::Point<dim>> ends_;
 };

@@ -4,7 +4,9 @@
 #include <signorini/scene/geometry.h>
 
 #include <deal.II/distributed/shared_tria.h>
-#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/fe/mapping.h>
+
+#include <memory>
 
 namespace Signorini
 {
@@ -33,7 +35,12 @@ public:
   }
   const dealii::Mapping<dim> &mapping() const
   {
-    return mapping_;
+    return *mapping_;
+  }
+  /** Whether cells are curved: their edges are parabolas, close to the sides to the order h^4. */
+  bool is_curved() const
+  {
+    return curved_;
   }
   MPI_Comm communicator() const
   {
@@ -51,7 +58,8 @@ public:
 
 private:
   dealii::parallel::shared::Triangulation<dim> triangulation_;
-  dealii::MappingQ1<dim> mapping_;
+  bool curved_;
+  std::unique_ptr<const dealii::Mapping<dim>> mapping_;
   bool parents_are_nested_;
 };
 } // namespace Signorini

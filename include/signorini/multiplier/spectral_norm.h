@@ -16,17 +16,21 @@ namespace Signorini
  *     ‖q‖²_{-1/2} = sum_{k>=0} (1 + (k pi/L)²)^{-1/2} q_k²,
  *     q_0 = L^{-1/2} int q,   q_k = (2/L)^{1/2} int q cos(k pi s/L).
  *
+ * On a closed side the frequencies k pi/L become 2 k pi/L, and sines join the cosines.
+ *
  * 8192 modes are summed; what piecewise constants leave beyond them is added from the mean over the
- * last modes, L²/pi³ mean(S_k²)/K² with S_k = sum of jumps times sin(k pi s_i/L).
+ * last modes, (2/L) omega^{-3} mean(S_k²)/(2 K²), omega k the frequency of mode k and S_k = sum of
+ * jumps times sin(k omega s_i) (and of jumps times cos).
  */
 class SpectralNorm
 {
 public:
   using Vector = dealii::Vector<double>;
 
-  explicit SpectralNorm(double length);
+  explicit SpectralNorm(double length, bool closed = false);
 
-  /** The coefficients q_k of a function given by its values times quadrature weights. */
+  /** The coefficients q_k of a function given by its values times quadrature weights: the constant,
+   * the cosines, then, on a closed side, the sines. */
   Vector coefficients(const std::vector<double> &arc_lengths,
                       const std::vector<double> &weighted_values) const;
 
@@ -40,13 +44,29 @@ public:
   dealii::FullMatrix<double> gram_matrix(const std::vector<double> &ends) const;
 
 private:
-  /** (1 + (k pi/L)²)^{-1/2}. */
+  /** Of a coefficient: k, the number of its mode. */
+  unsigned int mode(unsigned int coefficient) const;
+  /** (1 + (k omega)²)^{-1/2}. */
   double weight(unsigned int k) const;
   /** How many of the last modes make a mean for m intervals. */
-  static unsigned int n_tail_modes(unsigned int m);
+  unsigned int n_tail_modes(unsigned int m) const;
+  /** The sum of weight(k) (2/L) (k omega)^{-2} over k > n_modes: times the mean of S_k² it is what
+   * piecewise constants leave. */
+  double tail() const;
 
   double length_;
+  bool closed_;
+  /** pi/L, on a closed side 2 pi/L. */
+  double omega_;
+  unsigned int n_modes_;
 };
+
+/** The norm on a side. */
+template <int dim>
+SpectralNorm spectral_norm_on(const Side<dim> &side)
+{
+  return SpectralNorm(side.length(), side.is_closed());
+}
 
 /** The arc lengths at which the patches [first, last) of one side begin and end. */
 std::vector<double> patch_ends(const std::vector<Patch> &patches,

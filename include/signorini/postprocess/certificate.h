@@ -26,12 +26,15 @@ struct Certificate
   double force_balance = 0.;
   /** The same for the moments about the body's centre. */
   double moment_balance = 0.;
+  /** Whether moments must balance exactly: V^h of curved cells holds rotations up to O(h^2) only.
+   */
+  bool moments_are_exact = true;
   /** Patches on which pressure and opening vanish together (up to 1e-6). */
   unsigned int degenerate_patches = 0;
   /** J(u_h, p_H) of (22), the energy (force x length per thickness). */
   double energy = 0.;
 
-  /** The largest of the residuals; not a number if one of them is not. */
+  /** The largest of the residuals that must vanish; not a number if one of them is not. */
   double worst() const;
 };
 

@@ -24,7 +24,7 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space,
 
 /**
  * A continuous pressure of second order from the patch means: piecewise linear through the middles
- * of the patches of a side, continued to its ends, and nowhere positive.
+ * of the patches of a side, continued to its ends (around a closed side), and nowhere positive.
  */
 template <int dim>
 class RecoveredPressure
@@ -36,7 +36,18 @@ public:
   double operator()(unsigned int patch, double s) const;
 
 private:
-  const std::vector<Patch> &patches_;
+  /** A patch next to another one, and its middle as seen from there. */
+  struct Neighbour
+  {
+    unsigned int patch;
+    double middle;
+  };
+  /** The patch before (step -1) or after (step 1) on the same side; the same patch if there is
+   * none.
+   */
+  Neighbour neighbour(unsigned int patch, int step) const;
+
+  const MultiplierSpace<dim> &space_;
   const dealii::Vector<double> &P_;
 };
 

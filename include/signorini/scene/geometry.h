@@ -2,9 +2,8 @@
 #pragma once
 
 #include <signorini/parameters/parameters.h>
+#include <signorini/scene/side.h>
 
-#include <deal.II/base/point.h>
-#include <deal.II/base/tensor.h>
 #include <deal.II/grid/tria.h>
 
 #include <functional>
@@ -13,41 +12,16 @@
 
 namespace Signorini
 {
-/** A straight piece of the boundary with its own name and outward normal. */
-template <int dim>
-struct Side
-{
-  std::string name;
-  /** End points; the arc length s along the side is counted from @p start. */
-  dealii::Point<dim> start;
-  dealii::Point<dim> end;
-  /** Outward unit normal n. */
-  dealii::Tensor<1, dim> normal;
-
-  double length() const
-  {
-    return start.distance(end);
-  }
-  /** The point at arc length @p s. */
-  dealii::Point<dim> point(double s) const
-  {
-    return start + (s / length()) * (end - start);
-  }
-  /** Arc length of a point on the side. */
-  double arc_length(const dealii::Point<dim> &x) const
-  {
-    return (x - start) * (end - start) / length();
-  }
-};
-
 /** The body before it is meshed. */
 template <int dim>
 struct Geometry
 {
   /** The boundary; the faces of sides[i] carry i as their boundary id in the coarse mesh. */
   std::vector<Side<dim>> sides;
-  /** Makes the coarse mesh (level 0). */
+  /** Makes the coarse mesh (level 0), with the manifolds of a curved body. */
   std::function<void(dealii::Triangulation<dim> &)> make_coarse_mesh;
+  /** Whether cells are curved. */
+  bool curved = false;
   /** Whether boundary ids are given by position after refinement, because sides end inside coarse
    * faces. */
   bool classify_after_refinement = false;
@@ -84,6 +58,19 @@ Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
  * the mid-points of the sides.
  */
 Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices);
+
+/**
+ * The ring between two circles about the origin; sides inner and outer. Eight coarse cells, in
+ * polar coordinates.
+ */
+Geometry<2> make_ring(double inner_radius, double outer_radius);
+
+/**
+ * The half disc y < 0 about the origin; sides flat (from left to right) and arc (from (-R, 0) by
+ * (0, -R) to (R, 0)). Inside of the four coarse cells the mesh is the transfinite interpolation of
+ * their edges.
+ */
+Geometry<2> make_half_disc(double radius);
 
 /** The geometry that a parameter file describes. @throws InputError */
 Geometry<2> make_geometry(const Parameters &parameters);

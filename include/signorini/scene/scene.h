@@ -44,6 +44,24 @@ struct BoundaryCondition
   FunctionPointer<dim> exact_pressure;
 };
 
+/** The line normal.x = position, |normal| = 1. */
+template <int dim>
+struct KinkLine
+{
+  dealii::Tensor<1, dim> normal;
+  double position;
+
+  /** normal.x - position. */
+  double signed_distance(const dealii::Point<dim> &x) const
+  {
+    return normal * (x - dealii::Point<dim>()) - position;
+  }
+};
+
+/** The lines x_d = positions[d][k] for all d and k. */
+template <int dim>
+std::vector<KinkLine<dim>> lines_at(const std::array<std::vector<double>, dim> &positions);
+
 /** Problem (1): a body, its material, what holds it, loads it and stops it. */
 template <int dim>
 struct Scene
@@ -59,8 +77,8 @@ struct Scene
   FunctionPointer<dim> body_force;
   /** u of (1) with its gradient, dim components; empty means unknown. */
   FunctionPointer<dim> exact_displacement;
-  /** kinks[d]: coordinates x_d at which the data is not smooth. */
-  std::array<std::vector<double>, dim> kinks;
+  /** Where the data is not smooth. */
+  std::vector<KinkLine<dim>> kinks;
 
   /** The numbers of the contact sides gamma_{c,i}, i = 1..n_g. */
   std::vector<unsigned int> contact_sides() const;
