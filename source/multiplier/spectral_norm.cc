@@ -138,6 +138,8 @@ SpectralNorm::Vector SpectralNorm::coefficients_of_constants(const std::vector<d
     for (unsigned int i = closed_ ? 0 : 1; i < values.size(); ++i)
     {
       const double jump = values[i] - (i > 0 ? values[i - 1] : values[values.size() - 1]);
+      if (jump == 0.)
+        continue;
       sines.add(omega_ * ends[i], -jump);
       if (closed_)
         cosines.add(omega_ * ends[i], jump);

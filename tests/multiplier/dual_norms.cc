@@ -156,9 +156,10 @@ void check_closed_side(Checks &checks)
       checks.near(name + ", Gram matrix", std::sqrt(q * image), exact, 1e-7 * exact);
       dealii::Vector<double> one(m);
       one = 1.;
-      checks.near(
-        "closed side, constant", norm.distance(norm.coefficients({}, {}), ends, one),
-        std::sqrt(length), 1e-12);
+      checks.near("closed side, constant",
+                  norm.distance(norm.coefficients({}, {}), ends, one),
+                  std::sqrt(length),
+                  1e-12);
     }
 
   // 3 cos(2 s) - sin(5 s) on the unit circle: pi (9 (1 + 4)^{-1/2} + (1 + 25)^{-1/2}).

@@ -117,8 +117,10 @@ void closed_side(Checks &checks)
   }
   const auto space = make_space(ring, patches);
   const RecoveredPressure<2> recovered(space, P);
-  checks.near("closed side: no jump at the seam", recovered(0, 0.), recovered(m - 1, length), 1e-14);
-  checks.near("closed side: mean of the neighbours", recovered(0, 0.), 0.5 * (P[0] + P[m - 1]), 1e-14);
+  checks.near(
+    "closed side: no jump at the seam", recovered(0, 0.), recovered(m - 1, length), 1e-14);
+  checks.near(
+    "closed side: mean of the neighbours", recovered(0, 0.), 0.5 * (P[0] + P[m - 1]), 1e-14);
 }
 
 double force(const std::vector<Patch> &patches, const Vector &P, const unsigned int side)
