@@ -66,13 +66,32 @@ NodalVector DisplacementSpace<dim>::complete(const DistributedVector &free_value
 }
 
 template <int dim>
+NodalVector DisplacementSpace<dim>::condense(const NodalVector &functional) const
+{
+  // AffineConstraints::condense() refuses prescribed displacements, which T leaves out.
+  NodalVector condensed = functional;
+  for (const auto &line : constraints_.get_lines())
+  {
+    for (const auto &entry : line.entries)
+      condensed[entry.first] += entry.second * functional[line.index];
+    condensed[line.index] = 0.;
+  }
+  return condensed;
+}
+
+template <int dim>
+typename dealii::DoFHandler<dim>::active_cell_iterator DisplacementSpace<dim>::dof_cell(
+  const typename dealii::Triangulation<dim>::active_cell_iterator &cell) const
+{
+  return {&mesh_.triangulation(), cell->level(), cell->index(), &dofs_};
+}
+
+template <int dim>
 std::vector<dealii::types::global_dof_index> DisplacementSpace<dim>::cell_dofs(
   const typename dealii::Triangulation<dim>::active_cell_iterator &cell) const
 {
-  const typename dealii::DoFHandler<dim>::active_cell_iterator dof_cell(
-    &mesh_.triangulation(), cell->level(), cell->index(), &dofs_);
   std::vector<dealii::types::global_dof_index> indices(element_.n_dofs_per_cell());
-  dof_cell->get_dof_indices(indices);
+  dof_cell(cell)->get_dof_indices(indices);
   return indices;
 }
 

@@ -30,8 +30,7 @@ DistributedVector test_on_contact(const DisplacementSpace<dim> &space,
   {
     const ContactFace<dim> &face = multipliers.faces()[piece.face];
     const Side<dim> &side = multipliers.side(multipliers.partition().patches[piece.patch]);
-    const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
-      &space.mesh().triangulation(), face.cell->level(), face.cell->index(), &space.dofs());
+    const auto mesh_face = space.dof_cell(face.cell)->face(face.face_no);
     const auto rule = multipliers.rule(piece, n_points, true);
     for (std::size_t k = 0; k < rule.points.size(); ++k)
     {
@@ -41,7 +40,7 @@ DistributedVector test_on_contact(const DisplacementSpace<dim> &space,
       for (unsigned int v = 0; v < 2; ++v)
         for (unsigned int d = 0; d < dim; ++d)
         {
-          const auto dof = cell->face(face.face_no)->vertex_dof_index(v, d);
+          const auto dof = mesh_face->vertex_dof_index(v, d);
           if (b.in_local_range(dof))
             b(dof) += weighted * (v == 0 ? 1. - t : t) * n[d];
         }
@@ -57,9 +56,7 @@ double dual_norm(const DisplacementSpace<dim> &space,
                  const StiffnessInverse &inverse,
                  const DistributedVector &b)
 {
-  NodalVector condensed(b);
-  space.constraints().condense(condensed);
-  space.constraints().set_zero(condensed);
+  const NodalVector condensed = space.condense(NodalVector(b));
   DistributedVector right_hand_side = space.make_vector();
   for (const auto i : space.locally_owned())
     right_hand_side(i) = condensed[i];
@@ -105,6 +102,7 @@ template <int dim>
 LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
                                    const Scene<dim> &scene,
                                    const MultiplierSpace<dim> &multipliers,
+                                   const Coupling &D,
                                    const ExactPressure<dim> &pressure,
                                    const DistributedVector &loads,
                                    const std::string &linear_solver,
@@ -139,7 +137,6 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
                 space, multipliers, n_points, [&](const Piece &piece, const dealii::Point<dim> &x) {
                   return exact_p(piece, x) - projected_p[piece.patch];
                 }));
-  const Coupling D = assemble_coupling(space, multipliers.faces(), multipliers.partition());
   numbers.bound_27 = trace_defect(scene, multipliers, D, interpolant, n_points);
   return numbers;
 }
@@ -147,6 +144,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
 template LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &,
                                             const Scene<2> &,
                                             const MultiplierSpace<2> &,
+                                            const Coupling &,
                                             const ExactPressure<2> &,
                                             const DistributedVector &,
                                             const std::string &,

@@ -21,9 +21,7 @@ double normal_displacement(const DisplacementSpace<dim> &space,
                            const NodalVector &U,
                            const double s)
 {
-  const typename dealii::DoFHandler<dim>::active_cell_iterator cell(
-    &space.mesh().triangulation(), face.cell->level(), face.cell->index(), &space.dofs());
-  const auto mesh_face = cell->face(face.face_no);
+  const auto mesh_face = space.dof_cell(face.cell)->face(face.face_no);
   const double t = face.parameter(s);
   double u_n = 0.;
   for (unsigned int d = 0; d < dim; ++d)

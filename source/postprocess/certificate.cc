@@ -51,17 +51,9 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
 template <int dim>
 double stationarity(const DisplacementSpace<dim> &space, const NodalForces &forces)
 {
-  // By hand: AffineConstraints::condense() refuses prescribed displacements, which T leaves out.
-  NodalVector condensed = forces.residual;
-  for (const auto &line : space.constraints().get_lines())
-  {
-    for (const auto &entry : line.entries)
-      condensed[entry.first] += entry.second * forces.residual[line.index];
-    condensed[line.index] = 0.;
-  }
   const double scale =
     std::max({forces.internal.l2_norm(), forces.loads.l2_norm(), forces.contact.l2_norm()});
-  return relative(condensed.l2_norm(), scale);
+  return relative(space.condense(forces.residual).l2_norm(), scale);
 }
 
 /** Nodes that hold the body: where degrees of freedom are constrained, or constrain others. */

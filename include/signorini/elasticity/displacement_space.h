@@ -53,6 +53,14 @@ public:
   DistributedVector make_vector() const;
   /** All nodal values on every rank, the constrained ones filled in from the others. */
   NodalVector complete(const DistributedVector &free_values) const;
+  /**
+   * The functional restricted to V^h: T^T r, where v = T v_free for v in V^h. r_j = r(phi_j) for
+   * all j; zero at constrained degrees of freedom, whatever is prescribed there.
+   */
+  NodalVector condense(const NodalVector &functional) const;
+  /** One of the mesh's cells with its degrees of freedom. */
+  typename dealii::DoFHandler<dim>::active_cell_iterator
+  dof_cell(const typename dealii::Triangulation<dim>::active_cell_iterator &cell) const;
   /** The degrees of freedom of one of the mesh's cells. */
   std::vector<dealii::types::global_dof_index>
   cell_dofs(const typename dealii::Triangulation<dim>::active_cell_iterator &cell) const;

@@ -37,6 +37,7 @@ template <int dim>
 LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
                                    const Scene<dim> &scene,
                                    const MultiplierSpace<dim> &multipliers,
+                                   const Coupling &D,
                                    const ExactPressure<dim> &pressure,
                                    const DistributedVector &loads,
                                    const std::string &linear_solver,
