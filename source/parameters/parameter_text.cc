@@ -93,7 +93,11 @@ std::vector<Assignment> scan_parameter_text(const std::string &text, const std::
   while (std::getline(stream, line))
   {
     ++number;
-    line = trim(line.substr(0, line.find('#')));
+    const auto comment = line.find('#');
+    line = trim(line.substr(0, comment));
+    // A line that is nothing but a comment may stand between the parts of a continued line.
+    if (line.empty() && comment != std::string::npos)
+      continue;
     if (logical_line.empty())
       first_number = number;
     const bool continued = !line.empty() && line.back() == '\\';

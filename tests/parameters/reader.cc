@@ -54,8 +54,9 @@ void test_good_syntax(Checks &checks)
                            "end\r\n"
                            "subsection Boundary\r\n"
                            "  set Clamped = left \\\r\n"
-                           "     # a comment\\\r\n"
+                           "\r\n"
                            "  set Contact = \\\n"
+                           "   # a comment\n"
                            "   bottom\\\n"
                            "   top\n"
                            "end\n"
@@ -68,8 +69,9 @@ void test_good_syntax(Checks &checks)
   checks.that("value", assignments[1].value == "psor");
   checks.that("place", assignments[1].place == "a.prm:4");
   checks.that("place of a continued line is its first", assignments[3].place == "a.prm:10");
-  checks.that("a comment ends a continuation", assignments[2].value == "left");
-  checks.that("continued value", split_words(assignments[3].value) == Words({"bottom", "top"}));
+  checks.that("an empty line ends a continuation", assignments[2].value == "left");
+  checks.that("continued value, with a comment between its lines",
+              split_words(assignments[3].value) == Words({"bottom", "top"}));
 }
 
 void test_syntax(Checks &checks)

@@ -24,7 +24,8 @@ struct Assignment
  * Splits the text of a parameter file into its assignments, in the order of the file.
  *
  * Understood are `subsection NAME`, `end`, `set NAME = VALUE`, comments from `#` to the end of the
- * line, continuation lines (a backslash at the end), Windows line ends and a byte-order mark.
+ * line, continuation lines (a backslash at the end; lines of comment may stand between them),
+ * Windows line ends and a byte-order mark.
  * Throws InputError for anything else, for unbalanced subsections and for an entry set twice.
  */
 std::vector<Assignment> scan_parameter_text(const std::string &text, const std::string &file_name);
