@@ -2,6 +2,7 @@
 // Where contact ends, in the exact and in the discrete solution.
 
 #include <signorini/errors/contact_ends.h>
+#include <signorini/postprocess/contact_pressure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,10 +35,11 @@ std::vector<double> discrete_ends(const std::vector<Patch> &patches,
                                   const unsigned int number,
                                   const dealii::Vector<double> &P)
 {
+  const double threshold = pressing_threshold(P);
   std::vector<double> ends;
   for (std::size_t tau = 0; tau + 1 < patches.size(); ++tau)
     if (patches[tau].side == number && patches[tau + 1].side == number &&
-        (P[tau] < 0.) != (P[tau + 1] < 0.))
+        (P[tau] < threshold) != (P[tau + 1] < threshold))
       ends.push_back(patches[tau].end);
   return ends;
 }

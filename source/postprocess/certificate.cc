@@ -167,10 +167,14 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
   certificate.penetration = relative(deepest, length_scale);
   certificate.sign = relative(tensile, largest_P);
   certificate.complementarity = relative(solution.P * W, energy_scale);
-  for (unsigned int tau = 0; tau < m && solution.C.m() == m; ++tau)
-    if (std::abs(solution.P[tau]) < 1e-6 * largest_P &&
-        std::abs(W[tau]) / solution.C(tau, tau) < 1e-6 * largest_P)
+  for (unsigned int tau = 0; tau < m; ++tau)
+  {
+    // Measured as lengths, so that they are known to be small where all pressures vanish.
+    const double pressed = solution.C.m() == m ? solution.C(tau, tau) * solution.P[tau] : 0.;
+    const double small = 1e-6 * length_scale * multipliers.partition().patches[tau].length();
+    if (std::abs(pressed) < small && std::abs(W[tau]) < small)
       ++certificate.degenerate_patches;
+  }
 }
 } // namespace
 

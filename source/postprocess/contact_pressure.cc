@@ -7,15 +7,24 @@
 
 namespace Signorini
 {
+double pressing_threshold(const dealii::Vector<double> &P)
+{
+  return P.size() == 0 ? 0. : -1e-12 * P.linfty_norm();
+}
+
 template <int dim>
 ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const dealii::Vector<double> &P)
 {
   ContactSummary summary;
+  const double threshold = pressing_threshold(P);
   for (unsigned int tau = 0; tau < P.size(); ++tau)
   {
     const double length = space.partition().patches[tau].length();
-    summary.active += P[tau] < 0. ? 1 : 0;
-    summary.length += P[tau] < 0. ? length : 0.;
+    if (P[tau] < threshold)
+    {
+      ++summary.active;
+      summary.length += length;
+    }
     summary.normal_force -= P[tau] * length;
     summary.max_pressure = std::max(summary.max_pressure, -P[tau]);
   }

@@ -194,7 +194,30 @@ void degenerate(Checks &checks, const Solved &solved)
   P[0] = -1.;
   checks.that("two patches touch without pressure",
               solved.judge(U, P, solved.system, G).degenerate_patches == 2);
+  P = 0.;
+  checks.that("three patches touch where nothing presses",
+              solved.judge(U, P, solved.system, G).degenerate_patches == 3);
+  G[1] = G[2] = 1e-4;
+  P[0] = -1e-17;
+  checks.that("rounding is not a pressure, a small gap is an opening",
+              solved.judge(U, P, solved.system, G).degenerate_patches == 1);
 }
+
+/** A body at rest on its foundation: F = 0, so that C is not computed. */
+void at_rest(Checks &checks)
+{
+  const OneLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
+                         entry("Load", "Body force", "0; 0") +
+                         entry("Contact", "Gap", "max(0, x-0.5)"),
+                       3);
+  const LevelSolution<2> solution = level.solve();
+  checks.that("at rest: nothing presses", solution.record.active == 0);
+  checks.near("at rest: half of the patches touch",
+              solution.record.certificate.degenerate_patches,
+              0.5 * solution.record.multipliers,
+              0.);
+}
+
 /** A residual that is not a number is not a small one, whichever it is. */
 void not_a_number(Checks &checks)
 {
@@ -231,6 +254,7 @@ int main(int argc, char **argv)
   const Solved with_loads(loaded, 3);
   wrong_loads(checks, with_loads);
   degenerate(checks, pressed);
+  at_rest(checks);
   not_a_number(checks);
   return checks.exit_code();
 }

@@ -50,6 +50,8 @@ void summary(Checks &checks, const Scene<2> &scene)
   checks.near("contact length", found.length, 0.2, 1e-15);
   checks.near("normal force", found.normal_force, 0.25, 1e-15);
   checks.near("largest pressure", found.max_pressure, 2., 0.);
+  const ContactSummary rounded = summarise_contact(space, vector({-2., -1e-16, -0.5, -1e-11}));
+  checks.that("rounding does not press, a small pressure does", rounded.active == 3);
   const ContactSummary nothing = summarise_contact(space, Vector(4));
   checks.that("nothing presses",
               nothing.active == 0 && nothing.length == 0. && nothing.normal_force == 0. &&

@@ -29,7 +29,10 @@ struct Certificate
   /** Whether moments must balance exactly: V^h of curved cells holds rotations up to O(h^2) only.
    */
   bool moments_are_exact = true;
-  /** Patches on which pressure and opening vanish together (up to 1e-6). */
+  /**
+   * Patches on which pressure and opening vanish together: |W_tau| / |tau| and C_tautau |P_tau| /
+   * |tau|, the displacement that the pressure causes there, are below 1e-6 of displacement and gap.
+   */
   unsigned int degenerate_patches = 0;
   /** J(u_h, p_H) of (22), the energy (force x length per thickness). */
   double energy = 0.;

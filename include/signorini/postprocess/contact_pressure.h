@@ -5,10 +5,16 @@
 
 namespace Signorini
 {
+/**
+ * The value below which a pressure presses, P_tau < -1e-12 max|P|: what a solver leaves of a zero
+ * is not contact.
+ */
+double pressing_threshold(const dealii::Vector<double> &P);
+
 /** What the contact pressure amounts to. */
 struct ContactSummary
 {
-  /** Number of patches that press, P_tau < 0. */
+  /** Number of patches that press, P_tau < pressing_threshold(P). */
   unsigned int active = 0;
   /** Their total length (length). */
   double length = 0.;
