@@ -13,6 +13,8 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace Signorini
 {
@@ -64,6 +66,58 @@ double dual_norm(const DisplacementSpace<dim> &space,
   DistributedVector v = space.make_vector();
   inverse.solve(v, right_hand_side);
   return std::sqrt(std::max(v * right_hand_side, 0.));
+}
+
+/**
+ * |||(u - I^h u).n|||_{1/2,Gamma_c}, the root of the sum of squares over the sides. The difference
+ * is smooth on every face and vanishes at the nodes.
+ */
+template <int dim>
+double interpolation_trace(const DisplacementSpace<dim> &space,
+                           const Scene<dim> &scene,
+                           const MultiplierSpace<dim> &multipliers,
+                           const NodalVector &interpolant)
+{
+  // 8 points on the length of one period of the highest of 8192 modes.
+  constexpr unsigned int n_intervals = 4096, n_points = 8;
+  struct SideSamples
+  {
+    std::vector<double> arc_lengths, weighted_values;
+    std::set<unsigned int> faces;
+  };
+  std::map<unsigned int, SideSamples> sides;
+  for (const Piece &piece : multipliers.partition().pieces)
+  {
+    const unsigned int number = multipliers.partition().patches[piece.patch].side;
+    const Side<dim> &side = scene.geometry.sides[number];
+    const ContactFace<dim> &face = multipliers.faces()[piece.face];
+    SideSamples &samples = sides[number];
+    samples.faces.insert(piece.face);
+    const double length = piece.end - piece.start;
+    const auto n = static_cast<unsigned int>(std::ceil(n_intervals * length / side.length()));
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      const Piece part = {
+        piece.face, piece.patch, piece.start + i * length / n, piece.start + (i + 1) * length / n};
+      const auto rule = multipliers.rule(part, n_points, true);
+      for (std::size_t k = 0; k < rule.points.size(); ++k)
+      {
+        double w = -normal_displacement(space, face, side.normal, interpolant, rule.arc_lengths[k]);
+        for (unsigned int d = 0; d < dim; ++d)
+          w += scene.exact_displacement->value(rule.points[k], d) * side.normal[d];
+        samples.arc_lengths.push_back(rule.arc_lengths[k]);
+        samples.weighted_values.push_back(w * rule.weights[k]);
+      }
+    }
+  }
+  double norm = 0.;
+  for (const auto &[number, samples] : sides)
+  {
+    const SpectralNorm side_norm(scene.geometry.sides[number].length());
+    const auto w = side_norm.coefficients(samples.arc_lengths, samples.weighted_values);
+    norm = std::hypot(norm, side_norm.primal_norm(w, samples.faces.size()));
+  }
+  return norm;
 }
 
 /** (b^T S^{-1} b)^{1/2}, b_tau = int_tau (I^h u - u).n. */
@@ -121,6 +175,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
   const DisplacementErrors errors =
     compute_displacement_errors(space, scene, interpolant, n_points);
   numbers.interpolation_h1 = errors.h1;
+  numbers.interpolation_trace = interpolation_trace(space, scene, multipliers, interpolant);
   numbers.bound_30 = errors.post_h1;
 
   const dealii::TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);

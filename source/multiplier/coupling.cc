@@ -88,6 +88,22 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
   return to_coupling(columns);
 }
 
+template <int dim>
+double normal_displacement(const DisplacementSpace<dim> &space,
+                           const ContactFace<dim> &face,
+                           const dealii::Tensor<1, dim> &normal,
+                           const NodalVector &U,
+                           const double s)
+{
+  const auto mesh_face = space.dof_cell(face.cell)->face(face.face_no);
+  const double t = face.parameter(s);
+  double u_n = 0.;
+  for (unsigned int d = 0; d < dim; ++d)
+    u_n += normal[d] * ((1. - t) * U[mesh_face->vertex_dof_index(0, d)] +
+                        t * U[mesh_face->vertex_dof_index(1, d)]);
+  return u_n;
+}
+
 Coupling condense(const Coupling &D, const dealii::AffineConstraints<double> &constraints)
 {
   std::vector<Sums> columns(D.n_columns());
@@ -106,4 +122,9 @@ Coupling condense(const Coupling &D, const dealii::AffineConstraints<double> &co
 template Coupling assemble_coupling(const DisplacementSpace<2> &,
                                     const std::vector<ContactFace<2>> &,
                                     const ContactPartition &);
+template double normal_displacement(const DisplacementSpace<2> &,
+                                    const ContactFace<2> &,
+                                    const dealii::Tensor<1, 2> &,
+                                    const NodalVector &,
+                                    double);
 } // namespace Signorini

@@ -170,6 +170,20 @@ double SpectralNorm::distance(const Vector &f,
   return std::sqrt(square + tail() * mean);
 }
 
+double SpectralNorm::primal_norm(const Vector &f, const unsigned int n_pieces) const
+{
+  double square = 0.;
+  for (unsigned int k = 0; k <= n_modes; ++k)
+    square += f[k] * f[k] / weight(k);
+  // sum of (k pi/L) k^-4 over k > K is about pi/(2 L K²).
+  const unsigned int n_last = n_tail_modes(n_pieces);
+  double mean = 0.;
+  for (unsigned int k = n_modes - n_last + 1; k <= n_modes; ++k)
+    mean += std::pow(k, 4) * f[k] * f[k] / n_last;
+  square += PI / (2. * length_) * mean / (double(n_modes) * (n_modes + 1.));
+  return std::sqrt(square);
+}
+
 dealii::FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &ends) const
 {
   const unsigned int m = ends.size() - 1;

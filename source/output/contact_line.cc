@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressure, gap and opening along the contact boundary.
 
+#include <signorini/multiplier/coupling.h>
 #include <signorini/output/contact_line.h>
 #include <signorini/postprocess/contact_pressure.h>
 
@@ -11,26 +12,6 @@
 
 namespace Signorini
 {
-namespace
-{
-/** u_n at arc length s: the trace of a bilinear function is linear on a face. */
-template <int dim>
-double normal_displacement(const DisplacementSpace<dim> &space,
-                           const ContactFace<dim> &face,
-                           const dealii::Tensor<1, dim> &normal,
-                           const NodalVector &U,
-                           const double s)
-{
-  const auto mesh_face = space.dof_cell(face.cell)->face(face.face_no);
-  const double t = face.parameter(s);
-  double u_n = 0.;
-  for (unsigned int d = 0; d < dim; ++d)
-    u_n += normal[d] * ((1. - t) * U[mesh_face->vertex_dof_index(0, d)] +
-                        t * U[mesh_face->vertex_dof_index(1, d)]);
-  return u_n;
-}
-} // namespace
-
 template <int dim>
 std::vector<ContactSegment<dim>> trace_contact_line(const DisplacementSpace<dim> &space,
                                                     const MultiplierSpace<dim> &multipliers,

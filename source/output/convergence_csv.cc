@@ -84,7 +84,8 @@ std::vector<Column> lemma_columns()
           {"lemma_5", [](R r) { return r.lemma_5; }},
           {"bound_26", [](R r) { return r.bound_26; }},
           {"bound_27", [](R r) { return r.bound_27; }},
-          {"bound_30", [](R r) { return r.bound_30; }}};
+          {"bound_30", [](R r) { return r.bound_30; }},
+          {"lemma_3_trace", [](R r) { return r.lemma_3_trace; }}};
 }
 
 std::vector<Column> all_columns()

@@ -36,6 +36,7 @@ void record_lemma_numbers(const LemmaNumbers &numbers, LevelRecord &record)
   record.lemma_2_l2 = numbers.projection_l2;
   record.lemma_2_dual = numbers.projection_dual;
   record.lemma_3_h1 = numbers.interpolation_h1;
+  record.lemma_3_trace = numbers.interpolation_trace;
   record.lemma_5 = numbers.consistency;
   record.bound_26 = numbers.bound_26;
   record.bound_27 = numbers.bound_27;

@@ -40,6 +40,7 @@ void check_zero(Checks &checks, const std::string &name, const LemmaNumbers &fou
   checks.near(name + ": p - R^H p", found.projection_l2, 0., 1e-12);
   checks.near(name + ": p - R^H p, dual norm", found.projection_dual, 0., 1e-12);
   checks.near(name + ": u - I^h u", found.interpolation_h1, 0., 1e-12);
+  checks.near(name + ": u - I^h u on Gamma_c", found.interpolation_trace, 0., 1e-12);
   checks.near(name + ": consistency", found.consistency, 0., 1e-12);
   checks.near(name + ": (26)", found.bound_26, 0., 1e-12);
   checks.near(name + ": (27)", found.bound_27, 0., 1e-12);
@@ -52,6 +53,28 @@ void patch_test(Checks &checks)
   const LevelSolution<2> solution = level.solve();
   checks.near("the scene has this pressure", solution.P.linfty_norm() - 0.375, 0., 1e-12);
   check_zero(checks, "patch test", numbers(level, solution.loads));
+}
+
+/**
+ * u = (y², x²): on n faces of length h on each of two unit sides x² - I^h x² = -h² t (1 - t), whose
+ * cosine series has the modes 2 n j with the amplitudes (h/(pi j))².
+ */
+void parabola(Checks &checks)
+{
+  const OneLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom left\nend\n"
+                       "subsection Exact solution\nset Displacement = y^2; x^2\n"
+                       "set Displacement gradient = 0; 2*y; 2*x; 0\nset Pressure = -1\nend\n",
+                       3);
+  const double n = 8., h = 1. / n;
+  double square = std::pow(h, 4) / 36.;
+  for (double j = 100000.; j >= 1.; j -= 1.)
+    square += 0.5 * std::hypot(1., 2. * n * j * dealii::numbers::PI) *
+              std::pow(h / (dealii::numbers::PI * j), 4);
+  const double exact = std::sqrt(2. * square);
+  checks.near("parabola: u - I^h u on Gamma_c",
+              numbers(level, level.space().make_vector()).interpolation_trace,
+              exact,
+              1e-6 * exact);
 }
 
 /** T^T r against its definition: (T^T r).v = r.(T v) for v in V^h. */
@@ -87,6 +110,7 @@ int main(int argc, char **argv)
   dealii::deal_II_exceptions::disable_abort_on_exception();
   Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
   patch_test(checks);
+  parabola(checks);
   restriction(checks);
   return checks.exit_code();
 }

@@ -6,6 +6,10 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <functional>
+#include <utility>
+#include <vector>
+
 #include "tests.h"
 
 using namespace Signorini;
@@ -184,6 +188,97 @@ void check_closed_side(Checks &checks)
               std::sqrt(pi * (9. / std::sqrt(5.) + 1. / std::sqrt(26.))),
               1e-12);
 }
+
+/** ‖f‖_{1/2} of a function that is smooth between the given positions. */
+double primal(const std::vector<double> &positions,
+              const unsigned int n_pieces,
+              const std::function<double(double)> &f)
+{
+  const dealii::QGauss<1> gauss(8);
+  const double length = positions.back();
+  std::vector<double> s, w;
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i)
+  {
+    const double step = positions[i + 1] - positions[i];
+    const auto n = static_cast<unsigned int>(std::ceil(4096. * step / length));
+    for (unsigned int c = 0; c < n; ++c)
+      for (unsigned int p = 0; p < gauss.size(); ++p)
+      {
+        s.push_back(positions[i] + (c + gauss.point(p)[0]) * step / n);
+        w.push_back(f(s.back()) * gauss.weight(p) * step / n);
+      }
+  }
+  const SpectralNorm norm(length);
+  return norm.primal_norm(norm.coefficients(s, w), n_pieces);
+}
+
+/** cos(k pi s/L): (1 + (k pi/L)²)^{1/2} L/2, squared, and L for k = 0. */
+void check_primal_modes(Checks &checks)
+{
+  using dealii::numbers::PI;
+  for (const unsigned int k : {0U, 1U, 5U, 100U})
+    for (const double length : {1., 2.5})
+    {
+      const double square =
+        std::sqrt(1. + std::pow(k * PI / length, 2)) * (k == 0 ? length : 0.5 * length);
+      checks.near("|cos|_{1/2}, k = " + std::to_string(k) + ", L = " + std::to_string(length),
+                  primal({0., length}, 1, [&](double s) { return std::cos(k * PI * s / length); }),
+                  std::sqrt(square),
+                  1e-9);
+    }
+}
+
+/**
+ * A hat with its tip at c, slopes a and -b: int f cos(x s) = -(a (1 - cos(x c)) - b (cos(x c) -
+ * cos(x L)))/x², x = k pi/L; the series is summed here up to k = 2e6.
+ */
+void check_primal_hat(Checks &checks)
+{
+  const double length = 2.5, c = 0.7, a = 1. / c, b = 1. / (length - c);
+  double square = 0.25 * length; // (int f)²/L, int f = L/2
+  for (unsigned int k = 2000000; k >= 1; --k)
+  {
+    const double x = k * dealii::numbers::PI / length;
+    const double integral =
+      (a * (1. - std::cos(x * c)) - b * (std::cos(x * c) - std::cos(x * length))) / (x * x);
+    square += std::sqrt(1. + x * x) * 2. / length * integral * integral;
+  }
+  checks.near(
+    "|hat|_{1/2}",
+    primal({0., c, length}, 2, [&](double s) { return s < c ? a * s : b * (length - s); }),
+    std::sqrt(square),
+    1e-9);
+}
+
+/**
+ * Bubbles t (1 - t) h² on n equal intervals of length h, t from 0 to 1 on each: t (1 - t) = 1/6 -
+ * sum_j cos(2 pi j t)/(pi j)², so that only the modes 2 n j occur. This is what a parabola differs
+ * by from its interpolant.
+ */
+void check_primal_bubbles(Checks &checks)
+{
+  using dealii::numbers::PI;
+  const double length = 2.;
+  for (const auto &[n, tolerance] : std::vector<std::pair<unsigned int, double>>{
+         {1, 1e-9}, {16, 1e-7}, {128, 2e-5}, {1000, 3e-3}})
+  {
+    const double h = length / n;
+    double square = length * std::pow(h, 4) / 36.;
+    for (unsigned int j = 100000; j >= 1; --j)
+      square += std::sqrt(1. + std::pow(2. * n * j * PI / length, 2)) * 0.5 * length *
+                std::pow(h / (PI * j), 4);
+    const double exact = std::sqrt(square);
+    checks.near("|bubbles|_{1/2}, n = " + std::to_string(n),
+                primal(equal_ends(n, length),
+                       n,
+                       [&](double s) {
+                         const double t = s / h - std::floor(s / h);
+                         return t * (1. - t) * h * h;
+                       }),
+                exact,
+                tolerance * exact);
+  }
+}
 } // namespace
 
 int main()
@@ -194,5 +289,10 @@ int main()
   check_seminorm(checks);
   check_coefficients(checks);
   check_closed_side(checks);
+}
+
+  check_primal_modes(checks);
+  check_primal_hat(checks);
+  check_primal_bubbles(checks);
   return checks.exit_code();
 }

@@ -16,6 +16,8 @@ struct LemmaNumbers
   double projection_dual;
   /** Lemma 3: ‖u - I^h u‖_{1,Omega}. */
   double interpolation_h1;
+  /** Lemma 3: |||B(u - I^h u)|||_{1/2,Gamma_c} in the cosine norm of every contact side. */
+  double interpolation_trace;
   /** Lemma 5: sup_v a(u - I^h u, v) / ‖v‖_1 over V^h. */
   double consistency;
   /** (26): sup_v [p - R^H p, B v] / ‖v‖_1 over V^h. */

@@ -48,6 +48,14 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
                            const std::vector<ContactFace<dim>> &faces,
                            const ContactPartition &partition);
 
+/** u_h.n at arc length @p s of a contact face, on which the trace of u_h is linear. */
+template <int dim>
+double normal_displacement(const DisplacementSpace<dim> &space,
+                           const ContactFace<dim> &face,
+                           const dealii::Tensor<1, dim> &normal,
+                           const NodalVector &U,
+                           double s);
+
 /** T^T D: the coupling seen from the unconstrained degrees of freedom. */
 Coupling condense(const Coupling &D, const dealii::AffineConstraints<double> &constraints);
 } // namespace Signorini

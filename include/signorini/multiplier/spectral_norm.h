@@ -40,6 +40,14 @@ public:
   /** ‖f - q_H‖ for a continuous f with the coefficients @p f and a piecewise constant q_H. */
   double distance(const Vector &f, const std::vector<double> &ends, const Vector &values) const;
 
+  /**
+   * The norm to which this one is dual, ‖f‖²_{1/2} = sum (1 + (k pi/L)²)^{1/2} f_k², of a
+   * continuous function with the coefficients @p f that is smooth on each of @p n_pieces intervals:
+   * f_k ~ k^-2. What is left beyond the modes is added from the mean of k⁴ f_k² over the last of
+   * them.
+   */
+  double primal_norm(const Vector &f, unsigned int n_pieces) const;
+
   /** Gram matrix of the characteristic functions of the intervals. */
   dealii::FullMatrix<double> gram_matrix(const std::vector<double> &ends) const;
 

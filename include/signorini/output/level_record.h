@@ -56,7 +56,7 @@ struct LevelRecord
   std::optional<double> p_dual, p_dual_spectral;
   std::optional<double> p_superclose_dual, p_superclose_dual_spectral;
   std::optional<double> endpoint_error;
-  std::optional<double> lemma_2_l2, lemma_2_dual, lemma_3_h1, lemma_5;
+  std::optional<double> lemma_2_l2, lemma_2_dual, lemma_3_h1, lemma_3_trace, lemma_5;
   std::optional<double> bound_26, bound_27, bound_30;
   std::optional<double> estimated_h1, estimated_relative;
 
