@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# The script of the benchmark on tiny levels: its tables are complete. Nothing is asserted about speed.
+# usage: benchmark.sh SCRIPT PROGRAM
+
+script=$(realpath "$1")
+program=$(realpath "$2")
+directory=$(mktemp -d)
+trap 'rm -rf "$directory"' EXIT
+cd "$directory" || exit 1
+failures=0
+
+# check NAME COMMAND...: PASS if the command succeeds.
+check() {
+  local name=$1
+  shift
+  if "$@"; then echo "PASS $name"; else
+    echo "FAIL $name"
+    failures=$((failures + 1))
+  fi
+}
+
+# every_row COLUMN CONDITION: every row of the table satisfies an awk condition on the column's value v and the row.
+every_row() {
+  awk -F, -v name="$1" "NR == 1 { for (c = 1; c <= NF; ++c) column[\$c] = c; if (!(name in column)) exit 1; next }
+    { v = \$(column[name]); scene = \$1; if (!($2)) { wrong = 1; print \$0 } } END { exit wrong }" "$directory/out/benchmark.csv"
+}
+
+# sum FILE COLUMN
+sum() {
+  awk -F, -v name="$2" 'NR == 1 { for (c = 1; c <= NF; ++c) column[$c] = c; next }
+    { sum += $(column[name]) } END { printf "%.6f\n", sum }' "$1"
+}
+
+pictures=(--no-pictures)
+if command -v gnuplot >/dev/null; then pictures=(); fi
+bash "$script" --program "$program" --output "$directory/out" --coarsest 4 --largest 6 --repetitions 2 \
+  --scenes "two_ends no_contact" --linear-solvers amesos_klu "${pictures[@]}" >stdout 2>stderr
+check "exit code 0" [ $? -eq 0 ]
+check "no complaints" [ ! -s stderr ]
+cat stderr
+# 2 scenes x 2 contact solvers x 1 linear solver x 3 levels, twice.
+check "one row per configuration and level" [ "$(wc -l <out/benchmark.csv)" -eq 13 ]
+check "one row per run and level" [ "$(wc -l <out/runs.csv)" -eq 25 ]
+check "every configuration once" [ "$(tail -n +2 out/benchmark.csv | cut -d, -f1-3,5 | sort -u | wc -l)" -eq 12 ]
+check "columns and fields agree" [ "$(awk -F, '{ print NF }' out/benchmark.csv | sort -u | wc -l)" -eq 1 ]
+for stage in t_mesh t_setup t_assembly t_factor t_compliance t_postprocess t_total t_solution t_nested t_process; do
+  check "$stage is positive" every_row "$stage" "v > 0"
+done
+check "nothing presses without contact" every_row active 'scene != "no_contact" || v == 0'
+check "no dual problem without contact" every_row t_qp 'scene == "no_contact" ? v == 0 : v > 0'
+check "errors where the solution is known" every_row u_h1 'scene == "no_contact" ? v == "" : v > 0'
+check "medians of two runs" every_row repetitions "v == 2"
+check "the median of two is their mean" \
+  awk "BEGIN { d = $(sum out/runs.csv t_total) - 2 * $(sum out/benchmark.csv t_total); exit !(d * d < 1e-8) }"
+check "the ratio of contact to no contact" [ "$(grep -c '^contact / no contact' out/summary.txt)" -eq 2 ]
+check "memory of two levels" [ "$(wc -l <out/memory.csv)" -eq 3 ]
+check "versions" grep -q '^deal.II' out/environment.txt
+if [ "${#pictures[@]}" -eq 0 ]; then
+  for picture in error stages memory; do
+    check "picture $picture" [ "$(stat -c %s "out/benchmark_$picture.png" 2>/dev/null || echo 0)" -gt 2000 ]
+  done
+fi
+# Wrong options are refused with one sentence.
+for options in "--largest x" "--largest 2 --coarsest 3" "--scenes nowhere" "--frobnicate 1" "--program nothing"; do
+  # shellcheck disable=SC2086
+  bash "$script" --program "$program" $options --output "$directory/refused" >stdout 2>stderr
+  check "refuses $options" [ "$? $(wc -l <stderr)" = "1 1" ]
+done
+check "and writes nothing" [ ! -e refused ]
+[ "$failures" -eq 0 ]
