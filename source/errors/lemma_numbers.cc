@@ -94,17 +94,20 @@ double interpolation_trace(const DisplacementSpace<dim> &space,
     SideSamples &samples = sides[number];
     samples.faces.insert(piece.face);
     const double length = piece.end - piece.start;
-    const auto n = static_cast<unsigned int>(std::ceil(n_intervals * length / side.length()));
-    for (unsigned int i = 0; i < n; ++i)
+    const auto n_parts = static_cast<unsigned int>(std::ceil(n_intervals * length / side.length()));
+    for (unsigned int i = 0; i < n_parts; ++i)
     {
-      const Piece part = {
-        piece.face, piece.patch, piece.start + i * length / n, piece.start + (i + 1) * length / n};
+      const Piece part = {piece.face,
+                          piece.patch,
+                          piece.start + i * length / n_parts,
+                          piece.start + (i + 1) * length / n_parts};
       const auto rule = multipliers.rule(part, n_points, true);
       for (std::size_t k = 0; k < rule.points.size(); ++k)
       {
-        double w = -normal_displacement(space, face, side.normal, interpolant, rule.arc_lengths[k]);
+        const dealii::Tensor<1, dim> n = side.normal(rule.arc_lengths[k]);
+        double w = -normal_displacement(space, face, n, interpolant, rule.arc_lengths[k]);
         for (unsigned int d = 0; d < dim; ++d)
-          w += scene.exact_displacement->value(rule.points[k], d) * side.normal[d];
+          w += scene.exact_displacement->value(rule.points[k], d) * n[d];
         samples.arc_lengths.push_back(rule.arc_lengths[k]);
         samples.weighted_values.push_back(w * rule.weights[k]);
       }
@@ -113,7 +116,7 @@ double interpolation_trace(const DisplacementSpace<dim> &space,
   double norm = 0.;
   for (const auto &[number, samples] : sides)
   {
-    const SpectralNorm side_norm(scene.geometry.sides[number].length());
+    const SpectralNorm side_norm = spectral_norm_on(scene.geometry.sides[number]);
     const auto w = side_norm.coefficients(samples.arc_lengths, samples.weighted_values);
     norm = std::hypot(norm, side_norm.primal_norm(w, samples.faces.size()));
   }

@@ -172,16 +172,17 @@ double SpectralNorm::distance(const Vector &f,
 
 double SpectralNorm::primal_norm(const Vector &f, const unsigned int n_pieces) const
 {
-  double square = 0.;
-  for (unsigned int k = 0; k <= n_modes; ++k)
-    square += f[k] * f[k] / weight(k);
-  // sum of (k pi/L) k^-4 over k > K is about pi/(2 L K²).
   const unsigned int n_last = n_tail_modes(n_pieces);
-  double mean = 0.;
-  for (unsigned int k = n_modes - n_last + 1; k <= n_modes; ++k)
-    mean += std::pow(k, 4) * f[k] * f[k] / n_last;
-  square += PI / (2. * length_) * mean / (double(n_modes) * (n_modes + 1.));
-  return std::sqrt(square);
+  double square = 0., mean = 0.;
+  for (unsigned int c = 0; c < f.size(); ++c)
+  {
+    const unsigned int k = mode(c);
+    square += f[c] * f[c] / weight(k);
+    if (k > n_modes_ - n_last)
+      mean += std::pow(k, 4) * f[c] * f[c] / n_last;
+  }
+  // The sum of (k omega) k^-4 over k > K is about omega/(2 K²).
+  return std::sqrt(square + omega_ * mean / (2. * double(n_modes_) * (n_modes_ + 1.)));
 }
 
 dealii::FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &ends) const

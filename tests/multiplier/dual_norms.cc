@@ -289,8 +289,6 @@ int main()
   check_seminorm(checks);
   check_coefficients(checks);
   check_closed_side(checks);
-}
-
   check_primal_modes(checks);
   check_primal_hat(checks);
   check_primal_bubbles(checks);
