@@ -3,19 +3,21 @@
 
 #include <signorini/scene/functions.h>
 
+#include <array>
+
 namespace Signorini
 {
 template <int dim>
 ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values,
                                             std::vector<Expression<dim>> gradients,
                                             const double h)
-  : dealii::AutoDerivativeFunction<dim>(h, values.size())
+  : dealii::Function<dim>(values.size())
   , values_(std::move(values))
   , gradients_(std::move(gradients))
+  , h_(h)
 {
   Assert(gradients_.empty() || gradients_.size() == dim * values_.size(),
          dealii::ExcDimensionMismatch(gradients_.size(), dim * values_.size()));
-  this->set_formula(dealii::AutoDerivativeFunction<dim>::FourthOrder);
 }
 
 template <int dim>
@@ -29,47 +31,102 @@ template <int dim>
 void ExpressionFunction<dim>::vector_value(const dealii::Point<dim> &x,
                                            dealii::Vector<double> &values) const
 {
-  for (unsigned int c = 0; c < values_.size(); ++c)
+  for (unsigned int c = 0; c < values.size(); ++c)
     values[c] = values_[c](x);
+}
+
+template <int dim>
+void ExpressionFunction<dim>::value_list(const Points &points,
+                                         std::vector<double> &values,
+                                         const unsigned int component) const
+{
+  values_[component].evaluate(points, values);
+}
+
+template <int dim>
+void ExpressionFunction<dim>::vector_value_list(const Points &points,
+                                                std::vector<dealii::Vector<double>> &values) const
+{
+  std::vector<double> component(points.size());
+  for (unsigned int c = 0; c < values_.size(); ++c)
+  {
+    values_[c].evaluate(points, component);
+    for (std::size_t q = 0; q < points.size(); ++q)
+      values[q][c] = component[q];
+  }
+}
+
+template <int dim>
+void ExpressionFunction<dim>::derivative_list(const Points &points,
+                                              const unsigned int component,
+                                              const unsigned int d,
+                                              std::vector<double> &derivatives) const
+{
+  if (!gradients_.empty())
+  {
+    gradients_[dim * component + d].evaluate(points, derivatives);
+    return;
+  }
+  // (u(x - 2h) - 8 u(x - h) + 8 u(x + h) - u(x + 2h)) / 12h
+  constexpr std::array<double, 4> steps = {{-2., -1., 1., 2.}};
+  constexpr std::array<double, 4> weights = {{1., -8., 8., -1.}};
+  Points shifted(points);
+  std::vector<double> values(points.size());
+  derivatives.assign(points.size(), 0.);
+  for (unsigned int k = 0; k < steps.size(); ++k)
+  {
+    for (std::size_t q = 0; q < points.size(); ++q)
+      shifted[q][d] = points[q][d] + steps[k] * h_;
+    values_[component].evaluate(shifted, values);
+    for (std::size_t q = 0; q < points.size(); ++q)
+      derivatives[q] += weights[k] * values[q];
+  }
+  for (double &derivative : derivatives)
+    derivative /= 12. * h_;
 }
 
 template <int dim>
 dealii::Tensor<1, dim> ExpressionFunction<dim>::gradient(const dealii::Point<dim> &x,
                                                          const unsigned int component) const
 {
-  if (gradients_.empty())
-    return dealii::AutoDerivativeFunction<dim>::gradient(x, component);
-  dealii::Tensor<1, dim> gradient;
-  for (unsigned int d = 0; d < dim; ++d)
-    gradient[d] = gradients_[dim * component + d](x);
-  return gradient;
+  Gradients gradient(1);
+  gradient_list({x}, gradient, component);
+  return gradient[0];
 }
 
-// The base class would take differences in all of these, whether or not gradients are given.
 template <int dim>
 void ExpressionFunction<dim>::vector_gradient(const dealii::Point<dim> &x,
-                                              std::vector<dealii::Tensor<1, dim>> &gradients) const
+                                              Gradients &gradients) const
 {
   for (unsigned int c = 0; c < values_.size(); ++c)
     gradients[c] = gradient(x, c);
 }
 
 template <int dim>
-void ExpressionFunction<dim>::gradient_list(const std::vector<dealii::Point<dim>> &points,
-                                            std::vector<dealii::Tensor<1, dim>> &gradients,
+void ExpressionFunction<dim>::gradient_list(const Points &points,
+                                            Gradients &gradients,
                                             const unsigned int component) const
 {
-  for (std::size_t q = 0; q < points.size(); ++q)
-    gradients[q] = gradient(points[q], component);
+  std::vector<double> derivatives(points.size());
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    derivative_list(points, component, d, derivatives);
+    for (std::size_t q = 0; q < points.size(); ++q)
+      gradients[q][d] = derivatives[q];
+  }
 }
 
 template <int dim>
-void ExpressionFunction<dim>::vector_gradient_list(
-  const std::vector<dealii::Point<dim>> &points,
-  std::vector<std::vector<dealii::Tensor<1, dim>>> &gradients) const
+void ExpressionFunction<dim>::vector_gradient_list(const Points &points,
+                                                   std::vector<Gradients> &gradients) const
 {
-  for (std::size_t q = 0; q < points.size(); ++q)
-    vector_gradient(points[q], gradients[q]);
+  Gradients component(points.size());
+  for (unsigned int c = 0; c < values_.size(); ++c)
+  {
+    gradient_list(points, component, c);
+    for (std::size_t q = 0; q < points.size(); ++q)
+      gradients[q][c] = component[q];
+  }
 }
 
 template class ExpressionFunction<2>;

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <memory>
+#include <thread>
 
 #include "tests.h"
 
@@ -147,6 +148,69 @@ std::vector<Expression<2>> expressions(const std::vector<std::string> &texts)
   return list;
 }
 
+/** Brackets raised to 2 and 3 are multiplied out; everything that only looks like it is not. */
+void test_powers(Checks &checks)
+{
+  const double a = x0[0] + 1., b = x0[1] - 1.;
+  const std::vector<std::pair<std::string, double>> rows = {
+    {"(x+1)^2", a * a},
+    {"(x+1)^3", a * a * a},
+    {"(y-1) ^ 3 ", b * b * b},
+    {"((x+1)^2+(y-1)^3)^2", (a * a + b * b * b) * (a * a + b * b * b)},
+    {"-(x+1)^2", -a * a},
+    {"2-(x+1)^3*(y-1)^2/(x+1)^2", 2. - a * b * b},
+    {"sin(x+1)^2+cos(x+1)^2", 1.},
+    {"max(x,y)^3", std::pow(x0[0], 3)},
+    {"(x+1)^2^3", std::pow(a, 8)},
+    {"(x+1)^3^y", std::pow(a, std::pow(3., x0[1]))},
+    {"(x+1)^2.5", std::pow(a, 2.5)},
+    {"(x+1)^22", std::pow(a, 22)},
+    {"(x+1)^2e-1", std::pow(a, 0.2)},
+    {"(x+1)^-2", 1. / (a * a)},
+    {"(x+1)^4", a * a * a * a},
+    {"2^(x+1)^2", std::pow(2., a * a)},
+    {"(x+1)^2>1.5?(y-1)^2:0", b * b},
+    {"(-2)^2+(-2)^3+x", -4. + x0[0]}};
+  for (const auto &row : rows)
+    checks.near("power " + row.first, value(row.first) / row.second, 1., 1e-14);
+  for (const char *text : {"(x)'", "(x)~", "(x)^2 2", "(x)^2x", "(x)^^2"})
+    checks.throws<InputError>("refused: " + std::string(text), "here: the expression '", [&] {
+      Expression<2>(text, {}, "here");
+    });
+}
+
+/** Several threads evaluate one formula at different points at the same time. */
+void test_threads(Checks &checks)
+{
+  const ExpressionFunction<2> function(expressions({"(x+1)^3*sin(y)", "max(x,y)^2"}), {}, 1e-4);
+  std::vector<std::vector<double>> values(4, std::vector<double>(5000));
+  std::vector<std::thread> threads;
+  for (unsigned int t = 0; t < values.size(); ++t)
+    threads.emplace_back([&function, t, &mine = values[t]] {
+      std::vector<Point> points(10);
+      std::vector<double> list(10);
+      for (unsigned int i = 0; i < mine.size(); i += 10)
+      {
+        for (unsigned int q = 0; q < 10; ++q)
+          points[q] = Point(1e-3 * (i + q), t);
+        function.value_list(points, list, 0);
+        for (unsigned int q = 0; q < 10; ++q)
+          mine[i + q] = list[q] + function.value(points[q], 1);
+      }
+    });
+  for (std::thread &thread : threads)
+    thread.join();
+  double largest = 0.;
+  for (unsigned int t = 0; t < values.size(); ++t)
+    for (unsigned int i = 0; i < values[t].size(); ++i)
+    {
+      const Point x(1e-3 * i, t);
+      largest =
+        std::max(largest, std::abs(values[t][i] - (function.value(x, 0) + function.value(x, 1))));
+    }
+  checks.near("four threads", largest, 0., 0.);
+}
+
 /** u = (sin(2x) exp(y), x^3 y^2). */
 void test_functions(Checks &checks)
 {
@@ -168,14 +232,19 @@ void test_functions(Checks &checks)
                             std::abs(values[0] - s * e),
                             std::abs(values[1] - std::pow(x[0], 3) * x[1] * x[1]),
                             std::abs(values[1] - differences.value(x, 1))});
-    std::vector<std::vector<dealii::Tensor<1, 2>>> list(1, std::vector<dealii::Tensor<1, 2>>(2));
-    exact.vector_gradient_list({x}, list);
+    std::vector<std::vector<dealii::Tensor<1, 2>>> list(2, std::vector<dealii::Tensor<1, 2>>(2));
+    std::vector<dealii::Vector<double>> value_list(2, dealii::Vector<double>(2));
+    exact.vector_gradient_list({x0, x}, list);
+    differences.vector_value_list({x0, x}, value_list);
+    value_error = std::max({value_error,
+                            std::abs(value_list[1][0] - values[0]),
+                            std::abs(value_list[1][1] - values[1])});
     for (unsigned int i = 0; i < 2; ++i)
     {
       const auto off = [&](const dealii::Tensor<1, 2> &g) { return (g - expected[i]).norm(); };
       difference_error = std::max(difference_error, off(differences.gradient(x, i)));
       exact_error = std::max(exact_error, off(exact.gradient(x, i)));
-      list_error = std::max(list_error, off(list[0][i]));
+      list_error = std::max(list_error, off(list[1][i]));
     }
   }
   checks.near("values of a function", value_error, 0., 1e-15);
@@ -193,6 +262,8 @@ int main()
   test_refusals(checks);
   test_constants(checks);
   test_copies(checks);
+  test_powers(checks);
+  test_threads(checks);
   test_functions(checks);
   return checks.exit_code();
 }

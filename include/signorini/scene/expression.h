@@ -5,7 +5,9 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace Signorini
 {
@@ -17,8 +19,8 @@ using Constants = std::map<std::string, double>;
  *
  * Known are the operators and functions of muParser (+ - * / ^ < > <= >= == != && || ?:, sin, cos,
  * tan, exp, log, sqrt, abs, min, max, ...), besides them floor, ceil, pow, erf, erfc and if(c,a,b),
- * the constant pi and the named constants. Evaluation is not thread-safe: copy the object, a copy
- * has a parser of its own.
+ * the constant pi and the named constants. Evaluation is thread-safe: every thread gets a parser of
+ * its own.
  */
 template <int dim>
 class Expression
@@ -34,8 +36,14 @@ public:
   /** The value at a point; not finite where the formula is not defined. */
   double operator()(const dealii::Point<dim> &x) const;
 
+  /** The values at many points; @p values has as many entries as @p points. */
+  void evaluate(const std::vector<dealii::Point<dim>> &points, std::vector<double> &values) const;
+
   /** Whether the formula uses none of the coordinates. */
-  bool is_constant() const;
+  bool is_constant() const
+  {
+    return constant_.has_value();
+  }
 
   const std::string &text() const
   {
@@ -49,11 +57,14 @@ public:
 
 private:
   class Parser;
+  class Parsers;
 
   std::string text_;
   Constants constants_;
   std::string where_;
-  std::unique_ptr<Parser> parser_;
+  /** The value of a formula without coordinates. */
+  std::optional<double> constant_;
+  std::unique_ptr<Parsers> parsers_;
 };
 
 /**

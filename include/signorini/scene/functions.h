@@ -3,7 +3,6 @@
 
 #include <signorini/scene/expression.h>
 
-#include <deal.II/base/auto_derivative_function.h>
 #include <deal.II/base/function.h>
 
 #include <vector>
@@ -12,31 +11,44 @@ namespace Signorini
 {
 /**
  * A deal.II function whose components are expressions. Its gradient is given by further expressions
- * (component by component, dim each) or by fourth-order differences with the step @p h.
+ * (component by component, dim each) or by fourth-order differences with the step @p h (length).
+ * Thread-safe; the functions for lists of points are the fast ones.
  */
 template <int dim>
-class ExpressionFunction : public dealii::AutoDerivativeFunction<dim>
+class ExpressionFunction : public dealii::Function<dim>
 {
 public:
+  using Points = std::vector<dealii::Point<dim>>;
+  using Gradients = std::vector<dealii::Tensor<1, dim>>;
+
   ExpressionFunction(std::vector<Expression<dim>> values,
                      std::vector<Expression<dim>> gradients,
                      double h);
 
   double value(const dealii::Point<dim> &x, unsigned int component = 0) const override;
   void vector_value(const dealii::Point<dim> &x, dealii::Vector<double> &values) const override;
+  void value_list(const Points &points,
+                  std::vector<double> &values,
+                  unsigned int component = 0) const override;
+  void vector_value_list(const Points &points,
+                         std::vector<dealii::Vector<double>> &values) const override;
   dealii::Tensor<1, dim> gradient(const dealii::Point<dim> &x,
                                   unsigned int component = 0) const override;
-  void vector_gradient(const dealii::Point<dim> &x,
-                       std::vector<dealii::Tensor<1, dim>> &gradients) const override;
-  void gradient_list(const std::vector<dealii::Point<dim>> &points,
-                     std::vector<dealii::Tensor<1, dim>> &gradients,
+  void vector_gradient(const dealii::Point<dim> &x, Gradients &gradients) const override;
+  void gradient_list(const Points &points,
+                     Gradients &gradients,
                      unsigned int component = 0) const override;
-  void
-  vector_gradient_list(const std::vector<dealii::Point<dim>> &points,
-                       std::vector<std::vector<dealii::Tensor<1, dim>>> &gradients) const override;
+  void vector_gradient_list(const Points &points, std::vector<Gradients> &gradients) const override;
 
 private:
+  /** du_c/dx_d at all points. */
+  void derivative_list(const Points &points,
+                       unsigned int component,
+                       unsigned int d,
+                       std::vector<double> &derivatives) const;
+
   std::vector<Expression<dim>> values_;
   std::vector<Expression<dim>> gradients_;
+  double h_;
 };
 } // namespace Signorini
