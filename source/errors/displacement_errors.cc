@@ -7,92 +7,170 @@
 #include <signorini/postprocess/nodal_interpolation.h>
 #include <signorini/postprocess/patch_interpolation.h>
 
+#include <deal.II/base/work_stream.h>
+#include <deal.II/grid/filtered_iterator.h>
+
+#include <array>
 #include <cmath>
 
 namespace Signorini
 {
 namespace
 {
-/** Squares of the norms, summed up cell by cell. */
+/** Squares of the norms, of a cell or of the body. */
 struct Squares
 {
   double l2 = 0.;
   double h1_seminorm = 0.;
   double superclose = 0.;
-  double post = 0.;
+  /** With one and two generations. */
+  std::array<double, 2> post = {};
+
+  Squares &operator+=(const Squares &other)
+  {
+    l2 += other.l2;
+    h1_seminorm += other.h1_seminorm;
+    superclose += other.superclose;
+    for (unsigned int g = 0; g < post.size(); ++g)
+      post[g] += other.post[g];
+    return *this;
+  }
 };
 
+/** What all threads read. */
+template <int dim>
+struct Fields
+{
+  const DisplacementSpace<dim> &space;
+  const Kinks<dim> &kinks;
+  const dealii::Function<dim> &exact;
+  const NodalVector &U;
+  const NodalVector &interpolant_minus_U;
+  unsigned int n_points;
+};
+
+/** The exact solution at the quadrature points of a cell. */
+template <int dim>
+struct ExactValues
+{
+  void evaluate(const dealii::Function<dim> &exact, const std::vector<dealii::Point<dim>> &points)
+  {
+    values.resize(points.size(), dealii::Vector<double>(dim));
+    gradients.resize(points.size(), std::vector<dealii::Tensor<1, dim>>(dim));
+    exact.vector_value_list(points, values);
+    exact.vector_gradient_list(points, gradients);
+  }
+  dealii::Tensor<1, dim> value(const unsigned int q) const
+  {
+    dealii::Tensor<1, dim> u;
+    for (unsigned int c = 0; c < dim; ++c)
+      u[c] = values[q][c];
+    return u;
+  }
+  dealii::Tensor<2, dim> gradient(const unsigned int q) const
+  {
+    dealii::Tensor<2, dim> du;
+    for (unsigned int c = 0; c < dim; ++c)
+      du[c] = gradients[q][c];
+    return du;
+  }
+
+  std::vector<dealii::Vector<double>> values;
+  std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
+};
+
+/** Integrates over one cell after the other; every thread has its own. */
 template <int dim>
 class ErrorIntegrals
 {
 public:
   using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-  ErrorIntegrals(const DisplacementSpace<dim> &space,
-                 const dealii::Function<dim> &exact,
-                 const NodalVector &U,
-                 const unsigned int n_points)
-    : space_(space)
-    , exact_(exact)
-    , U_(U)
-    , interpolant_minus_U_(interpolate_at_nodes(space, exact))
-    , value_(dim)
+  explicit ErrorIntegrals(const Fields<dim> &fields)
+    : fields_(fields)
+    , cell_values_(fields.space.mesh().mapping(),
+                   fields.space.element(),
+                   fields.kinks,
+                   fields.n_points,
+                   dealii::update_values | dealii::update_gradients |
+                     dealii::update_quadrature_points | dealii::update_JxW_values |
+                     dealii::update_inverse_jacobians)
   {
-    interpolant_minus_U_ -= U;
-    if (space.mesh().has_parents())
-      interpolation_.emplace(space, dealii::QGauss<dim>(n_points));
+    const unsigned int n_generations =
+      std::min<unsigned int>(Squares().post.size(), fields.space.mesh().n_nested_ancestors());
+    for (unsigned int g = 1; g <= n_generations; ++g)
+      interpolations_.emplace_back(fields.space, dealii::QGauss<dim>(fields.n_points), g);
+  }
+  ErrorIntegrals(const ErrorIntegrals &other)
+    : ErrorIntegrals(other.fields_)
+  {
   }
 
-  void add(const CellIterator &cell, const dealii::FEValues<dim> &values, Squares &squares)
+  Squares integrate(const CellIterator &cell)
   {
+    const dealii::FEValues<dim> &values = cell_values_.reinit(cell);
     const dealii::FEValuesExtractors::Vector displacement(0);
     const unsigned int n = values.n_quadrature_points;
     u_.resize(n);
     du_.resize(n);
     e_.resize(n);
     de_.resize(n);
-    values[displacement].get_function_values(U_, u_);
-    values[displacement].get_function_gradients(U_, du_);
-    values[displacement].get_function_values(interpolant_minus_U_, e_);
-    values[displacement].get_function_gradients(interpolant_minus_U_, de_);
-    const FieldValues<dim> *recovered =
-      interpolation_ ? &interpolation_->evaluate(U_, cell, values) : nullptr;
+    values[displacement].get_function_values(fields_.U, u_);
+    values[displacement].get_function_gradients(fields_.U, du_);
+    values[displacement].get_function_values(fields_.interpolant_minus_U, e_);
+    values[displacement].get_function_gradients(fields_.interpolant_minus_U, de_);
+    exact_.evaluate(fields_.exact, values.get_quadrature_points());
+    Squares squares;
     for (unsigned int q = 0; q < n; ++q)
     {
       const double weight = values.JxW(q);
-      evaluate_exact(values.quadrature_point(q));
-      squares.l2 += (exact_u_ - u_[q]).norm_square() * weight;
-      squares.h1_seminorm += (exact_du_ - du_[q]).norm_square() * weight;
+      squares.l2 += (exact_.value(q) - u_[q]).norm_square() * weight;
+      squares.h1_seminorm += (exact_.gradient(q) - du_[q]).norm_square() * weight;
       squares.superclose += (e_[q].norm_square() + de_[q].norm_square()) * weight;
-      if (recovered != nullptr)
-        squares.post += ((exact_u_ - recovered->values[q]).norm_square() +
-                         (exact_du_ - recovered->gradients[q]).norm_square()) *
-                        weight;
     }
+    for (unsigned int g = 0; g < interpolations_.size(); ++g)
+      squares.post[g] = distance(interpolations_[g].evaluate(fields_.U, cell, values), values);
+    return squares;
   }
 
 private:
-  void evaluate_exact(const dealii::Point<dim> &x)
+  /** ‖u - v‖_1^2 on the cell. */
+  double distance(const FieldValues<dim> &v, const dealii::FEValues<dim> &values) const
   {
-    exact_.vector_value(x, value_);
-    for (unsigned int c = 0; c < dim; ++c)
-    {
-      exact_u_[c] = value_[c];
-      exact_du_[c] = exact_.gradient(x, c);
-    }
+    double square = 0.;
+    for (const unsigned int q : values.quadrature_point_indices())
+      square += ((exact_.value(q) - v.values[q]).norm_square() +
+                 (exact_.gradient(q) - v.gradients[q]).norm_square()) *
+                values.JxW(q);
+    return square;
   }
 
-  const DisplacementSpace<dim> &space_;
-  const dealii::Function<dim> &exact_;
-  const NodalVector &U_;
-  NodalVector interpolant_minus_U_;
-  std::optional<PatchInterpolation<dim>> interpolation_;
-  dealii::Vector<double> value_;
-  dealii::Tensor<1, dim> exact_u_;
-  dealii::Tensor<2, dim> exact_du_;
+  const Fields<dim> fields_;
+  CellValues<dim> cell_values_;
+  std::vector<PatchInterpolation<dim>> interpolations_;
+  ExactValues<dim> exact_;
   std::vector<dealii::Tensor<1, dim>> u_, e_;
   std::vector<dealii::Tensor<2, dim>> du_, de_;
 };
+
+/** The sum over this rank's cells, added up in their order whatever the number of threads. */
+template <int dim>
+Squares integrate_errors(const Fields<dim> &fields)
+{
+  Squares sum;
+  dealii::WorkStream::run(
+    filter_iterators(fields.space.dofs().active_cell_iterators(),
+                     dealii::IteratorFilters::LocallyOwnedCell()),
+    [](const auto &cell, ErrorIntegrals<dim> &integrals, Squares &squares) {
+      squares = integrals.integrate(cell);
+    },
+    [&sum](const Squares &squares) { sum += squares; },
+    ErrorIntegrals<dim>(fields),
+    Squares(),
+    2 * dealii::MultithreadInfo::n_threads(),
+    64);
+  return sum;
+}
 } // namespace
 
 template <int dim>
@@ -103,18 +181,10 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
 {
   const MPI_Comm communicator = space.mesh().communicator();
   const Kinks<dim> kinks = Kinks<dim>::of_scene(scene);
-  CellValues<dim> cell_values(space.mesh().mapping(),
-                              space.element(),
-                              kinks,
-                              n_points,
-                              dealii::update_values | dealii::update_gradients |
-                                dealii::update_quadrature_points | dealii::update_JxW_values |
-                                dealii::update_inverse_jacobians);
-  ErrorIntegrals<dim> integrals(space, *scene.exact_displacement, U, n_points);
-  Squares squares;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-    if (cell->is_locally_owned())
-      integrals.add(cell, cell_values.reinit(cell), squares);
+  NodalVector interpolant_minus_U = interpolate_at_nodes(space, *scene.exact_displacement);
+  interpolant_minus_U -= U;
+  const Squares squares = integrate_errors<dim>(
+    {space, kinks, *scene.exact_displacement, U, interpolant_minus_U, n_points});
   const auto root_of_sum = [&](const double square) {
     return std::sqrt(dealii::Utilities::MPI::sum(square, communicator));
   };
@@ -122,8 +192,10 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
   errors.l2 = root_of_sum(squares.l2);
   errors.h1 = root_of_sum(squares.l2 + squares.h1_seminorm);
   errors.superclose_h1 = root_of_sum(squares.superclose);
-  if (space.mesh().has_parents())
-    errors.post_h1 = root_of_sum(squares.post);
+  if (space.mesh().n_nested_ancestors() >= 1)
+    errors.post_h1 = root_of_sum(squares.post[0]);
+  if (space.mesh().n_nested_ancestors() >= 2)
+    errors.post4_h1 = root_of_sum(squares.post[1]);
   if (!std::isfinite(errors.h1))
     throw InputError("Exact solution: the displacement or its gradient has no finite value at a "
                      "quadrature point, allowed: finite values on the whole body; give "

@@ -64,7 +64,7 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
                    /*allow_artificial_cells=*/false,
                    dealii::parallel::shared::Triangulation<dim>::partition_metis)
   , curved_(geometry.curved)
-  , parents_are_nested_(level > 0 && (geometry.distortion == 0. || level > coarsest_level))
+  , n_nested_ancestors_(geometry.distortion == 0. ? level : level - std::min(coarsest_level, level))
 {
   const unsigned int first = std::min(coarsest_level, level);
   geometry.make_coarse_mesh(triangulation_);
@@ -85,12 +85,6 @@ double Mesh<dim>::longest_edge() const
     for (const unsigned int line : cell->line_indices())
       longest = std::max(longest, cell->line(line)->diameter());
   return longest;
-}
-
-template <int dim>
-bool Mesh<dim>::has_parents() const
-{
-  return parents_are_nested_;
 }
 
 template class Mesh<2>;

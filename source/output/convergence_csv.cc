@@ -88,10 +88,17 @@ std::vector<Column> lemma_columns()
           {"lemma_3_trace", [](R r) { return r.lemma_3_trace; }}};
 }
 
+/** Columns that came later: places of columns never change. */
+std::vector<Column> later_columns()
+{
+  using R = const LevelRecord &;
+  return {{"u_post4_h1", [](R r) { return r.u_post4_h1; }}};
+}
+
 std::vector<Column> all_columns()
 {
   std::vector<Column> columns = solution_columns();
-  for (const auto &more : {error_columns(), cost_columns(), lemma_columns()})
+  for (const auto &more : {error_columns(), cost_columns(), lemma_columns(), later_columns()})
     columns.insert(columns.end(), more.begin(), more.end());
   return columns;
 }

@@ -1,52 +1,122 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// ‖pi^{2h} u_h - u_h‖_1, the distance that (24) and (31) make an estimate of the error.
+// Distances between interpolations of the nodal values; (24) and (31) make the first an estimate of
+// the error.
 
 #include <signorini/postprocess/error_estimate.h>
 #include <signorini/postprocess/patch_interpolation.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/work_stream.h>
+#include <deal.II/grid/filtered_iterator.h>
 
 #include <cmath>
 
 namespace Signorini
 {
+namespace
+{
+/** ‖v - w‖_1^2 and ‖v‖_1^2, of a cell or of the body. */
+struct Squares
+{
+  double difference = 0.;
+  double norm = 0.;
+};
+
+/** v is the patch interpolation over @p fine generations, w over one less; every thread has its
+ * own. */
+template <int dim>
+class Distance
+{
+public:
+  using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+  // Products of functions of degree two or four per direction: three or five points are exact on
+  // parallelograms.
+  Distance(const DisplacementSpace<dim> &space, const NodalVector &U, const unsigned int fine)
+    : space_(space)
+    , U_(U)
+    , fine_(fine)
+    , values_(space.mesh().mapping(),
+              space.element(),
+              dealii::QGauss<dim>((1U << fine) + 1),
+              dealii::update_values | dealii::update_gradients | dealii::update_inverse_jacobians |
+                dealii::update_JxW_values)
+    , v_(space, values_.get_quadrature(), fine)
+    , w_(space, values_.get_quadrature(), fine - 1)
+  {
+  }
+  Distance(const Distance &other)
+    : Distance(other.space_, other.U_, other.fine_)
+  {
+  }
+
+  Squares integrate(const CellIterator &cell)
+  {
+    values_.reinit(cell);
+    const FieldValues<dim> &v = v_.evaluate(U_, cell, values_);
+    const FieldValues<dim> &w = w_.evaluate(U_, cell, values_);
+    Squares squares;
+    for (const unsigned int q : values_.quadrature_point_indices())
+    {
+      squares.difference += ((v.values[q] - w.values[q]).norm_square() +
+                             (v.gradients[q] - w.gradients[q]).norm_square()) *
+                            values_.JxW(q);
+      squares.norm += (v.values[q].norm_square() + v.gradients[q].norm_square()) * values_.JxW(q);
+    }
+    return squares;
+  }
+
+private:
+  const DisplacementSpace<dim> &space_;
+  const NodalVector &U_;
+  unsigned int fine_;
+  dealii::FEValues<dim> values_;
+  PatchInterpolation<dim> v_, w_;
+};
+
+/** The roots of the sums over all ranks; the threads' parts are added up in the order of cells. */
+template <int dim>
+Squares integrate(const DisplacementSpace<dim> &space,
+                  const NodalVector &U,
+                  const unsigned int fine)
+{
+  Squares sum;
+  dealii::WorkStream::run(
+    filter_iterators(space.dofs().active_cell_iterators(),
+                     dealii::IteratorFilters::LocallyOwnedCell()),
+    [](const auto &cell, Distance<dim> &distance, Squares &squares) {
+      squares = distance.integrate(cell);
+    },
+    [&sum](const Squares &squares) {
+      sum.difference += squares.difference;
+      sum.norm += squares.norm;
+    },
+    Distance<dim>(space, U, fine),
+    Squares(),
+    2 * dealii::MultithreadInfo::n_threads(),
+    64);
+  const MPI_Comm communicator = space.mesh().communicator();
+  return {std::sqrt(dealii::Utilities::MPI::sum(sum.difference, communicator)),
+          std::sqrt(dealii::Utilities::MPI::sum(sum.norm, communicator))};
+}
+} // namespace
+
 template <int dim>
 ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const NodalVector &U)
 {
-  // Products of functions of degree two per direction: three points are exact on parallelograms.
-  dealii::FEValues<dim> values(space.mesh().mapping(),
-                               space.element(),
-                               dealii::QGauss<dim>(3),
-                               dealii::update_values | dealii::update_gradients |
-                                 dealii::update_inverse_jacobians | dealii::update_JxW_values);
-  const dealii::FEValuesExtractors::Vector displacement(0);
-  PatchInterpolation<dim> interpolation(space, values.get_quadrature());
-  std::vector<dealii::Tensor<1, dim>> u(values.n_quadrature_points);
-  std::vector<dealii::Tensor<2, dim>> du(values.n_quadrature_points);
-  double squared_difference = 0.;
-  double squared_norm = 0.;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-    if (cell->is_locally_owned())
-    {
-      values.reinit(cell);
-      values[displacement].get_function_values(U, u);
-      values[displacement].get_function_gradients(U, du);
-      const FieldValues<dim> &recovered = interpolation.evaluate(U, cell, values);
-      for (const unsigned int q : values.quadrature_point_indices())
-      {
-        const auto &v = recovered.values[q];
-        const auto &dv = recovered.gradients[q];
-        squared_difference +=
-          ((v - u[q]).norm_square() + (dv - du[q]).norm_square()) * values.JxW(q);
-        squared_norm += (v.norm_square() + dv.norm_square()) * values.JxW(q);
-      }
-    }
-  const MPI_Comm communicator = space.mesh().communicator();
-  const double difference =
-    std::sqrt(dealii::Utilities::MPI::sum(squared_difference, communicator));
-  const double norm = std::sqrt(dealii::Utilities::MPI::sum(squared_norm, communicator));
-  return {difference, norm > 0. ? difference / norm : 0.};
+  const Squares roots = integrate(space, U, 1);
+  return {roots.difference, roots.norm > 0. ? roots.difference / roots.norm : 0.};
+}
+
+template <int dim>
+unsigned int best_interpolation(const DisplacementSpace<dim> &space, const NodalVector &U)
+{
+  if (space.mesh().n_nested_ancestors() < 2)
+    return space.mesh().n_nested_ancestors();
+  const double quadratic = integrate(space, U, 1).difference;
+  return integrate(space, U, 2).difference < 2. / 3. * quadratic ? 2 : 1;
 }
 
 template ErrorEstimate estimate_error(const DisplacementSpace<2> &, const NodalVector &);
+template unsigned int best_interpolation(const DisplacementSpace<2> &, const NodalVector &);
 } // namespace Signorini

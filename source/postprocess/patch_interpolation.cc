@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// pi^{2h} of (30): biquadratic interpolation on the cells of T^{2h}.
+// pi^{2h} of (30), and interpolations of higher degree on larger patches.
 
 #include <signorini/postprocess/patch_interpolation.h>
 
@@ -10,12 +10,11 @@ namespace Signorini
 namespace
 {
 /** Which child of its parent a cell is. */
-template <int dim>
-unsigned int child_number(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell)
+template <typename CellIterator>
+unsigned int child_number(const CellIterator &parent, const int index)
 {
-  const auto parent = cell->parent();
   unsigned int c = 0;
-  while (parent->child_index(c) != cell->index())
+  while (parent->child_index(c) != index)
     ++c;
   return c;
 }
@@ -29,33 +28,55 @@ unsigned int bit(const unsigned int number, const unsigned int d)
 
 template <int dim>
 PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
-                                            const dealii::Quadrature<dim> &usual_rule)
+                                            const dealii::Quadrature<dim> &usual_rule,
+                                            const unsigned int n_generations)
   : space_(space)
-  , polynomials_(dealii::Polynomials::LagrangeEquidistant::generate_complete_basis(2))
+  , n_generations_(n_generations)
+  , degree_(1U << n_generations)
+  , polynomials_(dealii::Polynomials::LagrangeEquidistant::generate_complete_basis(degree_))
   , usual_points_(usual_rule.get_points())
+  , ancestor_(space.dofs().end())
+  , nodal_dofs_(polynomials_.n())
+  , cell_dofs_(space.element().n_dofs_per_cell())
+  , nodal_values_(polynomials_.n())
 {
-  Assert(space.mesh().has_parents(), dealii::ExcMessage("pi^{2h} needs the level before"));
-  for (unsigned int c = 0; c < tables_.size(); ++c)
-    tables_[c] = make_table(usual_points_, c);
+  Assert(space.mesh().n_nested_ancestors() >= n_generations,
+         dealii::ExcMessage("patch interpolation needs the levels before"));
+  const unsigned int n_places = dealii::Utilities::pow(degree_, dim);
+  for (unsigned int i = 0; i < n_places; ++i)
+  {
+    Place place;
+    for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= degree_)
+      place[d] = rest % degree_;
+    tables_.push_back(make_table(usual_points_, place));
+  }
+}
+
+template <int dim>
+unsigned int PatchInterpolation<dim>::lexicographic(const Place &place,
+                                                    const unsigned int n_per_direction) const
+{
+  unsigned int index = 0;
+  for (unsigned int d = dim; d > 0; --d)
+    index = n_per_direction * index + place[d - 1];
+  return index;
 }
 
 template <int dim>
 typename PatchInterpolation<dim>::ShapeTable
 PatchInterpolation<dim>::make_table(const std::vector<dealii::Point<dim>> &points,
-                                    const unsigned int child) const
+                                    const Place &place) const
 {
   ShapeTable table;
-  table.values.resize(points.size());
-  table.gradients.resize(points.size());
-  for (unsigned int q = 0; q < points.size(); ++q)
+  for (const dealii::Point<dim> &point : points)
   {
-    dealii::Point<dim> in_parent;
+    dealii::Point<dim> in_ancestor;
     for (unsigned int d = 0; d < dim; ++d)
-      in_parent[d] = 0.5 * (points[q][d] + bit(child, d));
-    for (unsigned int k = 0; k < n_nodes; ++k)
+      in_ancestor[d] = (point[d] + place[d]) / degree_;
+    for (unsigned int k = 0; k < polynomials_.n(); ++k)
     {
-      table.values[q][k] = polynomials_.compute_value(k, in_parent);
-      table.gradients[q][k] = 0.5 * polynomials_.compute_grad(k, in_parent);
+      table.values.push_back(polynomials_.compute_value(k, in_ancestor));
+      table.gradients.push_back(polynomials_.compute_grad(k, in_ancestor) / degree_);
     }
   }
   return table;
@@ -63,30 +84,36 @@ PatchInterpolation<dim>::make_table(const std::vector<dealii::Point<dim>> &point
 
 template <int dim>
 const typename PatchInterpolation<dim>::ShapeTable &
-PatchInterpolation<dim>::table(const dealii::Quadrature<dim> &quadrature, const unsigned int child)
+PatchInterpolation<dim>::table(const dealii::Quadrature<dim> &quadrature, const Place &place)
 {
   if (quadrature.get_points() == usual_points_)
-    return tables_[child];
-  cut_table_ = make_table(quadrature.get_points(), child);
+    return tables_[lexicographic(place, degree_)];
+  cut_table_ = make_table(quadrature.get_points(), place);
   return cut_table_;
 }
 
 template <int dim>
-void PatchInterpolation<dim>::gather(const NodalVector &U, const CellIterator &cell)
+void PatchInterpolation<dim>::find_nodes(const AncestorIterator &cell, const Place &place)
 {
-  const auto parent = cell->parent();
-  dealii::Vector<double> values(space_.element().n_dofs_per_cell());
-  for (unsigned int c = 0; c < parent->n_children(); ++c)
+  if (cell->has_children())
   {
-    parent->child(c)->get_dof_values(U, values);
-    for (unsigned int i = 0; i < values.size(); ++i)
+    for (unsigned int c = 0; c < cell->n_children(); ++c)
     {
-      const auto component_and_vertex = space_.element().system_to_component_index(i);
-      unsigned int node = 0;
-      for (unsigned int d = dim; d > 0; --d)
-        node = 3 * node + bit(c, d - 1) + bit(component_and_vertex.second, d - 1);
-      nodal_values_[node][component_and_vertex.first] = values[i];
+      Place child;
+      for (unsigned int d = 0; d < dim; ++d)
+        child[d] = 2 * place[d] + bit(c, d);
+      find_nodes(cell->child(c), child);
     }
+    return;
+  }
+  CellIterator(cell)->get_dof_indices(cell_dofs_);
+  for (unsigned int i = 0; i < cell_dofs_.size(); ++i)
+  {
+    const auto component_and_vertex = space_.element().system_to_component_index(i);
+    Place node = place;
+    for (unsigned int d = 0; d < dim; ++d)
+      node[d] += bit(component_and_vertex.second, d);
+    nodal_dofs_[lexicographic(node, degree_ + 1)][component_and_vertex.first] = cell_dofs_[i];
   }
 }
 
@@ -95,9 +122,26 @@ const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const NodalVector &U,
                                                           const CellIterator &cell,
                                                           const dealii::FEValues<dim> &fe_values)
 {
-  gather(U, cell);
-  const ShapeTable &shapes = table(fe_values.get_quadrature(), child_number<dim>(cell));
-  const unsigned int n_points = fe_values.n_quadrature_points;
+  AncestorIterator ancestor = cell;
+  Place place = {};
+  for (unsigned int g = 0; g < n_generations_; ++g)
+  {
+    const auto parent = ancestor->parent();
+    const unsigned int c = child_number(parent, ancestor->index());
+    for (unsigned int d = 0; d < dim; ++d)
+      place[d] += bit(c, d) << g;
+    ancestor = parent;
+  }
+  if (ancestor != ancestor_)
+  {
+    find_nodes(ancestor, Place());
+    ancestor_ = ancestor;
+  }
+  for (unsigned int k = 0; k < nodal_dofs_.size(); ++k)
+    for (unsigned int d = 0; d < dim; ++d)
+      nodal_values_[k][d] = U[nodal_dofs_[k][d]];
+  const ShapeTable &shapes = table(fe_values.get_quadrature(), place);
+  const unsigned int n_points = fe_values.n_quadrature_points, n_nodes = nodal_values_.size();
   result_.values.assign(n_points, dealii::Tensor<1, dim>());
   result_.gradients.assign(n_points, dealii::Tensor<2, dim>());
   for (unsigned int q = 0; q < n_points; ++q)
@@ -105,8 +149,8 @@ const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const NodalVector &U,
     dealii::Tensor<2, dim> reference_gradient;
     for (unsigned int k = 0; k < n_nodes; ++k)
     {
-      result_.values[q] += shapes.values[q][k] * nodal_values_[k];
-      reference_gradient += outer_product(nodal_values_[k], shapes.gradients[q][k]);
+      result_.values[q] += shapes.values[q * n_nodes + k] * nodal_values_[k];
+      reference_gradient += outer_product(nodal_values_[k], shapes.gradients[q * n_nodes + k]);
     }
     // du_i/dx_j = sum_k du_i/dxi_k dxi_k/dx_j
     result_.gradients[q] =

@@ -29,6 +29,7 @@ void record_displacement_errors(const DisplacementErrors &errors, LevelRecord &r
   record.u_l2 = errors.l2;
   record.u_superclose_h1 = errors.superclose_h1;
   record.u_post_h1 = errors.post_h1;
+  record.u_post4_h1 = errors.post4_h1;
 }
 
 void record_lemma_numbers(const LemmaNumbers &numbers, LevelRecord &record)

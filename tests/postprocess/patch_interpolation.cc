@@ -21,22 +21,23 @@ namespace
 {
 const std::string sides = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
 
-/** sum_ij c_ij x^i y^j, i, j <= 2, for each component. */
-struct Biquadratic
+/** sum_ij c_ij x^i y^j, i, j <= degree, for each component. */
+struct Polynomial
 {
-  explicit Biquadratic(const unsigned int seed)
+  explicit Polynomial(const unsigned int seed, const unsigned int degree = 2)
+    : n(degree + 1)
   {
     RandomNumbers random(seed);
     for (auto &component : coefficients)
-      for (double &c : component)
-        c = random();
+      for (unsigned int i = 0; i < n * n; ++i)
+        component.push_back(random());
   }
   Tensor<1, 2> value(const Point<2> &x) const
   {
     Tensor<1, 2> sum;
     for (unsigned int k = 0; k < 2; ++k)
-      for (unsigned int i = 0; i < 9; ++i)
-        sum[k] += coefficients[k][i] * std::pow(x[0], i % 3) * std::pow(x[1], i / 3);
+      for (unsigned int i = 0; i < n * n; ++i)
+        sum[k] += coefficients[k][i] * std::pow(x[0], i % n) * std::pow(x[1], i / n);
     return sum;
   }
   Tensor<2, 2> gradient(const Point<2> &x) const
@@ -46,27 +47,30 @@ struct Biquadratic
     };
     Tensor<2, 2> sum;
     for (unsigned int k = 0; k < 2; ++k)
-      for (unsigned int i = 0; i < 9; ++i)
+      for (unsigned int i = 0; i < n * n; ++i)
       {
-        sum[k][0] += coefficients[k][i] * slope(x[0], i % 3) * std::pow(x[1], i / 3);
-        sum[k][1] += coefficients[k][i] * std::pow(x[0], i % 3) * slope(x[1], i / 3);
+        sum[k][0] += coefficients[k][i] * slope(x[0], i % n) * std::pow(x[1], i / n);
+        sum[k][1] += coefficients[k][i] * std::pow(x[0], i % n) * slope(x[1], i / n);
       }
     return sum;
   }
 
-  std::array<std::array<double, 9>, 2> coefficients;
+  unsigned int n;
+  std::array<std::vector<double>, 2> coefficients;
 };
 
 using Gradient = std::function<Tensor<2, 2>(const Point<2> &)>;
 
-/** Largest distance of pi^{2h} U and its gradient from a function at points of all cells. */
+/** Largest distance of the interpolation of U and its gradient from a function at points of all
+ * cells. */
 double largest_distance(const DisplacementSpace<2> &space,
                         const NodalVector &U,
                         const dealii::Quadrature<2> &points,
                         const Field &value,
-                        const Gradient &gradient)
+                        const Gradient &gradient,
+                        const unsigned int n_generations)
 {
-  PatchInterpolation<2> interpolation(space);
+  PatchInterpolation<2> interpolation(space, dealii::QGauss<2>(2), n_generations);
   dealii::FEValues<2> values(space.mesh().mapping(),
                              space.element(),
                              points,
@@ -91,16 +95,21 @@ void reproduces(Checks &checks,
                 const std::string &name,
                 const OneLevel &level,
                 const Field &value,
-                const Gradient &gradient)
+                const Gradient &gradient,
+                const unsigned int n_generations = 1)
 {
   const NodalVector U = nodal_values(level.space(), value);
-  checks.near(
-    name, largest_distance(level.space(), U, dealii::QGauss<2>(4), value, gradient), 0., 1e-12);
+  for (const unsigned int n_points : {2U, 4U})
+    checks.near(name + ", " + std::to_string(n_points) + " points",
+                largest_distance(
+                  level.space(), U, dealii::QGauss<2>(n_points), value, gradient, n_generations),
+                0.,
+                1e-12);
 }
 
 void polynomials(Checks &checks)
 {
-  const Biquadratic q(1);
+  const Polynomial q(1);
   const Field value = [&](const Point<2> &x) { return q.value(x); };
   const Gradient gradient = [&](const Point<2> &x) { return q.gradient(x); };
   const OneLevel rectangles(
@@ -170,7 +179,7 @@ void mapped_parent(Checks &checks)
       xi += invert(jacobian(xi)) * (x - F(xi));
     return xi;
   };
-  const Biquadratic q(3);
+  const Polynomial q(3);
   reproduces(
     checks,
     "biquadratic function of the parent's coordinates",
@@ -180,6 +189,74 @@ void mapped_parent(Checks &checks)
       const Point<2> xi = inverse(x);
       return q.gradient(xi) * invert(jacobian(xi));
     });
+}
+
+/** Degree 2^k on the k-th mesh before, and not one more. */
+void generations(Checks &checks)
+{
+  const OneLevel rectangles(
+    "subsection Geometry\nset Upper right = 2, 1\nset Cells = 3, 2\nend\n" + sides, 2);
+  const OneLevel squares(sides, 3);
+  for (const unsigned int k : {0U, 1U, 2U, 3U})
+  {
+    const std::string name = std::to_string(k) + " generations";
+    const Polynomial q(5 + k, 1U << k);
+    const Field value = [&](const Point<2> &x) { return q.value(x); };
+    const Gradient gradient = [&](const Point<2> &x) { return q.gradient(x); };
+    if (k < 3)
+      reproduces(checks, name + " on rectangles", rectangles, value, gradient, k);
+    reproduces(checks, name + " on squares", squares, value, gradient, k);
+    const unsigned int degree = (1U << k) + 1;
+    const Field power = [&](const Point<2> &x) {
+      return Point<2>(std::pow(x[0], degree), std::pow(x[1], degree));
+    };
+    checks.that(name + ": one degree more is too much",
+                largest_distance(squares.space(),
+                                 nodal_values(squares.space(), power),
+                                 dealii::QGauss<2>(3),
+                                 power,
+                                 Gradient(),
+                                 k) > 1e-6);
+  }
+  const auto n_ancestors = [](const OneLevel &level) {
+    return level.discretization.mesh.n_nested_ancestors();
+  };
+  const std::string distorted = entry("Geometry", "Distortion", "0.3") + sides;
+  checks.near("ancestors without distortion", n_ancestors(squares), 3, 0);
+  // The coarsest level, 2 by default, is the one that is distorted.
+  checks.near("ancestors on a distorted level", n_ancestors(OneLevel(distorted, 2)), 0, 0);
+  checks.near("ancestors two levels below it", n_ancestors(OneLevel(distorted, 4)), 2, 0);
+  const Tensor<2, 2> slope({{0.3, -0.7}, {1.1, 0.4}});
+  reproduces(
+    checks,
+    "linear function on distorted grandparents",
+    OneLevel(distorted, 4),
+    [&](const Point<2> &x) { return slope * x; },
+    [&](const Point<2> &) { return slope; },
+    2);
+}
+
+/** Degree four is taken where the mesh resolves the function. */
+void choice(Checks &checks)
+{
+  const auto wave = [](const double frequency) {
+    return [frequency](const Point<2> &x) {
+      return Point<2>(std::sin(frequency * x[0]), std::sin(frequency * x[1]));
+    };
+  };
+  const OneLevel level(sides, 4);
+  const auto best = [&](const double frequency) {
+    return best_interpolation(level.space(), nodal_values(level.space(), wave(frequency)));
+  };
+  checks.near("a wave on 40 cells", best(0.8 * dealii::numbers::PI), 2, 0);
+  checks.near("a wave on 2.5 cells", best(12.8 * dealii::numbers::PI), 1, 0);
+  const auto on_level = [](const unsigned int number) {
+    const OneLevel coarse(sides, number);
+    return best_interpolation(coarse.space(),
+                              nodal_values(coarse.space(), [](const Point<2> &x) { return x; }));
+  };
+  checks.near("no parents", on_level(0), 0, 0);
+  checks.near("no grandparents", on_level(1), 1, 0);
 }
 
 /** x^2 differs from its interpolant by h^2/3 (slope) and h^4/30 (value), squared. */
@@ -216,6 +293,8 @@ int main(int argc, char **argv)
   Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
   polynomials(checks);
   mapped_parent(checks);
+  generations(checks);
+  choice(checks);
   estimates(checks);
   return checks.exit_code();
 }

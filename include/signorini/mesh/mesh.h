@@ -53,13 +53,22 @@ public:
   }
   /** h: the longest edge (length). */
   double longest_edge() const;
-  /** Whether T^{2h} exists, also below the level at which vertices were moved. */
-  bool has_parents() const;
+  /** How many levels before this one have cells that are unions of cells of this one: all of them,
+   * or those from the level at which vertices were moved. */
+  unsigned int n_nested_ancestors() const
+  {
+    return n_nested_ancestors_;
+  }
+  /** Whether T^{2h} exists. */
+  bool has_parents() const
+  {
+    return n_nested_ancestors_ > 0;
+  }
 
 private:
   dealii::parallel::shared::Triangulation<dim> triangulation_;
   bool curved_;
   std::unique_ptr<const dealii::Mapping<dim>> mapping_;
-  bool parents_are_nested_;
+  unsigned int n_nested_ancestors_;
 };
 } // namespace Signorini

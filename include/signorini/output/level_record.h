@@ -58,6 +58,7 @@ struct LevelRecord
   std::optional<double> endpoint_error;
   std::optional<double> lemma_2_l2, lemma_2_dual, lemma_3_h1, lemma_3_trace, lemma_5;
   std::optional<double> bound_26, bound_27, bound_30;
+  std::optional<double> u_post4_h1;
   std::optional<double> estimated_h1, estimated_relative;
 
   /** Solves with the factors of A, and the largest |b - A x| / |b| among them. */

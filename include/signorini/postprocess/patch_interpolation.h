@@ -20,51 +20,67 @@ struct FieldValues
 };
 
 /**
- * pi^{2h}: the function of degree two per direction on each cell of T^{2h} that takes the 3^dim
- * nodal values of its children. Evaluated cell by cell of T^h, without unknowns of its own.
+ * Interpolation of nodal values by one polynomial on all descendants of a cell. Without generations
+ * it is u_h, with one it is pi^{2h} of (30): the function of degree two per direction on each cell
+ * of T^{2h} that takes the 3^dim nodal values of its children. With k generations it has the degree
+ * 2^k on the cells of the k-th mesh before T^h and takes the (2^k + 1)^dim nodal values of their
+ * descendants. Evaluated cell by cell of T^h, without unknowns of its own.
  *
- * Needs Mesh::has_parents().
+ * Needs Mesh::n_nested_ancestors() >= k. Copies share nothing: one for each thread.
  */
 template <int dim>
 class PatchInterpolation
 {
 public:
   using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
+  using AncestorIterator = typename dealii::DoFHandler<dim>::cell_iterator;
 
   /** @param usual_rule the rule of most cells; its shape functions are computed once. */
-  explicit PatchInterpolation(
-    const DisplacementSpace<dim> &space,
-    const dealii::Quadrature<dim> &usual_rule = dealii::Quadrature<dim>());
+  explicit PatchInterpolation(const DisplacementSpace<dim> &space,
+                              const dealii::Quadrature<dim> &usual_rule = dealii::Quadrature<dim>(),
+                              unsigned int n_generations = 1);
 
   /**
-   * pi^{2h} of the nodal values @p U at the points of @p fe_values, which is at @p cell and knows
-   * its inverse Jacobians.
+   * The interpolation of the nodal values @p U at the points of @p fe_values, which is at @p cell
+   * and knows its inverse Jacobians.
    */
   const FieldValues<dim> &evaluate(const NodalVector &U,
                                    const CellIterator &cell,
                                    const dealii::FEValues<dim> &fe_values);
 
 private:
-  static constexpr unsigned int n_nodes = dealii::Utilities::pow(3, dim);
+  /** Place of a cell among the descendants of its ancestor: 0..2^k-1 per direction. */
+  using Place = std::array<unsigned int, dim>;
 
-  /** Shape functions of the parent at the quadrature points of each child. */
+  /** Shape functions of the ancestor at the quadrature points of a descendant. */
   struct ShapeTable
   {
-    std::vector<std::array<double, n_nodes>> values;
-    /** With respect to the reference coordinates of the child. */
-    std::vector<std::array<dealii::Tensor<1, dim>, n_nodes>> gradients;
+    /** Point by point, n_nodes each. */
+    std::vector<double> values;
+    /** With respect to the reference coordinates of the descendant. */
+    std::vector<dealii::Tensor<1, dim>> gradients;
   };
 
-  ShapeTable make_table(const std::vector<dealii::Point<dim>> &points, unsigned int child) const;
-  const ShapeTable &table(const dealii::Quadrature<dim> &quadrature, unsigned int child);
-  void gather(const NodalVector &U, const CellIterator &cell);
+  unsigned int lexicographic(const Place &place, unsigned int n_per_direction) const;
+  ShapeTable make_table(const std::vector<dealii::Point<dim>> &points, const Place &place) const;
+  const ShapeTable &table(const dealii::Quadrature<dim> &quadrature, const Place &place);
+  /** Fills nodal_dofs_ from the descendants of an ancestor. */
+  void find_nodes(const AncestorIterator &cell, const Place &place);
 
   const DisplacementSpace<dim> &space_;
+  unsigned int n_generations_;
+  /** Cells per direction of the ancestor, which is the degree, too. */
+  unsigned int degree_;
   dealii::TensorProductPolynomials<dim> polynomials_;
   std::vector<dealii::Point<dim>> usual_points_;
-  std::array<ShapeTable, dealii::GeometryInfo<dim>::max_children_per_cell> tables_;
+  /** For all places, lexicographically. */
+  std::vector<ShapeTable> tables_;
   ShapeTable cut_table_;
-  std::array<dealii::Tensor<1, dim>, n_nodes> nodal_values_;
+  /** The ancestor to which nodal_dofs_ belong. */
+  AncestorIterator ancestor_;
+  std::vector<std::array<dealii::types::global_dof_index, dim>> nodal_dofs_;
+  std::vector<dealii::types::global_dof_index> cell_dofs_;
+  std::vector<dealii::Tensor<1, dim>> nodal_values_;
   FieldValues<dim> result_;
 };
 } // namespace Signorini
