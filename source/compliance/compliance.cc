@@ -2,30 +2,38 @@
 // The dual problem's C = D^T A^{-1} D and F = G - D^T A^{-1} f.
 
 #include <signorini/compliance/compliance.h>
+#include <signorini/stiffness_inverse/condensed_inverse.h>
+
+#include <set>
 
 namespace Signorini
 {
-template <int dim>
-FreeState solve_free_state(const StiffnessInverse &inverse,
-                           const DisplacementSpace<dim> &space,
-                           const DistributedVector &f,
-                           const Coupling &D,
-                           const dealii::Vector<double> &G)
+namespace
 {
-  DistributedVector U_0 = space.make_vector();
-  inverse.solve(U_0, f);
-  FreeState state;
-  state.U = space.complete(U_0);
-  state.F = G;
-  state.F -= D.transpose_product(state.U);
-  return state;
+/** C = D^T S^{-1} D = W^T W with S = L_22 L_22^T, W = L_22^{-1} D. */
+dealii::FullMatrix<double> compliance_from_schur_factor(const CondensedInverse &inverse,
+                                                        const Coupling &condensed_D)
+{
+  const unsigned int m = condensed_D.n_columns();
+  const dealii::LAPACKFullMatrix<double> L_22 = inverse.schur_factor();
+  dealii::LAPACKFullMatrix<double> W(L_22.m(), m);
+  for (unsigned int tau = 0; tau < m; ++tau)
+    for (const auto &entry : condensed_D.column(tau))
+      W(inverse.schur_row(entry.first), tau) += entry.second;
+  L_22.solve(W);
+  dealii::LAPACKFullMatrix<double> C(m, m);
+  W.Tmmult(C, W);
+  dealii::FullMatrix<double> result(m, m);
+  result = C;
+  return result;
 }
 
+/** Column by column, C_tau = D^T A^{-1} D_tau. */
 template <int dim>
-dealii::FullMatrix<double> compute_compliance(const StiffnessInverse &inverse,
-                                              const DisplacementSpace<dim> &space,
-                                              const Coupling &condensed_D,
-                                              const std::function<void(unsigned int)> &progress)
+dealii::FullMatrix<double> compliance_by_solves(const StiffnessInverse &inverse,
+                                                const DisplacementSpace<dim> &space,
+                                                const Coupling &condensed_D,
+                                                const std::function<void(unsigned int)> &progress)
 {
   const unsigned int m = condensed_D.n_columns();
   dealii::FullMatrix<double> C(m, m);
@@ -48,6 +56,47 @@ dealii::FullMatrix<double> compute_compliance(const StiffnessInverse &inverse,
   }
   dealii::Utilities::MPI::sum(C, space.mesh().communicator(), C);
   C.symmetrize();
+  return C;
+}
+} // namespace
+
+std::vector<dealii::types::global_dof_index> contact_unknowns(const Coupling &condensed_D)
+{
+  std::set<dealii::types::global_dof_index> rows;
+  for (unsigned int tau = 0; tau < condensed_D.n_columns(); ++tau)
+    for (const auto &entry : condensed_D.column(tau))
+      rows.insert(entry.first);
+  return {rows.begin(), rows.end()};
+}
+
+template <int dim>
+FreeState solve_free_state(const StiffnessInverse &inverse,
+                           const DisplacementSpace<dim> &space,
+                           const DistributedVector &f,
+                           const Coupling &D,
+                           const dealii::Vector<double> &G)
+{
+  DistributedVector U_0 = space.make_vector();
+  inverse.solve(U_0, f);
+  FreeState state;
+  state.U = space.complete(U_0);
+  state.F = G;
+  state.F -= D.transpose_product(state.U);
+  return state;
+}
+
+template <int dim>
+dealii::FullMatrix<double> compute_compliance(const StiffnessInverse &inverse,
+                                              const DisplacementSpace<dim> &space,
+                                              const Coupling &condensed_D,
+                                              const std::function<void(unsigned int)> &progress)
+{
+  const auto *const condensed = dynamic_cast<const CondensedInverse *>(&inverse);
+  if (condensed == nullptr || !condensed->eliminates_last(contact_unknowns(condensed_D)))
+    return compliance_by_solves(inverse, space, condensed_D, progress);
+  dealii::FullMatrix<double> C = compliance_from_schur_factor(*condensed, condensed_D);
+  if (progress)
+    progress(condensed_D.n_columns());
   return C;
 }
 

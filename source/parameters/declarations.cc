@@ -261,9 +261,12 @@ void Declarations::declare_solver(SolverParameters &solver)
       "a positive integer");
   add("Linear solver",
       solver.linear_solver,
-      "Factorisation of the stiffness matrix.",
-      Patterns::Selection("automatic|amesos_mumps|amesos_klu"),
-      "automatic, amesos_mumps, amesos_klu");
+      "Factorisation of the stiffness matrix. condensed (CHOLMOD, one process only) eliminates the "
+      "contact unknowns last and reads the compliance C from the factor; amesos_mumps (on all "
+      "processes) and amesos_klu (gathered on one) take one solve per contact patch. automatic is "
+      "condensed on one process and amesos_mumps on several.",
+      Patterns::Selection("automatic|condensed|amesos_mumps|amesos_klu"),
+      "automatic, condensed, amesos_mumps, amesos_klu");
   add("Warm start",
       solver.warm_start,
       "Start a level from the pressure of the level before.",

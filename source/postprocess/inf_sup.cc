@@ -31,7 +31,7 @@ double measure_inf_sup(const DisplacementSpace<dim> &space,
                        const std::string &linear_solver)
 {
   const dealii::TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
-  const auto inverse = factorise(A_1, linear_solver);
+  const auto inverse = factorise(A_1, linear_solver, contact_unknowns(condensed_D));
   auto DA_1D = to_lapack(compute_compliance(*inverse, space, condensed_D));
   auto S = to_lapack(dual_gram_matrix(multipliers.partition().patches, scene.geometry));
   std::vector<dealii::Vector<double>> no_eigenvectors;

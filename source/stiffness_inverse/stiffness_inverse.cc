@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A^{-1} by the sparse direct solvers of Trilinos (Amesos).
+// A^{-1} by the sparse direct solvers of Trilinos (Amesos), and the choice of a solver.
 
 #include <signorini/parameters/exceptions.h>
+#include <signorini/stiffness_inverse/condensed_inverse.h>
 #include <signorini/stiffness_inverse/stiffness_inverse.h>
 
 #include <deal.II/base/mpi.h>
@@ -26,7 +27,7 @@ double irregular_number(const dealii::types::global_dof_index i)
   return std::ldexp(static_cast<double>((hash ^ (hash >> 29U)) & 0xFFFFFFFFULL), -31) - 1.;
 }
 
-/** KLU (on one rank) or MUMPS (distributed), through Amesos. */
+/** KLU (gathers the matrix on one rank) or MUMPS (distributed), through Amesos. */
 class AmesosInverse final : public StiffnessInverse
 {
 public:
@@ -102,15 +103,18 @@ void StiffnessInverse::refuse_singular_matrix() const
   largest_residual_ = 0.;
 }
 
-std::unique_ptr<StiffnessInverse> factorise(const dealii::TrilinosWrappers::SparseMatrix &A,
-                                            const std::string &name)
+std::unique_ptr<StiffnessInverse>
+factorise(const dealii::TrilinosWrappers::SparseMatrix &A,
+          const std::string &name,
+          const std::vector<dealii::types::global_dof_index> &contact_unknowns)
 {
-  // KLU starts faster, MUMPS works on all ranks at once and wins from some ten thousand unknowns
-  // on.
-  constexpr unsigned int largest_for_klu = 10000;
-  const bool one_rank = dealii::Utilities::MPI::n_mpi_processes(A.get_mpi_communicator()) == 1;
-  const bool klu =
-    name == "amesos_klu" || (name == "automatic" && one_rank && A.m() <= largest_for_klu);
-  return std::make_unique<AmesosInverse>(A, klu ? "Amesos_Klu" : "Amesos_Mumps");
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(A.get_mpi_communicator());
+  const bool one_rank = n_ranks == 1;
+  if (name == "condensed" && !one_rank)
+    throw InputError("Solver/Linear solver: found 'condensed' on " + std::to_string(n_ranks) +
+                     " processes, allowed on several: automatic, amesos_mumps, amesos_klu.");
+  if (name == "condensed" || (name == "automatic" && one_rank))
+    return std::make_unique<CondensedInverse>(A, contact_unknowns);
+  return std::make_unique<AmesosInverse>(A, name == "amesos_klu" ? "Amesos_Klu" : "Amesos_Mumps");
 }
 } // namespace Signorini

@@ -206,7 +206,8 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   clock.add_to(times.assembly);
 
   progress("factorisation");
-  const auto inverse = factorise(system.A, parameters.solver.linear_solver);
+  const auto inverse = factorise(
+    system.A, parameters.solver.linear_solver, contact_unknowns(discretization.condensed_D));
   clock.add_to(times.factor);
 
   FreeState free = solve_free_state(*inverse, space, system.f, discretization.D, discretization.G);

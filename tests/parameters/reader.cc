@@ -135,7 +135,7 @@ void test_values(Checks &checks)
     {"Solver/Relaxation", {"0", "2", "-1", "2.05"}},
     {"Solver/Tolerance", {"0", "1", "1e-16"}},
     {"Solver/Maximum iterations", {"0", "1e5"}},
-    {"Solver/Linear solver", {"condensed", "amg"}},
+    {"Solver/Linear solver", {"cholmod", "amg"}},
     {"Solver/Warm start", {"maybe", "1"}},
     {"Output/VTU", {"all levels"}},
     {"Output/Inf-sup constant", {"perhaps", "1"}},

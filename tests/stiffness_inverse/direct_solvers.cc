@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Amesos' direct solvers: known answers, counted solves, and singular matrices.
+// The direct solvers: known answers, counted solves, singular matrices, and numbers of ranks.
 
 #include <signorini/elasticity/linear_system.h>
 #include <signorini/parameters/exceptions.h>
-#include <signorini/stiffness_inverse/stiffness_inverse.h>
+#include <signorini/stiffness_inverse/condensed_inverse.h>
 
 #include "one_level.h"
 #include "tests.h"
@@ -12,7 +12,18 @@ using namespace Signorini;
 
 namespace
 {
-const char *const solvers[] = {"automatic", "amesos_klu", "amesos_mumps"};
+bool one_rank()
+{
+  return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+}
+
+std::vector<std::string> solvers()
+{
+  std::vector<std::string> names = {"automatic", "amesos_klu", "amesos_mumps"};
+  if (one_rank())
+    names.emplace_back("condensed");
+  return names;
+}
 
 struct System
 {
@@ -80,7 +91,7 @@ void known_answers(Checks &checks)
   DistributedVector b = system.space.make_vector(), x = b, b_other = b;
   system.A.vmult(b, exact);
   system.A.vmult(b_other, other);
-  for (const std::string name : solvers)
+  for (const std::string &name : solvers())
   {
     const auto inverse = factorise(system.A, name);
     checks.that(name + ": no solve yet", inverse->n_solves() == 0);
@@ -108,13 +119,47 @@ void singular(Checks &checks, const std::string &body, const System &system)
   system.A.vmult(in_range, system.random_vector(3));
   const std::pair<const char *, DistributedVector> right_hand_sides[] = {
     {"any load", system.random_vector(4)}, {"balanced load", in_range}};
-  for (const std::string name : solvers)
+  for (const std::string &name : solvers())
     for (const auto &b : right_hand_sides)
       checks.throws<ComputationError>(body + ", " + b.first + ", " + name, "singular", [&]() {
         const auto inverse = factorise(system.A, name);
         DistributedVector x = system.space.make_vector();
         inverse->solve(x, b.second);
       });
+}
+
+/** What a value of Linear solver means on these ranks. */
+void choice(Checks &checks)
+{
+  const System system(held(), 2);
+  const auto automatic = factorise(system.A, "automatic");
+  checks.that("automatic is condensed on one rank only",
+              (dynamic_cast<const CondensedInverse *>(automatic.get()) != nullptr) == one_rank());
+  if (!one_rank())
+    checks.throws<InputError>(
+      "condensed is refused on several ranks",
+      "Solver/Linear solver: found 'condensed' on 2 processes, allowed on several: automatic, "
+      "amesos_mumps, amesos_klu.",
+      [&]() { factorise(system.A, "condensed"); });
+}
+
+/** Ill-conditioned but regular: a slender bar, clamped at one end. */
+void slender_bar(Checks &checks)
+{
+  Parameters parameters =
+    parse_parameters("subsection Geometry\nset Upper right = 30, 1\nset Cells = 30, 1\nend\n"
+                     "subsection Boundary\nset Clamped = left\nset Contact = bottom\nend\n",
+                     "test");
+  const System system(make_scene(parameters), 1);
+  const DistributedVector exact = system.random_vector(7);
+  DistributedVector b = system.space.make_vector(), x = b;
+  system.A.vmult(b, exact);
+  for (const std::string &name : solvers())
+  {
+    const auto inverse = factorise(system.A, name);
+    inverse->solve(x, b);
+    checks.between("slender bar, " + name, inverse->largest_residual(), 0., 1e-12);
+  }
 }
 } // namespace
 
@@ -124,6 +169,8 @@ int main(int argc, char **argv)
   dealii::deal_II_exceptions::disable_abort_on_exception();
   Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
   known_answers(checks);
+  choice(checks);
+  slender_bar(checks);
   for (const unsigned int level : {0U, 1U, 3U, 5U})
   {
     singular(checks, "loose body, level " + std::to_string(level), System(loose(), level));

@@ -28,9 +28,15 @@ FreeState solve_free_state(const StiffnessInverse &inverse,
                            const Coupling &D,
                            const dealii::Vector<double> &G);
 
+/** The rows of D that are not zero, in ascending order: the contact unknowns of factorise(). */
+std::vector<dealii::types::global_dof_index> contact_unknowns(const Coupling &condensed_D);
+
 /**
- * C = D^T A^{-1} D with the condensed coupling, one solve per column, symmetrised; m x m, on every
- * rank. @p progress is called with the number of finished columns. Collective.
+ * C = D^T A^{-1} D with the condensed coupling; m x m, symmetric, on every rank.
+ *
+ * From a CondensedInverse that eliminates the contact unknowns last it is C = D^T S^{-1} D, S = L_22 L_22^T, without
+ * a solve; from any other, one solve per column, symmetrised. @p progress is called with the number
+ * of finished columns. Collective.
  */
 template <int dim>
 dealii::FullMatrix<double>

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace Signorini
 {
@@ -43,7 +44,8 @@ protected:
 
   /**
    * One solve, not counted, for a b that no kernel is orthogonal to: factors of a singular matrix
-   * betray themselves there, but not for loads in its range. Called once by the derived classes.
+   * betray themselves there, but not for loads in its range. Derived classes call it once, unless
+   * their pivots show that A is regular.
    * @throws ComputationError
    */
   void refuse_singular_matrix() const;
@@ -58,9 +60,16 @@ private:
 };
 
 /**
- * Factorises A, which must outlive the result. @p name is a value of Solver/Linear solver.
- * Collective. @throws ComputationError if the factorisation fails.
+ * Factorises A, which must outlive the result. @p name is a value of Solver/Linear solver;
+ * automatic is condensed on one rank and amesos_mumps on several.
+ *
+ * @param contact_unknowns those that the contact pressure acts on; the condensed factorisation
+ *   eliminates them last. Collective.
+ * @throws InputError if @p name does not work on so many ranks, ComputationError if the
+ *   factorisation fails.
  */
-std::unique_ptr<StiffnessInverse> factorise(const dealii::TrilinosWrappers::SparseMatrix &A,
-                                            const std::string &name);
+std::unique_ptr<StiffnessInverse>
+factorise(const dealii::TrilinosWrappers::SparseMatrix &A,
+          const std::string &name,
+          const std::vector<dealii::types::global_dof_index> &contact_unknowns = {});
 } // namespace Signorini
