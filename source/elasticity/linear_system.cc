@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A and f of (22): one pass over the cells.
+// A and f of (22): one pass over the cells, in chunks that threads share.
 
 #include <signorini/elasticity/cell_stiffness.h>
 #include <signorini/elasticity/h1_gram_matrix.h>
 #include <signorini/elasticity/linear_system.h>
+#include <signorini/elasticity/matrix_scatter.h>
 #include <signorini/parameters/agreement.h>
 #include <signorini/parameters/exceptions.h>
 
+#include <deal.II/base/work_stream.h>
+
 #include <cmath>
+#include <exception>
 #include <sstream>
 
 namespace Signorini
@@ -27,15 +31,17 @@ public:
     , kinks_(kinks)
     , cell_values_(space.mesh().mapping(), space.element(), kinks, n_points, flags())
     , face_values_(space.mesh().mapping(), space.element(), n_points, flags())
-    , value_(dim)
   {
   }
 
-  /** Adds to @p vector and to the resultant. */
-  void add(const typename FaceValues<dim>::CellIterator &cell, dealii::Vector<double> &vector)
+  /** Adds to @p vector and to @p resultant. */
+  void add(const typename FaceValues<dim>::CellIterator &cell,
+           dealii::Vector<double> &vector,
+           Resultant<dim> &resultant)
   {
     if (scene_.body_force != nullptr)
-      add_force(cell_values_.reinit(cell), *scene_.body_force, "Load/Body force", vector);
+      add_force(
+        cell_values_.reinit(cell), *scene_.body_force, "Load/Body force", vector, resultant);
     if (!cell->at_boundary())
       return;
     for (const unsigned int f : cell->face_indices())
@@ -46,13 +52,12 @@ public:
       if (condition.role != Role::traction)
         continue;
       const auto cuts = kinks_.cut(cell->face(f)->vertex(0), cell->face(f)->vertex(1));
-      add_force(face_values_.reinit(cell, f, cuts), *condition.data, "Boundary/Traction", vector);
+      add_force(face_values_.reinit(cell, f, cuts),
+                *condition.data,
+                "Boundary/Traction",
+                vector,
+                resultant);
     }
-  }
-
-  const Resultant<dim> &resultant() const
-  {
-    return resultant_;
   }
 
 private:
@@ -65,27 +70,32 @@ private:
   void add_force(const dealii::FEValuesBase<dim> &values,
                  const dealii::Function<dim> &force,
                  const char *name,
-                 dealii::Vector<double> &vector)
+                 dealii::Vector<double> &vector,
+                 Resultant<dim> &resultant)
   {
     const auto &element = values.get_fe();
+    const std::vector<dealii::Point<dim>> &points = values.get_quadrature_points();
+    if (force_.size() != points.size())
+      force_.assign(points.size(), dealii::Vector<double>(dim));
+    force.vector_value_list(points, force_);
     for (const unsigned int q : values.quadrature_point_indices())
     {
-      const dealii::Point<dim> &x = values.quadrature_point(q);
-      force.vector_value(x, value_);
-      check_finite(x, name);
+      check_finite(force_[q], points[q], name);
       dealii::Tensor<1, dim> weighted;
       for (unsigned int d = 0; d < dim; ++d)
-        weighted[d] = value_[d] * values.JxW(q);
-      resultant_.add(weighted, x);
+        weighted[d] = force_[q][d] * values.JxW(q);
+      resultant.add(weighted, points[q]);
       for (unsigned int i = 0; i < vector.size(); ++i)
         vector[i] +=
           weighted[element.system_to_component_index(i).first] * values.shape_value(i, q);
     }
   }
 
-  void check_finite(const dealii::Point<dim> &x, const char *name) const
+  static void check_finite(const dealii::Vector<double> &value,
+                           const dealii::Point<dim> &x,
+                           const char *name)
   {
-    for (const double component : value_)
+    for (const double component : value)
       if (!std::isfinite(component))
       {
         std::ostringstream message;
@@ -99,9 +109,99 @@ private:
   const Kinks<dim> &kinks_;
   CellValues<dim> cell_values_;
   FaceValues<dim> face_values_;
-  dealii::Vector<double> value_;
-  Resultant<dim> resultant_;
+  /** At the quadrature points. */
+  std::vector<dealii::Vector<double>> force_;
 };
+
+/** Cells that one thread integrates at a time. The chunks are the same for any number of threads,
+ * and they are added in order: so are all digits. */
+constexpr std::size_t chunk_size = 128;
+
+template <int dim>
+using Cells = std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator>;
+
+template <int dim>
+std::vector<Cells<dim>> chunks_of_owned_cells(const DisplacementSpace<dim> &space)
+{
+  std::vector<Cells<dim>> chunks;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      if (chunks.empty() || chunks.back().size() == chunk_size)
+        chunks.emplace_back().reserve(chunk_size);
+      chunks.back().push_back(cell);
+    }
+  return chunks;
+}
+
+/** What a thread integrates with. */
+template <int dim>
+struct Integrators
+{
+  Integrators(const DisplacementSpace<dim> &space_,
+              const Scene<dim> &scene_,
+              const Kinks<dim> &kinks_,
+              const unsigned int n_points_)
+    : space(space_)
+    , scene(scene_)
+    , kinks(kinks_)
+    , n_points(n_points_)
+    , stiffness(space, *scene.material, kinks)
+    , loads(space, scene, kinks, n_points)
+  {
+  }
+  /** WorkStream makes one copy per thread. */
+  Integrators(const Integrators &other)
+    : Integrators(other.space, other.scene, other.kinks, other.n_points)
+  {
+  }
+
+  const DisplacementSpace<dim> &space;
+  const Scene<dim> &scene;
+  const Kinks<dim> &kinks;
+  unsigned int n_points;
+  CellStiffness<dim> stiffness;
+  CellLoads<dim> loads;
+};
+
+/** a(phi_j, phi_i) and f_i on the cells of a chunk. */
+template <int dim>
+struct ChunkIntegrals
+{
+  Cells<dim> cells;
+  std::vector<dealii::FullMatrix<double>> stiffness;
+  std::vector<dealii::Vector<double>> loads;
+  Resultant<dim> resultant;
+  /** What went wrong: exceptions must not leave a thread. */
+  std::exception_ptr failure;
+};
+
+template <int dim>
+void integrate_chunk(const Cells<dim> &cells,
+                     Integrators<dim> &integrators,
+                     ChunkIntegrals<dim> &integrals)
+{
+  const unsigned int n = integrators.space.element().n_dofs_per_cell();
+  integrals.cells = cells;
+  integrals.stiffness.resize(cells.size());
+  integrals.loads.resize(cells.size(), dealii::Vector<double>(n));
+  integrals.resultant = {};
+  integrals.failure = nullptr;
+  integrators.stiffness.forget();
+  try
+  {
+    for (std::size_t k = 0; k < cells.size(); ++k)
+    {
+      integrals.stiffness[k] = integrators.stiffness(cells[k]);
+      integrals.loads[k] = 0.;
+      integrators.loads.add(cells[k], integrals.loads[k], integrals.resultant);
+    }
+  }
+  catch (...)
+  {
+    integrals.failure = std::current_exception();
+  }
+}
 
 template <int dim>
 Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator)
@@ -111,6 +211,46 @@ Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator)
   sum.moment = dealii::Utilities::MPI::sum(part.moment, communicator);
   return sum;
 }
+/** Adds all owned cells to A, f and loads; the resultant is that of this rank. */
+template <int dim>
+void add_cells(const DisplacementSpace<dim> &space,
+               const Scene<dim> &scene,
+               const unsigned int n_points,
+               LinearSystem<dim> &system)
+{
+  const Kinks<dim> kinks = Kinks<dim>::of_scene(scene);
+  const std::vector<Cells<dim>> chunks = chunks_of_owned_cells(space);
+  MatrixScatter<dim> scatter(space, system.A);
+  std::vector<dealii::types::global_dof_index> indices(space.element().n_dofs_per_cell());
+  std::exception_ptr failure;
+  const auto add_chunk = [&](const ChunkIntegrals<dim> &integrals) {
+    if (failure == nullptr)
+      failure = integrals.failure;
+    if (failure != nullptr)
+      return;
+    for (std::size_t k = 0; k < integrals.cells.size(); ++k)
+    {
+      integrals.cells[k]->get_dof_indices(indices);
+      scatter.add(integrals.stiffness[k], integrals.loads[k], indices, system.f);
+      system.loads.add(indices, integrals.loads[k]);
+    }
+    system.applied.force += integrals.resultant.force;
+    system.applied.moment += integrals.resultant.moment;
+  };
+  dealii::WorkStream::run(
+    chunks.begin(),
+    chunks.end(),
+    [](const auto &chunk, Integrators<dim> &integrators, ChunkIntegrals<dim> &integrals) {
+      integrate_chunk(*chunk, integrators, integrals);
+    },
+    add_chunk,
+    Integrators<dim>(space, scene, kinks, n_points),
+    ChunkIntegrals<dim>(),
+    2 * dealii::MultithreadInfo::n_threads(),
+    1);
+  if (failure != nullptr)
+    std::rethrow_exception(failure);
+}
 } // namespace
 
 template <int dim>
@@ -119,29 +259,12 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
                                          const unsigned int n_points)
 {
   const MPI_Comm communicator = space.mesh().communicator();
-  const Kinks<dim> kinks = Kinks<dim>::of_scene(scene);
-  CellStiffness<dim> stiffness(space, *scene.material, kinks);
-  CellLoads<dim> cell_loads(space, scene, kinks, n_points);
   LinearSystem<dim> system = {make_matrix(space), space.make_vector(), space.make_vector(), {}};
-  const unsigned int n = space.element().n_dofs_per_cell();
-  dealii::Vector<double> cell_f(n);
-  std::vector<dealii::types::global_dof_index> indices(n);
-  agree(communicator, [&]() {
-    for (const auto &cell : space.dofs().active_cell_iterators())
-      if (cell->is_locally_owned())
-      {
-        cell_f = 0.;
-        cell_loads.add(cell, cell_f);
-        cell->get_dof_indices(indices);
-        space.constraints().distribute_local_to_global(
-          stiffness(cell), cell_f, indices, system.A, system.f);
-        system.loads.add(indices, cell_f);
-      }
-  });
+  agree(communicator, [&]() { add_cells(space, scene, n_points, system); });
   system.A.compress(dealii::VectorOperation::add);
   system.f.compress(dealii::VectorOperation::add);
   system.loads.compress(dealii::VectorOperation::add);
-  system.applied = sum_over_ranks(cell_loads.resultant(), communicator);
+  system.applied = sum_over_ranks(system.applied, communicator);
   return system;
 }
 
