@@ -7,11 +7,9 @@
 #include <signorini/elasticity/matrix_scatter.h>
 #include <signorini/parameters/agreement.h>
 #include <signorini/parameters/exceptions.h>
-
-#include <deal.II/base/work_stream.h>
+#include <signorini/parameters/threads.h>
 
 #include <cmath>
-#include <exception>
 #include <sstream>
 
 namespace Signorini
@@ -113,9 +111,12 @@ private:
   std::vector<dealii::Vector<double>> force_;
 };
 
-/** Cells that one thread integrates at a time. The chunks are the same for any number of threads,
- * and they are added in order: so are all digits. */
-constexpr std::size_t chunk_size = 128;
+/**
+ * Cells that one thread integrates at a time. The chunks are the same for any number of threads,
+ * none depends on another (FEValues and CellStiffness look back to the cell before), and they are
+ * added in order: so the digits are the same, too.
+ */
+constexpr std::size_t chunk_size = 512;
 
 template <int dim>
 using Cells = std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator>;
@@ -134,83 +135,37 @@ std::vector<Cells<dim>> chunks_of_owned_cells(const DisplacementSpace<dim> &spac
   return chunks;
 }
 
-/** What a thread integrates with. */
-template <int dim>
-struct Integrators
-{
-  Integrators(const DisplacementSpace<dim> &space_,
-              const Scene<dim> &scene_,
-              const Kinks<dim> &kinks_,
-              const unsigned int n_points_)
-    : space(space_)
-    , scene(scene_)
-    , kinks(kinks_)
-    , n_points(n_points_)
-    , stiffness(space, *scene.material, kinks)
-    , loads(space, scene, kinks, n_points)
-  {
-  }
-  /** WorkStream makes one copy per thread. */
-  Integrators(const Integrators &other)
-    : Integrators(other.space, other.scene, other.kinks, other.n_points)
-  {
-  }
-
-  const DisplacementSpace<dim> &space;
-  const Scene<dim> &scene;
-  const Kinks<dim> &kinks;
-  unsigned int n_points;
-  CellStiffness<dim> stiffness;
-  CellLoads<dim> loads;
-};
-
 /** a(phi_j, phi_i) and f_i on the cells of a chunk. */
 template <int dim>
 struct ChunkIntegrals
 {
-  Cells<dim> cells;
+  const Cells<dim> *cells;
   std::vector<dealii::FullMatrix<double>> stiffness;
   std::vector<dealii::Vector<double>> loads;
   Resultant<dim> resultant;
-  /** What went wrong: exceptions must not leave a thread. */
-  std::exception_ptr failure;
 };
 
 template <int dim>
-void integrate_chunk(const Cells<dim> &cells,
-                     Integrators<dim> &integrators,
-                     ChunkIntegrals<dim> &integrals)
+ChunkIntegrals<dim> integrate(const Cells<dim> &cells,
+                              const DisplacementSpace<dim> &space,
+                              const Scene<dim> &scene,
+                              const Kinks<dim> &kinks,
+                              const unsigned int n_points)
 {
-  const unsigned int n = integrators.space.element().n_dofs_per_cell();
-  integrals.cells = cells;
-  integrals.stiffness.resize(cells.size());
-  integrals.loads.resize(cells.size(), dealii::Vector<double>(n));
-  integrals.resultant = {};
-  integrals.failure = nullptr;
-  integrators.stiffness.forget();
-  try
+  CellStiffness<dim> cell_stiffness(space, *scene.material, kinks);
+  CellLoads<dim> cell_loads(space, scene, kinks, n_points);
+  ChunkIntegrals<dim> integrals;
+  integrals.cells = &cells;
+  integrals.stiffness.reserve(cells.size());
+  integrals.loads.assign(cells.size(), dealii::Vector<double>(space.element().n_dofs_per_cell()));
+  for (std::size_t k = 0; k < cells.size(); ++k)
   {
-    for (std::size_t k = 0; k < cells.size(); ++k)
-    {
-      integrals.stiffness[k] = integrators.stiffness(cells[k]);
-      integrals.loads[k] = 0.;
-      integrators.loads.add(cells[k], integrals.loads[k], integrals.resultant);
-    }
+    integrals.stiffness.push_back(cell_stiffness(cells[k]));
+    cell_loads.add(cells[k], integrals.loads[k], integrals.resultant);
   }
-  catch (...)
-  {
-    integrals.failure = std::current_exception();
-  }
+  return integrals;
 }
 
-template <int dim>
-Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator)
-{
-  Resultant<dim> sum;
-  sum.force = dealii::Utilities::MPI::sum(part.force, communicator);
-  sum.moment = dealii::Utilities::MPI::sum(part.moment, communicator);
-  return sum;
-}
 /** Adds all owned cells to A, f and loads; the resultant is that of this rank. */
 template <int dim>
 void add_cells(const DisplacementSpace<dim> &space,
@@ -222,34 +177,29 @@ void add_cells(const DisplacementSpace<dim> &space,
   const std::vector<Cells<dim>> chunks = chunks_of_owned_cells(space);
   MatrixScatter<dim> scatter(space, system.A);
   std::vector<dealii::types::global_dof_index> indices(space.element().n_dofs_per_cell());
-  std::exception_ptr failure;
-  const auto add_chunk = [&](const ChunkIntegrals<dim> &integrals) {
-    if (failure == nullptr)
-      failure = integrals.failure;
-    if (failure != nullptr)
-      return;
-    for (std::size_t k = 0; k < integrals.cells.size(); ++k)
-    {
-      integrals.cells[k]->get_dof_indices(indices);
-      scatter.add(integrals.stiffness[k], integrals.loads[k], indices, system.f);
-      system.loads.add(indices, integrals.loads[k]);
-    }
-    system.applied.force += integrals.resultant.force;
-    system.applied.moment += integrals.resultant.moment;
-  };
-  dealii::WorkStream::run(
-    chunks.begin(),
-    chunks.end(),
-    [](const auto &chunk, Integrators<dim> &integrators, ChunkIntegrals<dim> &integrals) {
-      integrate_chunk(*chunk, integrators, integrals);
-    },
-    add_chunk,
-    Integrators<dim>(space, scene, kinks, n_points),
-    ChunkIntegrals<dim>(),
-    2 * dealii::MultithreadInfo::n_threads(),
-    1);
-  if (failure != nullptr)
-    std::rethrow_exception(failure);
+  produce_in_parallel<ChunkIntegrals<dim>>(
+    number_of_threads(space.mesh().communicator()),
+    chunks.size(),
+    [&](const std::size_t i) { return integrate(chunks[i], space, scene, kinks, n_points); },
+    [&](const ChunkIntegrals<dim> &integrals) {
+      for (std::size_t k = 0; k < integrals.cells->size(); ++k)
+      {
+        (*integrals.cells)[k]->get_dof_indices(indices);
+        scatter.add(integrals.stiffness[k], integrals.loads[k], indices, system.f);
+        system.loads.add(indices, integrals.loads[k]);
+      }
+      system.applied.force += integrals.resultant.force;
+      system.applied.moment += integrals.resultant.moment;
+    });
+}
+
+template <int dim>
+Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator)
+{
+  Resultant<dim> sum;
+  sum.force = dealii::Utilities::MPI::sum(part.force, communicator);
+  sum.moment = dealii::Utilities::MPI::sum(part.moment, communicator);
+  return sum;
 }
 } // namespace
 

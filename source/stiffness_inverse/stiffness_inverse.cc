@@ -2,6 +2,8 @@
 // A^{-1} by the sparse direct solvers of Trilinos (Amesos), and the choice of a solver.
 
 #include <signorini/parameters/exceptions.h>
+#include <signorini/parameters/threads.h>
+#include <signorini/stiffness_inverse/blas_threads.h>
 #include <signorini/stiffness_inverse/condensed_inverse.h>
 #include <signorini/stiffness_inverse/stiffness_inverse.h>
 
@@ -33,8 +35,10 @@ class AmesosInverse final : public StiffnessInverse
 public:
   AmesosInverse(const dealii::TrilinosWrappers::SparseMatrix &A, const std::string &type)
     : StiffnessInverse(A)
+    , n_threads_(type == "Amesos_Mumps" ? number_of_threads(A.get_mpi_communicator()) : 1)
     , solver_(control_, dealii::TrilinosWrappers::SolverDirect::AdditionalData(false, type))
   {
+    const BlasThreads threads(n_threads_);
     try
     {
       solver_.initialize(A);
@@ -50,6 +54,7 @@ public:
 private:
   void apply(Vector &x, const Vector &b) const override
   {
+    const BlasThreads threads(n_threads_);
     try
     {
       solver_.solve(x, b);
@@ -61,6 +66,7 @@ private:
     }
   }
 
+  unsigned int n_threads_;
   mutable dealii::SolverControl control_;
   mutable dealii::TrilinosWrappers::SolverDirect solver_;
 };

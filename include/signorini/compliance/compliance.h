@@ -34,9 +34,9 @@ std::vector<dealii::types::global_dof_index> contact_unknowns(const Coupling &co
 /**
  * C = D^T A^{-1} D with the condensed coupling; m x m, symmetric, on every rank.
  *
- * From a CondensedInverse that eliminates the contact unknowns last it is C = D^T S^{-1} D, S = L_22 L_22^T, without
- * a solve; from any other, one solve per column, symmetrised. @p progress is called with the number
- * of finished columns. Collective.
+ * From a CondensedInverse that eliminates the contact unknowns last it is C = D^T S^{-1} D, S =
+ * L_22 L_22^T, without a solve; from any other, one solve per column, symmetrised. @p progress is
+ * called with the number of finished columns. Collective.
  */
 template <int dim>
 dealii::FullMatrix<double>

@@ -25,11 +25,6 @@ public:
 
   /** The matrix of the cell; valid until the next call. */
   const dealii::FullMatrix<double> &operator()(const CellIterator &cell);
-  /** The next matrix is integrated, whatever its cell: it then depends on no cell before. */
-  void forget()
-  {
-    shape_.clear();
-  }
 
 private:
   void integrate(const dealii::FEValues<dim> &values);

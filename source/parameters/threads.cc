@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Threads of one process.
+
+#include <signorini/parameters/threads.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <thread>
+
+namespace Signorini
+{
+unsigned int number_of_threads(MPI_Comm communicator)
+{
+  // deal.II reads the same variable, and refuses what is not a number.
+  if (const char *const given = std::getenv("DEAL_II_NUM_THREADS"))
+    return static_cast<unsigned int>(std::max(1L, std::strtol(given, nullptr, 10)));
+  int n_ranks = 1;
+  MPI_Comm_size(communicator, &n_ranks);
+  return n_ranks > 1 ? 1U : std::max(1U, std::thread::hardware_concurrency());
+}
+} // namespace Signorini
