@@ -3,8 +3,8 @@
 
 #include <signorini/parameters/exceptions.h>
 #include <signorini/parameters/threads.h>
-#include <signorini/stiffness_inverse/blas_threads.h>
 #include <signorini/stiffness_inverse/condensed_inverse.h>
+#include <signorini/stiffness_inverse/library_threads.h>
 #include <signorini/stiffness_inverse/stiffness_inverse.h>
 
 #include <deal.II/base/mpi.h>
@@ -38,7 +38,7 @@ public:
     , n_threads_(type == "Amesos_Mumps" ? number_of_threads(A.get_mpi_communicator()) : 1)
     , solver_(control_, dealii::TrilinosWrappers::SolverDirect::AdditionalData(false, type))
   {
-    const BlasThreads threads(n_threads_);
+    const LibraryThreads threads(n_threads_);
     try
     {
       solver_.initialize(A);
@@ -54,7 +54,7 @@ public:
 private:
   void apply(Vector &x, const Vector &b) const override
   {
-    const BlasThreads threads(n_threads_);
+    const LibraryThreads threads(n_threads_);
     try
     {
       solver_.solve(x, b);

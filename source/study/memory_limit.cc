@@ -14,11 +14,11 @@ namespace Signorini
 {
 namespace
 {
-/** Mesh, matrix and factors took 3.8 kB per cell for 2^14 cells of a square and 4.8 kB for 2^16
- * (Amesos MUMPS): the factors grow like n log n. */
+/** Mesh, matrix and factor took 3.5 kB per cell for 2^16 cells of a square, 4.1 kB for 2^18 and
+ * 4.4 kB for 2^20 (condensed; Amesos MUMPS takes more): the factor grows like n log n. */
 double needed_bytes(const double cells)
 {
-  return cells * std::max(1e3, 500. * (std::log2(cells) - 7.));
+  return cells * std::max(1e3, 240. * std::log2(cells) - 370.);
 }
 
 double physical_memory()

@@ -3,7 +3,7 @@
 
 #include <signorini/output/tables.h>
 #include <signorini/parameters/exceptions.h>
-#include <signorini/stiffness_inverse/blas_threads.h>
+#include <signorini/stiffness_inverse/library_threads.h>
 #include <signorini/study/study.h>
 
 #include <deal.II/base/utilities.h>
@@ -105,7 +105,7 @@ StudyResult run_study(const Parameters &parameters,
 {
   const DiscretizationParameters &given = parameters.discretization;
   const double tolerance = parameters.solver.tolerance;
-  const BlasThreads one_blas_thread(1);
+  const LibraryThreads one_thread_in_libraries(1);
   refuse_huge_levels(parameters, scene);
   StudyResult result;
   ResultsWriter writer(parameters, report.directory, communicator);
