@@ -41,12 +41,12 @@ if (words(with_error) > 0) {
 # Time against unknowns by stage, divided by the unknowns: linear cost is level. The first level is left out: it bears
 # what is done once, such as reading the expressions.
 first = n_levels > 2 ? 1 : 0
-set terminal pngcairo size 380*n_linear,320*n_scenes font "DejaVu Sans,10"
+set terminal pngcairo size 520*n_linear,300*n_scenes font "DejaVu Sans,10"
 set output folder . "/benchmark_stages.png"
 set multiplot layout n_scenes,n_linear
 set xlabel "unknowns"
 set ylabel "microseconds per unknown"
-set key center top reverse Left samplen 1 font ",8"
+set key outside right top reverse Left samplen 1 font ",8"
 set boxwidth 0.8
 set yrange [0:*]
 set offsets 0.6,0.6,0,0
@@ -69,6 +69,7 @@ if (n_levels > 2) {
   set output folder . "/benchmark_memory.png"
   set logscale x
   set yrange [*:*]
+  set key inside right bottom
   set title "Peak memory above that of the first level"
   set ylabel "bytes per unknown"
   set xtics auto
