@@ -16,6 +16,7 @@ using Sums = std::map<dealii::types::global_dof_index, double>;
 Coupling to_coupling(const std::vector<Sums> &sums)
 {
   std::vector<Coupling::Column> columns;
+  columns.reserve(sums.size());
   for (const Sums &column : sums)
     columns.emplace_back(column.begin(), column.end());
   return Coupling(std::move(columns));

@@ -195,9 +195,10 @@ Vector check_scene(LargestValues &largest, const std::string &name, const std::s
   const double P_size = mixed.P.linfty_norm();
   for (const std::string solver : {"psor", "active set"})
   {
-    const OneLevel level(text + "subsection Solver\nset Contact solver = " + solver +
-                           "\nset Tolerance = 1e-12\nend\n",
-                         number);
+    std::string with_solver = text;
+    with_solver += entry("Solver", "Contact solver", solver);
+    with_solver += entry("Solver", "Tolerance", "1e-12");
+    const OneLevel level(with_solver, number);
     const LevelSolution<2> solution = level.solve();
     const double P_distance = distance(solution.P, mixed.P);
     largest.add(solver + ", U", name, distance(solution.U, mixed.U) / U_size);
