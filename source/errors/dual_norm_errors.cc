@@ -30,14 +30,21 @@ SampledFunction sample(const dealii::Function<dim> &p,
 {
   const dealii::QGauss<1> gauss(n_points);
   SampledFunction samples;
+  std::vector<dealii::Point<dim>> points;
+  std::vector<double> weights;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
     for (unsigned int q = 0; q < gauss.size(); ++q)
     {
       const double length = cuts[i + 1] - cuts[i];
       const double s = cuts[i] + length * gauss.point(q)[0];
       samples.arc_lengths.push_back(s);
-      samples.weighted_values.push_back(p.value(side.point(s)) * length * gauss.weight(q));
+      points.push_back(side.point(s));
+      weights.push_back(length * gauss.weight(q));
     }
+  samples.weighted_values.resize(points.size());
+  p.value_list(points, samples.weighted_values);
+  for (std::size_t q = 0; q < points.size(); ++q)
+    samples.weighted_values[q] *= weights[q];
   return samples;
 }
 
@@ -132,13 +139,15 @@ template <int dim>
 dealii::Vector<double> ExactPressure<dim>::project(const MultiplierSpace<dim> &space) const
 {
   dealii::Vector<double> means(space.n_multipliers());
+  std::vector<double> p;
   for (const Piece &piece : space.partition().pieces)
   {
     const Patch &patch = space.partition().patches[piece.patch];
     const auto rule = space.rule(piece, 10, true);
+    p.resize(rule.points.size());
+    space.condition(patch).exact_pressure->value_list(rule.points, p);
     for (std::size_t q = 0; q < rule.points.size(); ++q)
-      means[piece.patch] += space.condition(patch).exact_pressure->value(rule.points[q]) *
-                            rule.weights[q] / patch.length();
+      means[piece.patch] += p[q] * rule.weights[q] / patch.length();
   }
   return means;
 }

@@ -14,7 +14,13 @@ namespace
 {
 using dealii::numbers::PI;
 
-/** Sums up amount * sin(k theta) (or cos) for k = 1..n_modes over many theta. */
+/**
+ * Sums up amount * sin(k theta) (or cos) for k = 1..n_modes over many theta. With k = a + A b,
+ *
+ *     cos(k theta) = cos(a theta) cos(A b theta) - sin(a theta) sin(A b theta),
+ *
+ * and the sums over theta for all a and b are products of matrices.
+ */
 template <bool sine>
 class Harmonics
 {
@@ -24,53 +30,83 @@ public:
     : sums_(sums)
     , first_(first)
     , n_modes_(n_modes)
+    , n_blocks_(n_modes / block + 1)
+    , products_(n_blocks_, block)
   {
   }
   ~Harmonics()
   {
     flush();
+    for (unsigned int k = 1; k <= n_modes_ && used_; ++k)
+      sums_[first_ + k - 1] += products_(k / block, k % block);
   }
   Harmonics(const Harmonics &) = delete;
   Harmonics &operator=(const Harmonics &) = delete;
 
   void add(const double theta, const double amount)
   {
-    cos_[n_] = x_[n_] = std::cos(theta);
-    sin_[n_] = y_[n_] = std::sin(theta);
-    amount_[n_] = amount;
-    if (++n_ == n_lanes)
+    theta_.push_back(theta);
+    amount_.push_back(amount);
+    if (theta_.size() == 256)
       flush();
   }
 
 private:
-  /** Several angles side by side keep the processor busy. */
-  static constexpr unsigned int n_lanes = 16;
-  using Lanes = std::array<double, n_lanes>;
+  /** A. */
+  static constexpr unsigned int block = 128;
 
-  /** Rotates unit vectors by theta; their errors add up to n_modes * 1e-16 only. */
+  /** cos(i step theta) and sin(i step theta), row i. Unit vectors are rotated by step theta; their
+   * errors add up to 1e-16 per row only. */
+  void tabulate(const unsigned int step,
+                dealii::FullMatrix<double> &cosines,
+                dealii::FullMatrix<double> &sines) const
+  {
+    for (unsigned int q = 0; q < theta_.size(); ++q)
+    {
+      cosines(0, q) = 1.;
+      sines(0, q) = 0.;
+      cosines(1, q) = std::cos(step * theta_[q]);
+      sines(1, q) = std::sin(step * theta_[q]);
+    }
+    for (unsigned int i = 2; i < cosines.m(); ++i)
+      for (unsigned int q = 0; q < theta_.size(); ++q)
+      {
+        cosines(i, q) = cosines(i - 1, q) * cosines(1, q) - sines(i - 1, q) * sines(1, q);
+        sines(i, q) = sines(i - 1, q) * cosines(1, q) + cosines(i - 1, q) * sines(1, q);
+      }
+  }
+
   void flush()
   {
-    for (unsigned int k = 0; k < n_modes_ && n_ > 0; ++k)
-    {
-      double sum = 0.;
-      for (unsigned int l = 0; l < n_lanes; ++l)
+    const unsigned int n = theta_.size();
+    if (n == 0)
+      return;
+    used_ = true;
+    dealii::FullMatrix<double> fine_cos(block, n), fine_sin(block, n);
+    dealii::FullMatrix<double> coarse_cos(n_blocks_, n), coarse_sin(n_blocks_, n);
+    tabulate(1, fine_cos, fine_sin);
+    tabulate(block, coarse_cos, coarse_sin);
+    for (unsigned int b = 0; b < n_blocks_; ++b)
+      for (unsigned int q = 0; q < n; ++q)
       {
-        sum += amount_[l] * (sine ? y_[l] : x_[l]);
-        const double x = x_[l] * cos_[l] - y_[l] * sin_[l];
-        y_[l] = x_[l] * sin_[l] + y_[l] * cos_[l];
-        x_[l] = x;
+        coarse_cos(b, q) *= amount_[q];
+        coarse_sin(b, q) *= sine ? amount_[q] : -amount_[q];
       }
-      sums_[first_ + k] += sum;
-    }
-    amount_ = {};
-    n_ = 0;
+    coarse_cos.mTmult(products_, sine ? fine_sin : fine_cos, true);
+    coarse_sin.mTmult(products_, sine ? fine_cos : fine_sin, true);
+    theta_.clear();
+    amount_.clear();
   }
 
   dealii::Vector<double> &sums_;
   unsigned int first_;
   unsigned int n_modes_;
-  unsigned int n_ = 0;
-  Lanes cos_ = {}, sin_ = {}, x_ = {}, y_ = {}, amount_ = {};
+  /** The number of b. */
+  unsigned int n_blocks_;
+  bool used_ = false;
+  /** The sum for k = a + A b in row b and column a. */
+  dealii::FullMatrix<double> products_;
+  std::vector<double> theta_, amount_;
 };
 } // namespace
 

@@ -5,6 +5,7 @@
 #include <signorini/output/solution_vtu.h>
 #include <signorini/parameters/agreement.h>
 #include <signorini/parameters/exceptions.h>
+#include <signorini/postprocess/error_estimate.h>
 #include <signorini/postprocess/patch_interpolation.h>
 
 #include <deal.II/fe/fe_q.h>
@@ -96,7 +97,8 @@ private:
   const Material<dim> &material_;
 };
 
-/** pi^{2h} u_h as a function of degree two on T^h, for output only. */
+/** The patch interpolation of u_h that comes closest to u, as a function of degree two on T^h, for
+ * output only. Collective. */
 template <int dim>
 struct RecoveredField
 {
@@ -109,7 +111,7 @@ struct RecoveredField
     const dealii::Quadrature<dim> nodes(element.base_element(0).get_unit_support_points());
     dealii::FEValues<dim> at_nodes(
       space.mesh().mapping(), space.element(), nodes, dealii::update_inverse_jacobians);
-    PatchInterpolation<dim> interpolation(space, nodes);
+    PatchInterpolation<dim> interpolation(space, nodes, best_interpolation(space, U));
     dealii::Vector<double> cell_values(element.n_dofs_per_cell());
     auto cell = dofs.begin_active();
     for (const auto &q1_cell : space.dofs().active_cell_iterators())

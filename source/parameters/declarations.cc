@@ -299,6 +299,12 @@ void Declarations::declare_output(OutputParameters &output)
       "Write C, F, D and G of the dual problem as Matrix Market files.",
       Patterns::Bool(),
       "true, false");
+  add("Errors",
+      output.errors,
+      "Compute the errors in the norms of the theorems where the exact solution is known; without "
+      "them a run takes the time of its solution.",
+      Patterns::Bool(),
+      "true, false");
   add(
     "Lemmas",
     output.lemmas,

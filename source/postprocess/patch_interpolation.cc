@@ -68,16 +68,21 @@ PatchInterpolation<dim>::make_table(const std::vector<dealii::Point<dim>> &point
                                     const Place &place) const
 {
   ShapeTable table;
+  std::vector<double> values(polynomials_.n());
+  std::vector<dealii::Tensor<1, dim>> gradients(polynomials_.n());
+  // Not wanted.
+  std::vector<dealii::Tensor<2, dim>> second;
+  std::vector<dealii::Tensor<3, dim>> third;
+  std::vector<dealii::Tensor<4, dim>> fourth;
   for (const dealii::Point<dim> &point : points)
   {
     dealii::Point<dim> in_ancestor;
     for (unsigned int d = 0; d < dim; ++d)
       in_ancestor[d] = (point[d] + place[d]) / degree_;
-    for (unsigned int k = 0; k < polynomials_.n(); ++k)
-    {
-      table.values.push_back(polynomials_.compute_value(k, in_ancestor));
-      table.gradients.push_back(polynomials_.compute_grad(k, in_ancestor) / degree_);
-    }
+    polynomials_.evaluate(in_ancestor, values, gradients, second, third, fourth);
+    table.values.insert(table.values.end(), values.begin(), values.end());
+    for (const dealii::Tensor<1, dim> &gradient : gradients)
+      table.gradients.push_back(gradient / degree_);
   }
   return table;
 }

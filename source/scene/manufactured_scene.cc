@@ -83,16 +83,27 @@ public:
   }
   double value(const dealii::Point<2> &x, const unsigned int component) const override
   {
+    return traction(x)[component];
+  }
+  void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override
+  {
+    const dealii::Tensor<1, 2> t = traction(x);
+    values[0] = t[0];
+    values[1] = t[1];
+  }
+
+private:
+  dealii::Tensor<1, 2> traction(const dealii::Point<2> &x) const
+  {
     const FieldAtPoint at_x = field_(x);
     dealii::SymmetricTensor<2, 2> strain;
     strain[0][0] = at_x.du[0][0];
     strain[1][1] = at_x.du[1][1];
     strain[0][1] = 0.5 * (at_x.du[0][1] + at_x.du[1][0]);
     const dealii::SymmetricTensor<2, 2> stress = material_->hooke(x) * strain;
-    return (stress * normal_)[component];
+    return stress * normal_;
   }
 
-private:
   Field field_;
   std::shared_ptr<const Material<2>> material_;
   dealii::Tensor<1, 2> normal_;

@@ -52,6 +52,8 @@ void add_errors(const Parameters &parameters,
                 const ExactPressure<dim> *pressure,
                 LevelSolution<dim> &solution)
 {
+  if (!parameters.output.errors)
+    return;
   StageClock clock;
   const unsigned int n_points = discretization.n_points + 1;
   const MultiplierSpace<dim> &multipliers = discretization.multipliers;

@@ -111,9 +111,11 @@ StudyResult run_study(const Parameters &parameters,
   ResultsWriter writer(parameters, report.directory, communicator);
   print_scene(parameters, scene, report.screen);
   StudyContext<dim> context = {parameters, scene, nullptr, communicator};
-  if (scene.has_exact_pressure())
+  const bool errors = parameters.output.errors;
+  if (errors && scene.has_exact_pressure())
     context.exact_pressure = std::make_unique<const ExactPressure<dim>>(scene);
-  const ScreenTable table(scene.exact_displacement != nullptr, scene.has_exact_pressure());
+  const ScreenTable table(errors && scene.exact_displacement != nullptr,
+                          errors && scene.has_exact_pressure());
   report.screen << table.header() << std::endl;
   try
   {

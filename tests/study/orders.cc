@@ -107,6 +107,11 @@ void check_omissions(Checks &checks)
   checks.that("nothing touches: no iterations", open.qp_iterations == 0 && open.kkt == 0.);
   checks.that("nothing touches: no contact", open.active == 0 && open.contact_force == 0.);
   checks.that("no exact solution: no errors", !open.u_h1 && !open.p_l2 && !open.effectivity());
+  const LevelRecord silent =
+    solve(a1, {"Output/Errors=false", "Discretization/Finest level=3"}).levels.back();
+  checks.that("Output/Errors = false: an estimate, no errors",
+              !silent.u_h1 && !silent.p_l2 && !silent.p_dual && silent.estimated_h1 &&
+                silent.times.errors == 0.);
   const auto stopped =
     solve(a1, {"Discretization/Target error=0.05", "Discretization/Finest level=9"});
   checks.between("target error", *stopped.levels.back().estimated_relative, 0.02, 0.05);

@@ -11,8 +11,8 @@
 namespace Signorini
 {
 /**
- * Writes u_h, pi^{2h} u_h (where T^{2h} exists), the stress and the von Mises stress of the better
- * of the two for ParaView. Collective.
+ * Writes u_h, the patch interpolation that comes closest to u (pi^{2h} u_h or the one of degree four,
+ * where T^{2h} exists), its stress and its von Mises stress for ParaView. Collective.
  */
 template <int dim>
 void write_solution_vtu(const std::filesystem::path &path,

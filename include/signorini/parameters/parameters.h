@@ -107,6 +107,7 @@ struct OutputParameters
   std::string vtu = "finest";
   std::string inf_sup_constant = "automatic";
   bool compliance = false;
+  bool errors = true;
   bool lemmas = false;
 };
 
