@@ -18,15 +18,15 @@ struct DisplacementErrors
   double superclose_h1;
   /** ‖u - pi^{2h} u_h‖_{1,Omega}; empty where there is no T^{2h}. */
   std::optional<double> post_h1;
-  /** ‖u - pi_4^{4h} u_h‖_{1,Omega}, the interpolation of degree four on cells of T^{4h}; empty where
-   * there is no T^{4h}. */
+  /** ‖u - pi_4^{4h} u_h‖_{1,Omega}, the interpolation of degree four on cells of T^{4h}; empty
+   * where there is no T^{4h}. */
   std::optional<double> post4_h1;
 };
 
 /**
  * Integrates the errors with @p n_points Gauss points per direction, on the pieces of cells that a
- * kink crosses. Needs Scene::exact_displacement. Runs on all threads given; the sums do not depend on
- * their number. Collective.
+ * kink crosses. Needs Scene::exact_displacement. Runs on all threads given; the sums do not depend
+ * on their number. Collective.
  * @throws InputError where the exact solution has no value.
  */
 template <int dim>

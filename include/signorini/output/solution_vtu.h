@@ -11,8 +11,8 @@
 namespace Signorini
 {
 /**
- * Writes u_h, the patch interpolation that comes closest to u (pi^{2h} u_h or the one of degree four,
- * where T^{2h} exists), its stress and its von Mises stress for ParaView. Collective.
+ * Writes u_h, the patch interpolation that comes closest to u (pi^{2h} u_h or the one of degree
+ * four, where T^{2h} exists), its stress and its von Mises stress for ParaView. Collective.
  */
 template <int dim>
 void write_solution_vtu(const std::filesystem::path &path,
