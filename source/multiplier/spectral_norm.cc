@@ -5,8 +5,8 @@
 
 #include <deal.II/base/numbers.h>
 
-#include <array>
 #include <cmath>
+#include <vector>
 
 namespace Signorini
 {
