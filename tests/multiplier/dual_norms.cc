@@ -216,16 +216,17 @@ double primal(const std::vector<double> &positions,
 void check_primal_modes(Checks &checks)
 {
   using dealii::numbers::PI;
-  for (const unsigned int k : {0U, 1U, 5U, 100U})
-    for (const double length : {1., 2.5})
-    {
-      const double square =
-        std::sqrt(1. + std::pow(k * PI / length, 2)) * (k == 0 ? length : 0.5 * length);
-      checks.near("|cos|_{1/2}, k = " + std::to_string(k) + ", L = " + std::to_string(length),
-                  primal({0., length}, 1, [&](double s) { return std::cos(k * PI * s / length); }),
-                  std::sqrt(square),
-                  1e-9);
-    }
+  for (const auto &[k, length] :
+       std::vector<std::pair<unsigned int, double>>{{0, 2.5}, {5, 2.5}, {100, 1.}})
+  {
+    const double square =
+      std::sqrt(1. + std::pow(k * PI / length, 2)) * (k == 0 ? length : 0.5 * length);
+    checks.near(
+      "|cos|_{1/2}, k = " + std::to_string(k) + ", L = " + std::to_string(length),
+      primal({0., length}, 1, [x = k * PI / length](double s) { return std::cos(x * s); }),
+      std::sqrt(square),
+      1e-9);
+  }
 }
 
 /**
