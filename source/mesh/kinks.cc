@@ -72,9 +72,10 @@ class PolygonRule
 public:
   /** @param ends points towards which the pieces shrink. */
   PolygonRule(const unsigned int n_points, std::vector<dealii::Point<2>> ends)
-    : gauss_(n_points)
-    , ends_(std::move(ends))
+    : ends_(std::move(ends))
   {
+    for (unsigned int depth = 0; depth <= deepest; ++depth)
+      gauss_.emplace_back(std::min(n_points, std::max(fewest_points + depth, n_points) - depth));
   }
 
   /** Quadrilaterals are mapped from the square, other polygons split into triangles. */
@@ -93,9 +94,12 @@ public:
 private:
   /** A function like r^{1/2} is smooth on pieces that are small against their distance from the
    * end; the smallest pieces hold a share of 2^{-3 deepest} of the integral of r. */
+  static constexpr unsigned int deepest = 9;
+  /** On the smallest pieces; where pieces are half as large, one point less has the same effect. */
+  static constexpr unsigned int fewest_points = 5;
+
   void add(const Quadrilateral &piece, const unsigned int depth)
   {
-    constexpr unsigned int deepest = 12;
     for (const dealii::Point<2> &end : ends_)
       if (depth < deepest && 0.75 * piece.distance(end) < piece.diameter())
       {
@@ -104,15 +108,17 @@ private:
             add(piece.quarter(s, t), depth + 1);
         return;
       }
-    for (unsigned int q = 0; q < gauss_.size(); ++q)
+    const dealii::Quadrature<2> &gauss = gauss_[depth];
+    for (unsigned int q = 0; q < gauss.size(); ++q)
     {
-      const double s = gauss_.point(q)[0], t = gauss_.point(q)[1];
+      const double s = gauss.point(q)[0], t = gauss.point(q)[1];
       points.push_back(piece.at(s, t));
-      weights.push_back(gauss_.weight(q) * piece.jacobian(s, t));
+      weights.push_back(gauss.weight(q) * piece.jacobian(s, t));
     }
   }
 
-  dealii::QGauss<2> gauss_;
+  /** The rule of every depth. */
+  std::vector<dealii::QGauss<2>> gauss_;
   std::vector<dealii::Point<2>> ends_;
 };
 
