@@ -18,8 +18,12 @@ namespace Signorini
 {
 namespace
 {
-/** Residuals above this are refined once, and refused if they stay above the next. */
+/** Residuals above this part of |b| are refined once, unless they are below that part of |A| |x|:
+ * there they are rounding, which no refinement removes. Above the last part of |b| they are
+ * refused.
+ */
 constexpr double refine_above = 1e-12;
+constexpr double rounding = 1e-15;
 constexpr double refuse_above = 1e-8;
 
 /** A number in [-1, 1) without a pattern that a kernel could be orthogonal to (a hash of i). */
@@ -72,6 +76,12 @@ private:
 };
 } // namespace
 
+StiffnessInverse::StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &A)
+  : A_(A)
+  , norm_of_A_(A.linfty_norm())
+{
+}
+
 void StiffnessInverse::solve(Vector &x, const Vector &b) const
 {
   ++n_solves_;
@@ -80,7 +90,7 @@ void StiffnessInverse::solve(Vector &x, const Vector &b) const
   Vector r(b);
   const auto relative_residual = [&]() { return size > 0. ? A_.residual(r, x, b) / size : 0.; };
   double residual = relative_residual();
-  if (!(residual < refine_above))
+  if (!(residual < refine_above || residual * size < rounding * norm_of_A_ * x.l2_norm()))
   {
     Vector correction(b);
     apply(correction, r);

@@ -20,7 +20,7 @@ public:
 
   /**
    * x = A^{-1} b. The residual of every solve is computed; one step of iterative refinement is
-   * taken when it is large. Collective.
+   * taken when it is larger than rounding explains. Collective.
    * @throws ComputationError if |b - A x| > 1e-8 |b| remains.
    */
   void solve(Vector &x, const Vector &b) const;
@@ -37,10 +37,7 @@ public:
   }
 
 protected:
-  explicit StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &A)
-    : A_(A)
-  {
-  }
+  explicit StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &A);
 
   /**
    * One solve, not counted, for a b that no kernel is orthogonal to: factors of a singular matrix
@@ -55,6 +52,8 @@ private:
   virtual void apply(Vector &x, const Vector &b) const = 0;
 
   const dealii::TrilinosWrappers::SparseMatrix &A_;
+  /** Largest sum of a row. */
+  double norm_of_A_;
   mutable unsigned int n_solves_ = 0;
   mutable double largest_residual_ = 0.;
 };
