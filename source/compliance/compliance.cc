@@ -4,6 +4,7 @@
 #include <signorini/compliance/compliance.h>
 #include <signorini/stiffness_inverse/condensed_inverse.h>
 
+#include <numeric>
 #include <set>
 
 namespace Signorini
@@ -26,37 +27,6 @@ dealii::FullMatrix<double> compliance_from_schur_factor(const CondensedInverse &
   dealii::FullMatrix<double> result(m, m);
   result = C;
   return result;
-}
-
-/** Column by column, C_tau = D^T A^{-1} D_tau. */
-template <int dim>
-dealii::FullMatrix<double> compliance_by_solves(const StiffnessInverse &inverse,
-                                                const DisplacementSpace<dim> &space,
-                                                const Coupling &condensed_D,
-                                                const std::function<void(unsigned int)> &progress)
-{
-  const unsigned int m = condensed_D.n_columns();
-  dealii::FullMatrix<double> C(m, m);
-  DistributedVector z = space.make_vector();
-  DistributedVector column = space.make_vector();
-  dealii::Vector<double> unit(m);
-  for (unsigned int tau = 0; tau < m; ++tau)
-  {
-    unit = 0.;
-    unit[tau] = 1.;
-    column = 0.;
-    condensed_D.add_product(unit, column);
-    column.compress(dealii::VectorOperation::add);
-    inverse.solve(z, column);
-    const dealii::Vector<double> C_tau = condensed_D.local_transpose_product(z);
-    for (unsigned int i = 0; i < m; ++i)
-      C(i, tau) = C_tau[i];
-    if (progress)
-      progress(tau + 1);
-  }
-  dealii::Utilities::MPI::sum(C, space.mesh().communicator(), C);
-  C.symmetrize();
-  return C;
 }
 } // namespace
 
@@ -85,18 +55,75 @@ FreeState solve_free_state(const StiffnessInverse &inverse,
   return state;
 }
 
+bool holds_compliance(const StiffnessInverse &inverse, const Coupling &condensed_D)
+{
+  const auto *const condensed = dynamic_cast<const CondensedInverse *>(&inverse);
+  return condensed != nullptr && condensed->eliminates_last(contact_unknowns(condensed_D));
+}
+
+template <int dim>
+void compute_compliance_columns(const StiffnessInverse &inverse,
+                                const DisplacementSpace<dim> &space,
+                                const Coupling &condensed_D,
+                                const std::vector<unsigned int> &columns,
+                                dealii::FullMatrix<double> &C,
+                                const std::function<void(unsigned int)> &progress)
+{
+  const unsigned int m = condensed_D.n_columns(), n = static_cast<unsigned int>(columns.size());
+  if (n == 0)
+    return;
+  dealii::FullMatrix<double> found(m, n);
+  DistributedVector z = space.make_vector();
+  DistributedVector column = space.make_vector();
+  dealii::Vector<double> unit(m);
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    unit = 0.;
+    unit[columns[k]] = 1.;
+    column = 0.;
+    condensed_D.add_product(unit, column);
+    column.compress(dealii::VectorOperation::add);
+    inverse.solve(z, column);
+    const dealii::Vector<double> C_tau = condensed_D.local_transpose_product(z);
+    for (unsigned int i = 0; i < m; ++i)
+      found(i, k) = C_tau[i];
+    if (progress)
+      progress(k + 1);
+  }
+  dealii::Utilities::MPI::sum(found, space.mesh().communicator(), found);
+  for (unsigned int k = 0; k < n; ++k)
+    for (unsigned int i = 0; i < m; ++i)
+      C(i, columns[k]) = found(i, k);
+  // Where both columns were computed now, the mean; elsewhere the row is the column.
+  std::vector<bool> is_new(m, false);
+  for (const unsigned int tau : columns)
+    is_new[tau] = true;
+  for (const unsigned int tau : columns)
+    for (unsigned int i = 0; i < m; ++i)
+      if (!is_new[i])
+        C(tau, i) = C(i, tau);
+      else if (i < tau)
+        C(tau, i) = C(i, tau) = 0.5 * (C(tau, i) + C(i, tau));
+}
+
 template <int dim>
 dealii::FullMatrix<double> compute_compliance(const StiffnessInverse &inverse,
                                               const DisplacementSpace<dim> &space,
                                               const Coupling &condensed_D,
                                               const std::function<void(unsigned int)> &progress)
 {
-  const auto *const condensed = dynamic_cast<const CondensedInverse *>(&inverse);
-  if (condensed == nullptr || !condensed->eliminates_last(contact_unknowns(condensed_D)))
-    return compliance_by_solves(inverse, space, condensed_D, progress);
-  dealii::FullMatrix<double> C = compliance_from_schur_factor(*condensed, condensed_D);
-  if (progress)
-    progress(condensed_D.n_columns());
+  const unsigned int m = condensed_D.n_columns();
+  if (holds_compliance(inverse, condensed_D))
+  {
+    if (progress)
+      progress(m);
+    return compliance_from_schur_factor(dynamic_cast<const CondensedInverse &>(inverse),
+                                        condensed_D);
+  }
+  std::vector<unsigned int> all(m);
+  std::iota(all.begin(), all.end(), 0);
+  dealii::FullMatrix<double> C(m, m);
+  compute_compliance_columns(inverse, space, condensed_D, all, C, progress);
   return C;
 }
 
@@ -105,6 +132,12 @@ template FreeState solve_free_state(const StiffnessInverse &,
                                     const DistributedVector &,
                                     const Coupling &,
                                     const dealii::Vector<double> &);
+template void compute_compliance_columns(const StiffnessInverse &,
+                                         const DisplacementSpace<2> &,
+                                         const Coupling &,
+                                         const std::vector<unsigned int> &,
+                                         dealii::FullMatrix<double> &,
+                                         const std::function<void(unsigned int)> &);
 template dealii::FullMatrix<double> compute_compliance(const StiffnessInverse &,
                                                        const DisplacementSpace<2> &,
                                                        const Coupling &,

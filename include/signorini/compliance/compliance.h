@@ -31,6 +31,22 @@ FreeState solve_free_state(const StiffnessInverse &inverse,
 /** The rows of D that are not zero, in ascending order: the contact unknowns of factorise(). */
 std::vector<dealii::types::global_dof_index> contact_unknowns(const Coupling &condensed_D);
 
+/** Whether C can be read from the factors without a solve. */
+bool holds_compliance(const StiffnessInverse &inverse, const Coupling &condensed_D);
+
+/**
+ * The columns C_tau = D^T A^{-1} D_tau for the given tau, one solve each, and the same rows,
+ * written into the m x m matrix C on every rank. @p progress is called with the number of finished
+ * columns. Collective.
+ */
+template <int dim>
+void compute_compliance_columns(const StiffnessInverse &inverse,
+                                const DisplacementSpace<dim> &space,
+                                const Coupling &condensed_D,
+                                const std::vector<unsigned int> &columns,
+                                dealii::FullMatrix<double> &C,
+                                const std::function<void(unsigned int)> &progress = {});
+
 /**
  * C = D^T A^{-1} D with the condensed coupling; m x m, symmetric, on every rank.
  *
