@@ -25,7 +25,7 @@ if (words(with_error) > 0) {
   set logscale xy
   set format y "10^{%T}"
   set xlabel "seconds, all levels up to this one"
-  set key left bottom reverse Left samplen 2 font ",8"
+  set key right top reverse Left samplen 2 font ",8"
   do for [s in with_error] {
     set title title_of(s)
     plot for [k=1:n_linear] series(s, word(linear_solvers, k)) using "t_nested":"u_h1" with linespoints pt 7 ps 0.8 \

@@ -18,8 +18,8 @@ using QPSolver =
 
 /**
  * The dual problem with the bound zero where columns of C are expensive: solved on a set K of
- * patches, with P = 0 elsewhere; then the patches with W = C P - F > 0 join K, until there are none.
- * The answer solves the whole problem, and only the columns of K were needed.
+ * patches, with P = 0 elsewhere; then the patches with W = C P - F > 0 join K, until there are
+ * none. The answer solves the whole problem, and only the columns of K were needed.
  *
  * @param start K begins with the patches that press in it, and their neighbours; where nothing
  * presses, with F < 0.
