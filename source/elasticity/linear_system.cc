@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A and f of (22): one pass over the cells, in chunks that threads share.
 
+#include <signorini/elasticity/cell_chunks.h>
 #include <signorini/elasticity/cell_stiffness.h>
 #include <signorini/elasticity/h1_gram_matrix.h>
 #include <signorini/elasticity/linear_system.h>
 #include <signorini/elasticity/matrix_scatter.h>
 #include <signorini/parameters/agreement.h>
 #include <signorini/parameters/exceptions.h>
-#include <signorini/parameters/threads.h>
 
 #include <cmath>
 #include <sstream>
@@ -111,30 +111,6 @@ private:
   std::vector<dealii::Vector<double>> force_;
 };
 
-/**
- * Cells that one thread integrates at a time. The chunks are the same for any number of threads,
- * none depends on another (FEValues and CellStiffness look back to the cell before), and they are
- * added in order: so the digits are the same, too.
- */
-constexpr std::size_t chunk_size = 512;
-
-template <int dim>
-using Cells = std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator>;
-
-template <int dim>
-std::vector<Cells<dim>> chunks_of_owned_cells(const DisplacementSpace<dim> &space)
-{
-  std::vector<Cells<dim>> chunks;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-    if (cell->is_locally_owned())
-    {
-      if (chunks.empty() || chunks.back().size() == chunk_size)
-        chunks.emplace_back().reserve(chunk_size);
-      chunks.back().push_back(cell);
-    }
-  return chunks;
-}
-
 /** a(phi_j, phi_i) and f_i on the cells of a chunk. */
 template <int dim>
 struct ChunkIntegrals
@@ -174,13 +150,11 @@ void add_cells(const DisplacementSpace<dim> &space,
                LinearSystem<dim> &system)
 {
   const Kinks<dim> kinks = Kinks<dim>::of_scene(scene);
-  const std::vector<Cells<dim>> chunks = chunks_of_owned_cells(space);
   MatrixScatter<dim> scatter(space, system.A);
   std::vector<dealii::types::global_dof_index> indices(space.element().n_dofs_per_cell());
-  produce_in_parallel<ChunkIntegrals<dim>>(
-    number_of_threads(space.mesh().communicator()),
-    chunks.size(),
-    [&](const std::size_t i) { return integrate(chunks[i], space, scene, kinks, n_points); },
+  integrate_by_chunks<ChunkIntegrals<dim>, dim>(
+    space,
+    [&](const Cells<dim> &cells) { return integrate(cells, space, scene, kinks, n_points); },
     [&](const ChunkIntegrals<dim> &integrals) {
       for (std::size_t k = 0; k < integrals.cells->size(); ++k)
       {

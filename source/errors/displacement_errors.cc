@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The left-hand sides of (13), (24) and (31), in one pass over the cells.
 
+#include <signorini/elasticity/cell_chunks.h>
 #include <signorini/elasticity/integration.h>
 #include <signorini/errors/displacement_errors.h>
 #include <signorini/parameters/exceptions.h>
 #include <signorini/postprocess/nodal_interpolation.h>
 #include <signorini/postprocess/patch_interpolation.h>
-
-#include <deal.II/base/work_stream.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <array>
 #include <cmath>
@@ -79,7 +77,7 @@ struct ExactValues
   std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
 };
 
-/** Integrates over one cell after the other; every thread has its own. */
+/** Integrates over one cell after the other; every chunk of cells has its own. */
 template <int dim>
 class ErrorIntegrals
 {
@@ -101,11 +99,6 @@ public:
     for (unsigned int g = 1; g <= n_generations; ++g)
       interpolations_.emplace_back(fields.space, dealii::QGauss<dim>(fields.n_points), g);
   }
-  ErrorIntegrals(const ErrorIntegrals &other)
-    : ErrorIntegrals(other.fields_)
-  {
-  }
-
   Squares integrate(const CellIterator &cell)
   {
     const dealii::FEValues<dim> &values = cell_values_.reinit(cell);
@@ -145,7 +138,7 @@ private:
     return square;
   }
 
-  const Fields<dim> fields_;
+  const Fields<dim> &fields_;
   CellValues<dim> cell_values_;
   std::vector<PatchInterpolation<dim>> interpolations_;
   ExactValues<dim> exact_;
@@ -158,17 +151,16 @@ template <int dim>
 Squares integrate_errors(const Fields<dim> &fields)
 {
   Squares sum;
-  dealii::WorkStream::run(
-    filter_iterators(fields.space.dofs().active_cell_iterators(),
-                     dealii::IteratorFilters::LocallyOwnedCell()),
-    [](const auto &cell, ErrorIntegrals<dim> &integrals, Squares &squares) {
-      squares = integrals.integrate(cell);
+  integrate_by_chunks<Squares, dim>(
+    fields.space,
+    [&](const Cells<dim> &cells) {
+      ErrorIntegrals<dim> integrals(fields);
+      Squares squares;
+      for (const auto &cell : cells)
+        squares += integrals.integrate(cell);
+      return squares;
     },
-    [&sum](const Squares &squares) { sum += squares; },
-    ErrorIntegrals<dim>(fields),
-    Squares(),
-    2 * dealii::MultithreadInfo::n_threads(),
-    64);
+    [&sum](const Squares &squares) { sum += squares; });
   return sum;
 }
 } // namespace

@@ -2,12 +2,11 @@
 // Distances between interpolations of the nodal values; (24) and (31) make the first an estimate of
 // the error.
 
+#include <signorini/elasticity/cell_chunks.h>
 #include <signorini/postprocess/error_estimate.h>
 #include <signorini/postprocess/patch_interpolation.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/base/work_stream.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <cmath>
 
@@ -20,10 +19,17 @@ struct Squares
 {
   double difference = 0.;
   double norm = 0.;
+
+  Squares &operator+=(const Squares &other)
+  {
+    difference += other.difference;
+    norm += other.norm;
+    return *this;
+  }
 };
 
-/** v is the patch interpolation over @p fine generations, w over one less; every thread has its
- * own. */
+/** v is the patch interpolation over @p fine generations, w over one less; every chunk of cells
+ * has its own. */
 template <int dim>
 class Distance
 {
@@ -33,9 +39,7 @@ public:
   // Products of functions of degree two or four per direction: three or five points are exact on
   // parallelograms.
   Distance(const DisplacementSpace<dim> &space, const NodalVector &U, const unsigned int fine)
-    : space_(space)
-    , U_(U)
-    , fine_(fine)
+    : U_(U)
     , values_(space.mesh().mapping(),
               space.element(),
               dealii::QGauss<dim>((1U << fine) + 1),
@@ -45,11 +49,6 @@ public:
     , w_(space, values_.get_quadrature(), fine - 1)
   {
   }
-  Distance(const Distance &other)
-    : Distance(other.space_, other.U_, other.fine_)
-  {
-  }
-
   Squares integrate(const CellIterator &cell)
   {
     values_.reinit(cell);
@@ -67,9 +66,7 @@ public:
   }
 
 private:
-  const DisplacementSpace<dim> &space_;
   const NodalVector &U_;
-  unsigned int fine_;
   dealii::FEValues<dim> values_;
   PatchInterpolation<dim> v_, w_;
 };
@@ -81,20 +78,16 @@ Squares integrate(const DisplacementSpace<dim> &space,
                   const unsigned int fine)
 {
   Squares sum;
-  dealii::WorkStream::run(
-    filter_iterators(space.dofs().active_cell_iterators(),
-                     dealii::IteratorFilters::LocallyOwnedCell()),
-    [](const auto &cell, Distance<dim> &distance, Squares &squares) {
-      squares = distance.integrate(cell);
+  integrate_by_chunks<Squares, dim>(
+    space,
+    [&](const Cells<dim> &cells) {
+      Distance<dim> distance(space, U, fine);
+      Squares squares;
+      for (const auto &cell : cells)
+        squares += distance.integrate(cell);
+      return squares;
     },
-    [&sum](const Squares &squares) {
-      sum.difference += squares.difference;
-      sum.norm += squares.norm;
-    },
-    Distance<dim>(space, U, fine),
-    Squares(),
-    2 * dealii::MultithreadInfo::n_threads(),
-    64);
+    [&sum](const Squares &squares) { sum += squares; });
   const MPI_Comm communicator = space.mesh().communicator();
   return {std::sqrt(dealii::Utilities::MPI::sum(sum.difference, communicator)),
           std::sqrt(dealii::Utilities::MPI::sum(sum.norm, communicator))};

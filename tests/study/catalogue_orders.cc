@@ -97,14 +97,15 @@ std::vector<std::string> without_inf_sup(std::vector<std::string> overrides)
 }
 
 /**
- * Certified, and few active sets on every level that starts from the one before (the first starts
- * from nothing and takes 6 in C3).
+ * Certified, and at most three active sets on every level that starts from the one before; four in
+ * C3 and C4, where pressure and opening vanish together on several patches.
  */
 void check_answers(Checks &checks, const std::string &scene, const StudyResult &result)
 {
   checks.that(scene + " certified", result.certified);
-  const auto is_quick = [](const LevelRecord &level) { return level.qp_iterations <= 5; };
-  checks.that(scene + ", at most five active sets per level",
+  const unsigned int limit = scene == "C3" || scene == "C4" ? 4 : 3;
+  const auto is_quick = [&](const LevelRecord &level) { return level.qp_iterations <= limit; };
+  checks.that(scene + ", few active sets per level",
               std::all_of(std::next(result.levels.begin()), result.levels.end(), is_quick));
 }
 
