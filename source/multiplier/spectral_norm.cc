@@ -133,7 +133,7 @@ double SpectralNorm::weight(const unsigned int k) const
 unsigned int SpectralNorm::n_tail_modes(const unsigned int m) const
 {
   // S_k has this period on equal intervals.
-  const unsigned int period = (closed_ ? 1 : 2) * std::max(m, 1U);
+  const unsigned int period = std::max(1U, (closed_ ? 1U : 2U) * m);
   return period < n_modes_ / 2 ? period * ((n_modes_ / 2) / period) : n_modes_ / 2;
 }
 
