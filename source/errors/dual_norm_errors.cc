@@ -28,23 +28,18 @@ SampledFunction sample(const dealii::Function<dim> &p,
                        const std::vector<double> &cuts,
                        const unsigned int n_points)
 {
-  const dealii::QGauss<1> gauss(n_points);
+  const dealii::Quadrature<1> rule = split_quadrature(dealii::QGauss<1>(n_points), cuts);
   SampledFunction samples;
   std::vector<dealii::Point<dim>> points;
-  std::vector<double> weights;
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-    for (unsigned int q = 0; q < gauss.size(); ++q)
-    {
-      const double length = cuts[i + 1] - cuts[i];
-      const double s = cuts[i] + length * gauss.point(q)[0];
-      samples.arc_lengths.push_back(s);
-      points.push_back(side.point(s));
-      weights.push_back(length * gauss.weight(q));
-    }
+  for (const dealii::Point<1> &s : rule.get_points())
+  {
+    samples.arc_lengths.push_back(s[0]);
+    points.push_back(side.point(s[0]));
+  }
   samples.weighted_values.resize(points.size());
   p.value_list(points, samples.weighted_values);
   for (std::size_t q = 0; q < points.size(); ++q)
-    samples.weighted_values[q] *= weights[q];
+    samples.weighted_values[q] *= rule.weight(q);
   return samples;
 }
 

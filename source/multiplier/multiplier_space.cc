@@ -71,15 +71,14 @@ typename MultiplierSpace<dim>::Rule MultiplierSpace<dim>::rule(const Piece &piec
   if (refined)
     cuts = grade(cuts);
   const dealii::QGauss<1> gauss(refined ? std::max(n_points, fewest_graded_points) : n_points);
+  const dealii::Quadrature<1> quadrature = split_quadrature(gauss, cuts);
   Rule rule;
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-    for (unsigned int q = 0; q < gauss.size(); ++q)
-    {
-      const double part = cuts[i + 1] - cuts[i];
-      rule.arc_lengths.push_back(cuts[i] + part * gauss.point(q)[0]);
-      rule.points.push_back(side.point(rule.arc_lengths.back()));
-      rule.weights.push_back(part * gauss.weight(q));
-    }
+  rule.weights = quadrature.get_weights();
+  for (const dealii::Point<1> &s : quadrature.get_points())
+  {
+    rule.arc_lengths.push_back(s[0]);
+    rule.points.push_back(side.point(s[0]));
+  }
   return rule;
 }
 

@@ -263,7 +263,8 @@ void Declarations::declare_solver(SolverParameters &solver)
       solver.linear_solver,
       "Factorisation of the stiffness matrix. condensed (CHOLMOD, one process only) eliminates the "
       "contact unknowns last and reads the compliance C from the factor; amesos_mumps (on all "
-      "processes) and amesos_klu (gathered on one) take one solve per contact patch. automatic is "
+      "processes) and amesos_klu (gathered on one) take one solve for every contact patch that can "
+      "touch. automatic is "
       "condensed on one process and amesos_mumps on several.",
       Patterns::Selection("automatic|condensed|amesos_mumps|amesos_klu"),
       "automatic, condensed, amesos_mumps, amesos_klu");

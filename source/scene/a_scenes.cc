@@ -42,10 +42,9 @@ Scene<2> make_a2()
   constexpr double omega = 3. * dealii::numbers::PI;
   LiftFamily family;
   family.p = [](const double x) {
-    const double q = std::max(std::sin(omega * x + 1.), 0.);
-    const double dq = omega * std::cos(omega * x + 1.), ddq = -omega * omega * q;
-    return Derivatives{
-      -2. * q * q * q, -6. * q * q * dq, -12. * q * dq * dq - 6. * q * q * ddq, 0.};
+    const double q = std::sin(omega * x + 1.), dq = omega * std::cos(omega * x + 1.);
+    const auto p = cube_of_positive_part(-2., {q, dq, -omega * omega * q});
+    return Derivatives{p[0], p[1], p[2], 0.};
   };
   family.slack = [](const double x) {
     const double q = std::max(-std::sin(omega * x + 1.), 0.);

@@ -54,8 +54,7 @@ const double eta = 1. / std::sqrt(3.);
 /** -A (1 - t²/a²)_+^3 with two derivatives. */
 std::array<double, 3> bump(const double A, const double a, const double t)
 {
-  const double q = std::max(1. - t * t / (a * a), 0.), dq = -2. * t / (a * a);
-  return {-A * q * q * q, -3. * A * q * q * dq, -A * (6. * q * dq * dq - 6. * q * q / (a * a))};
+  return cube_of_positive_part(-A, {1. - t * t / (a * a), -2. * t / (a * a), -2. / (a * a)});
 }
 
 /** u1 = x q(y), u2 = B(y) d(x), q = p2/L, d = (p1 - p1(0))/L, B = y - y^3, lambda = mu = 1, L = 3.

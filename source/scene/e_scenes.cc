@@ -18,16 +18,6 @@ constexpr double R1 = 1., R2 = 2.;
 /** Value and two derivatives. */
 using Jet = std::array<double, 3>;
 
-/** a (q)_+^3 for a q with two derivatives. */
-Jet cube_of_positive_part(const double a, const Jet &q)
-{
-  if (q[0] <= 0.)
-    return {};
-  return {a * q[0] * q[0] * q[0],
-          3. * a * q[0] * q[0] * q[1],
-          a * (6. * q[0] * q[1] * q[1] + 3. * q[0] * q[0] * q[2])};
-}
-
 double square_of_positive_part(const double t)
 {
   return t > 0. ? t * t : 0.;

@@ -97,8 +97,8 @@ Scene<2> make_lift_scene(const LiftFamily &family,
 std::function<Derivatives(double)> cubic_pressure(const double a, const double xi)
 {
   return [=](const double x) {
-    const double d = std::max(xi - x, 0.);
-    return Derivatives{-a * d * d * d, 3. * a * d * d, -6. * a * d, 0.};
+    const auto p = cube_of_positive_part(-a, {xi - x, -1., 0.});
+    return Derivatives{p[0], p[1], p[2], 0.};
   };
 }
 

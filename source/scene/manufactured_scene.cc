@@ -3,6 +3,7 @@
 
 #include "manufactured_scene.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -127,6 +128,12 @@ private:
   unsigned int d_;
 };
 } // namespace
+
+std::array<double, 3> cube_of_positive_part(const double a, const std::array<double, 3> &q)
+{
+  const double p = std::max(q[0], 0.);
+  return {a * p * p * p, 3. * a * p * p * q[1], a * (6. * p * q[1] * q[1] + 3. * p * p * q[2])};
+}
 
 FunctionPointer<2> displacement_of(const Field &field)
 {

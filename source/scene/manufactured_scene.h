@@ -18,6 +18,9 @@ struct FieldAtPoint
 
 using Field = std::function<FieldAtPoint(const dealii::Point<2> &)>;
 
+/** a (q)_+^3 with two derivatives, from q with two derivatives. */
+std::array<double, 3> cube_of_positive_part(double a, const std::array<double, 3> &q);
+
 /** A function of the coordinate x or y. */
 using Profile = std::function<double(double)>;
 

@@ -5,20 +5,7 @@
 
 script=$(realpath "$1")
 program=$(realpath "$2")
-directory=$(mktemp -d)
-trap 'rm -rf "$directory"' EXIT
-cd "$directory" || exit 1
-failures=0
-
-# check NAME COMMAND...: PASS if the command succeeds.
-check() {
-  local name=$1
-  shift
-  if "$@"; then echo "PASS $name"; else
-    echo "FAIL $name"
-    failures=$((failures + 1))
-  fi
-}
+. "$(dirname "$0")/checks.sh"
 
 # every_row COLUMN CONDITION: every row of the table satisfies an awk condition on the column's value v and the row.
 every_row() {
@@ -38,7 +25,6 @@ bash "$script" --program "$program" --output "$directory/out" --coarsest 4 --lar
   --scenes "two_ends no_contact" --linear-solvers amesos_klu "${pictures[@]}" >stdout 2>stderr
 check "exit code 0" [ $? -eq 0 ]
 check "no complaints" [ ! -s stderr ]
-cat stderr
 # 2 scenes x 2 contact solvers x 1 linear solver x 3 levels, twice.
 check "one row per configuration and level" [ "$(wc -l <out/benchmark.csv)" -eq 13 ]
 check "one row per run and level" [ "$(wc -l <out/runs.csv)" -eq 25 ]

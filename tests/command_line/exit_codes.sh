@@ -4,23 +4,7 @@
 # usage: exit_codes.sh PROGRAM
 
 program=$(realpath "$1")
-directory=$(mktemp -d)
-trap 'rm -rf "$directory"' EXIT
-cd "$directory" || exit 1
-failures=0
-
-# check NAME COMMAND...: PASS if the command succeeds.
-check() {
-  local name=$1
-  shift
-  if "$@"; then
-    echo "PASS $name"
-  else
-    echo "FAIL $name"
-    sed 's/^/  stderr: /' stderr
-    failures=$((failures + 1))
-  fi
-}
+. "$(dirname "$0")/checks.sh"
 
 # run CODE ARGUMENTS...: runs the program and checks its exit code.
 run() {

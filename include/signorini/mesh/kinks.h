@@ -65,7 +65,8 @@ private:
   std::vector<dealii::Point<dim>> ends_;
 };
 
-/** The rule on [0,1] that applies @p rule between consecutive @p cuts. */
+/** The rule from the first to the last of the sorted @p cuts that applies @p rule, a rule on [0,1],
+ * between consecutive ones. */
 dealii::Quadrature<1> split_quadrature(const dealii::Quadrature<1> &rule,
                                        const std::vector<double> &cuts);
 } // namespace Signorini

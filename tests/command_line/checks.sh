@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Sourced by the tests of this folder: an empty directory to work in, and a check with a count of failures.
+
+directory=$(mktemp -d)
+trap 'rm -rf "$directory"' EXIT
+cd "$directory" || exit 1
+failures=0
+
+# check NAME COMMAND...: PASS if the command succeeds, else FAIL with what stands in the file stderr.
+check() {
+  local name=$1
+  shift
+  if "$@"; then
+    echo "PASS $name"
+  else
+    echo "FAIL $name"
+    if [ -e stderr ]; then sed 's/^/  stderr: /' stderr; fi
+    failures=$((failures + 1))
+  fi
+}
