@@ -21,6 +21,24 @@ shape_of(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
   return shape;
 }
 
+/** int_K div phi_i / |K| for all i. */
+template <int dim>
+std::vector<double> mean_divergences(const dealii::FEValues<dim> &values)
+{
+  const dealii::FEValuesExtractors::Vector displacement(0);
+  std::vector<double> means(values.dofs_per_cell, 0.);
+  double volume = 0.;
+  for (const unsigned int q : values.quadrature_point_indices())
+  {
+    volume += values.JxW(q);
+    for (unsigned int i = 0; i < means.size(); ++i)
+      means[i] += values[displacement].divergence(i, q) * values.JxW(q);
+  }
+  for (double &mean : means)
+    mean /= volume;
+  return means;
+}
+
 template <int dim>
 bool is_parallelogram(const std::vector<dealii::Tensor<1, dim>> &shape)
 {
@@ -33,12 +51,14 @@ template <int dim>
 CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space,
                                   const Material<dim> &material,
                                   const Kinks<dim> &kinks)
-  : material_(material)
+  : mesh_(space.mesh())
+  , material_(material)
+  , strain_operator_(space.strain_operator())
   , constant_(material.is_constant())
-  , curved_(space.mesh().is_curved())
+  , curved_(mesh_.is_curved())
   , kinks_(constant_ ? Kinks<dim>({}) : kinks)
-  , affine_values_(space.mesh().mapping(), space.element(), kinks_, 2, stiffness_flags)
-  , general_values_(space.mesh().mapping(), space.element(), kinks_, 4, stiffness_flags)
+  , affine_values_(mesh_.unit_mapping(), space.element(), kinks_, 2, stiffness_flags)
+  , general_values_(mesh_.unit_mapping(), space.element(), kinks_, 4, stiffness_flags)
   , matrix_(space.element().n_dofs_per_cell())
 {
 }
@@ -61,15 +81,23 @@ void CellStiffness<dim>::integrate(const dealii::FEValues<dim> &values)
   const dealii::FEValuesExtractors::Vector displacement(0);
   const unsigned int n = values.dofs_per_cell;
   std::vector<dealii::SymmetricTensor<2, dim>> strain(n), stress(n);
-  dealii::SymmetricTensor<4, dim> hooke = material_.hooke(values.quadrature_point(0));
+  const std::vector<double> mean_dilatation = strain_operator_ == StrainOperator::mean_dilatation
+                                                ? mean_divergences(values)
+                                                : std::vector<double>();
+  const auto hooke_at = [&](const unsigned int q) {
+    return material_.relative_hooke(mesh_.from_unit_body(values.quadrature_point(q)));
+  };
+  dealii::SymmetricTensor<4, dim> hooke = hooke_at(0);
   matrix_ = 0.;
   for (const unsigned int q : values.quadrature_point_indices())
   {
     if (!constant_)
-      hooke = material_.hooke(values.quadrature_point(q));
+      hooke = hooke_at(q);
     for (unsigned int i = 0; i < n; ++i)
     {
       strain[i] = values[displacement].symmetric_gradient(i, q);
+      if (!mean_dilatation.empty())
+        replace_trace(strain[i], mean_dilatation[i]);
       stress[i] = hooke * strain[i];
     }
     for (unsigned int i = 0; i < n; ++i)
@@ -109,6 +137,7 @@ DistributedVector internal_forces(const DisplacementSpace<dim> &space,
       forces.add(indices, cell_forces);
     }
   forces.compress(dealii::VectorOperation::add);
+  forces *= stiffness_unit(space, *scene.material);
   return forces;
 }
 

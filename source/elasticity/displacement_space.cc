@@ -42,8 +42,11 @@ dealii::AffineConstraints<double> make_constraints(const Mesh<dim> &mesh,
 } // namespace
 
 template <int dim>
-DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh, const Scene<dim> &scene)
+DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
+                                          const Scene<dim> &scene,
+                                          const StrainOperator strain_operator)
   : mesh_(mesh)
+  , strain_operator_(strain_operator)
   , element_(dealii::FE_Q<dim>(1), dim)
   , dofs_(mesh.triangulation())
 {

@@ -152,6 +152,7 @@ void add_cells(const DisplacementSpace<dim> &space,
   const Kinks<dim> kinks = Kinks<dim>::of_scene(scene);
   MatrixScatter<dim> scatter(space, system.A);
   std::vector<dealii::types::global_dof_index> indices(space.element().n_dofs_per_cell());
+  dealii::Vector<double> in_units;
   integrate_by_chunks<ChunkIntegrals<dim>, dim>(
     space,
     [&](const Cells<dim> &cells) { return integrate(cells, space, scene, kinks, n_points); },
@@ -159,8 +160,10 @@ void add_cells(const DisplacementSpace<dim> &space,
       for (std::size_t k = 0; k < integrals.cells->size(); ++k)
       {
         (*integrals.cells)[k]->get_dof_indices(indices);
-        scatter.add(integrals.stiffness[k], integrals.loads[k], indices, system.f);
         system.loads.add(indices, integrals.loads[k]);
+        in_units = integrals.loads[k];
+        in_units /= system.unit;
+        scatter.add(integrals.stiffness[k], in_units, indices, system.f);
       }
       system.applied.force += integrals.resultant.force;
       system.applied.moment += integrals.resultant.moment;
@@ -183,7 +186,11 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
                                          const unsigned int n_points)
 {
   const MPI_Comm communicator = space.mesh().communicator();
-  LinearSystem<dim> system = {make_matrix(space), space.make_vector(), space.make_vector(), {}};
+  LinearSystem<dim> system = {make_matrix(space),
+                              space.make_vector(),
+                              space.make_vector(),
+                              {},
+                              stiffness_unit(space, *scene.material)};
   agree(communicator, [&]() { add_cells(space, scene, n_points, system); });
   system.A.compress(dealii::VectorOperation::add);
   system.f.compress(dealii::VectorOperation::add);

@@ -5,6 +5,7 @@
 #include <signorini/parameters/exceptions.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/grid/grid_tools.h>
@@ -39,6 +40,60 @@ void distort(const Geometry<dim> &geometry, dealii::Triangulation<dim> &triangul
       }
   }
 }
+
+/** The bilinear map onto (x - lower)/size. */
+template <int dim>
+class UnitMapping : public dealii::MappingQ<dim>
+{
+public:
+  UnitMapping(const dealii::Point<dim> &lower, const double size)
+    : dealii::MappingQ<dim>(1)
+    , lower_(lower)
+    , size_(size)
+  {
+  }
+
+  std::unique_ptr<dealii::Mapping<dim>> clone() const override
+  {
+    return std::make_unique<UnitMapping<dim>>(lower_, size_);
+  }
+
+  bool preserves_vertex_locations() const override
+  {
+    return false;
+  }
+
+  boost::container::small_vector<dealii::Point<dim>, dealii::GeometryInfo<dim>::vertices_per_cell>
+  get_vertices(const typename dealii::Triangulation<dim>::cell_iterator &cell) const override
+  {
+    const auto points = compute_mapping_support_points(cell);
+    return {points.begin(), points.end()};
+  }
+
+protected:
+  std::vector<dealii::Point<dim>> compute_mapping_support_points(
+    const typename dealii::Triangulation<dim>::cell_iterator &cell) const override
+  {
+    std::vector<dealii::Point<dim>> points;
+    for (const unsigned int v : cell->vertex_indices())
+      points.emplace_back((cell->vertex(v) - lower_) / size_);
+    return points;
+  }
+
+private:
+  dealii::Point<dim> lower_;
+  double size_;
+};
+
+template <int dim>
+double longest_extent(const Geometry<dim> &geometry)
+{
+  double longest = 0.;
+  for (unsigned int d = 0; d < dim; ++d)
+    longest = std::max(longest, geometry.upper[d] - geometry.lower[d]);
+  return longest;
+}
+
 /** With bilinear maps, pi^{2h} would lose an order on curved bodies: the map of a cell of T^{2h}
  * must be that of its children up to higher order. */
 template <int dim>
@@ -64,6 +119,8 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
                    /*allow_artificial_cells=*/false,
                    dealii::parallel::shared::Triangulation<dim>::partition_metis)
   , curved_(geometry.curved)
+  , lower_(geometry.lower)
+  , size_(longest_extent(geometry))
   , n_nested_ancestors_(geometry.distortion == 0. ? level : level - std::min(coarsest_level, level))
 {
   const unsigned int first = std::min(coarsest_level, level);
@@ -75,6 +132,8 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
   if (geometry.classify_after_refinement)
     number_boundary(geometry.sides, triangulation_);
   mapping_ = make_mapping(triangulation_, curved_);
+  if (!curved_)
+    unit_mapping_ = std::make_unique<UnitMapping<dim>>(lower_, size_);
 }
 
 template <int dim>

@@ -33,6 +33,9 @@ void write_certificate(std::ostream &stream,
                     {"kkt", level.kkt},
                     {"linear_solves", level.linear_solves},
                     {"linear_residual", level.linear_residual},
+                    {"rounding_error", level.rounding_error},
+                    {"residual_bound", level.residual_bound(tolerance)},
+                    {"unique", level.unique},
                     {"certified", level.is_certified(tolerance)}});
   }
   const bool certified = failure.empty() && !levels.empty() &&
@@ -41,7 +44,6 @@ void write_certificate(std::ostream &stream,
                          });
   Json certificate = {{"verdict", certified ? "certified" : "not certified"},
                       {"tolerance", tolerance},
-                      {"residual_bound", certificate_bound(tolerance)},
                       {"levels", rows}};
   if (!failure.empty())
     certificate["failure"] = failure;

@@ -14,13 +14,27 @@ namespace Signorini
 {
 namespace
 {
-/** ‖v - w‖_1^2 and ‖v‖_1^2, of a cell or of the body. */
+/** ‖v‖_0^2 and |v|_1^2. */
 struct Squares
 {
-  double difference = 0.;
-  double norm = 0.;
+  double values = 0.;
+  double gradients = 0.;
 
   Squares &operator+=(const Squares &other)
+  {
+    values += other.values;
+    gradients += other.gradients;
+    return *this;
+  }
+};
+
+/** Those of v - w and of v, of a cell or of the body. */
+struct Comparison
+{
+  Squares difference;
+  Squares norm;
+
+  Comparison &operator+=(const Comparison &other)
   {
     difference += other.difference;
     norm += other.norm;
@@ -49,20 +63,20 @@ public:
     , w_(space, values_.get_quadrature(), fine - 1)
   {
   }
-  Squares integrate(const CellIterator &cell)
+  Comparison integrate(const CellIterator &cell)
   {
     values_.reinit(cell);
     const FieldValues<dim> &v = v_.evaluate(U_, cell, values_);
     const FieldValues<dim> &w = w_.evaluate(U_, cell, values_);
-    Squares squares;
+    Comparison sum;
     for (const unsigned int q : values_.quadrature_point_indices())
     {
-      squares.difference += ((v.values[q] - w.values[q]).norm_square() +
-                             (v.gradients[q] - w.gradients[q]).norm_square()) *
-                            values_.JxW(q);
-      squares.norm += (v.values[q].norm_square() + v.gradients[q].norm_square()) * values_.JxW(q);
+      const double JxW = values_.JxW(q);
+      sum.difference += {(v.values[q] - w.values[q]).norm_square() * JxW,
+                         (v.gradients[q] - w.gradients[q]).norm_square() * JxW};
+      sum.norm += {v.values[q].norm_square() * JxW, v.gradients[q].norm_square() * JxW};
     }
-    return squares;
+    return sum;
   }
 
 private:
@@ -71,34 +85,42 @@ private:
   PatchInterpolation<dim> v_, w_;
 };
 
-/** The roots of the sums over all ranks; the threads' parts are added up in the order of cells. */
+/** The sums over all ranks; the threads' parts are added up in the order of cells. */
 template <int dim>
-Squares integrate(const DisplacementSpace<dim> &space,
-                  const NodalVector &U,
-                  const unsigned int fine)
+Comparison integrate(const DisplacementSpace<dim> &space,
+                     const NodalVector &U,
+                     const unsigned int fine)
 {
-  Squares sum;
-  integrate_by_chunks<Squares, dim>(
+  Comparison sum;
+  integrate_by_chunks<Comparison, dim>(
     space,
     [&](const Cells<dim> &cells) {
       Distance<dim> distance(space, U, fine);
-      Squares squares;
+      Comparison of_chunk;
       for (const auto &cell : cells)
-        squares += distance.integrate(cell);
-      return squares;
+        of_chunk += distance.integrate(cell);
+      return of_chunk;
     },
-    [&sum](const Squares &squares) { sum += squares; });
-  const MPI_Comm communicator = space.mesh().communicator();
-  return {std::sqrt(dealii::Utilities::MPI::sum(sum.difference, communicator)),
-          std::sqrt(dealii::Utilities::MPI::sum(sum.norm, communicator))};
+    [&sum](const Comparison &of_chunk) { sum += of_chunk; });
+  for (Squares *const squares : {&sum.difference, &sum.norm})
+    for (double *const square : {&squares->values, &squares->gradients})
+      *square = dealii::Utilities::MPI::sum(*square, space.mesh().communicator());
+  return sum;
+}
+
+/** ‖.‖_1 with lengths in the given unit, up to that unit's own power. */
+double norm_1(const Squares &squares, const double unit_of_length)
+{
+  return std::sqrt(squares.values / (unit_of_length * unit_of_length) + squares.gradients);
 }
 } // namespace
 
 template <int dim>
 ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const NodalVector &U)
 {
-  const Squares roots = integrate(space, U, 1);
-  return {roots.difference, roots.norm > 0. ? roots.difference / roots.norm : 0.};
+  const Comparison sum = integrate(space, U, 1);
+  const double size = space.mesh().size(), norm = norm_1(sum.norm, size);
+  return {norm_1(sum.difference, 1.), norm > 0. ? norm_1(sum.difference, size) / norm : 0.};
 }
 
 template <int dim>
@@ -106,8 +128,10 @@ unsigned int best_interpolation(const DisplacementSpace<dim> &space, const Nodal
 {
   if (space.mesh().n_nested_ancestors() < 2)
     return space.mesh().n_nested_ancestors();
-  const double quadratic = integrate(space, U, 1).difference;
-  return integrate(space, U, 2).difference < 2. / 3. * quadratic ? 2 : 1;
+  const auto change = [&](const unsigned int fine) {
+    return norm_1(integrate(space, U, fine).difference, space.mesh().size());
+  };
+  return change(2) < 2. / 3. * change(1) ? 2 : 1;
 }
 
 template ErrorEstimate estimate_error(const DisplacementSpace<2> &, const NodalVector &);

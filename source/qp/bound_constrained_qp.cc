@@ -3,6 +3,8 @@
 
 #include <signorini/qp/bound_constrained_qp.h>
 
+#include <deal.II/lac/lapack_full_matrix.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -59,5 +61,36 @@ double BoundConstrainedQP::kkt_residual(const Vector &P) const
   }
   const double scale = std::max(size_of_P, size_of_F);
   return scale > 0. ? std::sqrt(residual / scale) : std::sqrt(residual);
+}
+
+bool BoundConstrainedQP::has_unique_solution(const Vector &P) const
+{
+  const Vector W = gradient(P);
+  std::vector<unsigned int> touching;
+  for (unsigned int i = 0; i < size(); ++i)
+    if (P[i] < bound[i] || W[i] > -1e-9 * F.linfty_norm())
+      touching.push_back(i);
+  const auto n = static_cast<unsigned int>(touching.size());
+  if (n == 0)
+    return true;
+  dealii::LAPACKFullMatrix<double> L(n, n);
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      L(i, j) = C(touching[i], touching[j]);
+  L.set_property(dealii::LAPACKSupport::symmetric);
+  try
+  {
+    L.compute_cholesky_factorization();
+  }
+  catch (const dealii::ExceptionBase &)
+  {
+    return false;
+  }
+  // What is left of a diagonal entry when all before it are eliminated.
+  constexpr double rounding = 1e-12;
+  for (unsigned int i = 0; i < n; ++i)
+    if (!(L(i, i) * L(i, i) > rounding * C(touching[i], touching[i])))
+      return false;
+  return true;
 }
 } // namespace Signorini

@@ -67,6 +67,7 @@ QPResult solve_on_growing_set(const Vector &F,
     whole.kkt_residual = on_K.kkt_residual;
     whole.converged = on_K.converged;
     whole.cycled = whole.cycled || on_K.cycled;
+    whole.unique = on_K.unique;
     Vector W(m);
     C.vmult(W, whole.P);
     joining = find_outside(K, m, [&](const unsigned int i) { return W[i] - F[i] > 0.; });

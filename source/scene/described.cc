@@ -61,19 +61,32 @@ private:
   Constants constants_;
 };
 
+/** A point inside of the body. */
+dealii::Point<2> inner_point(const Geometry<2> &geometry)
+{
+  dealii::Point<2> inside;
+  for (const Side<2> &side : geometry.sides)
+    inside += side.point(0.5 * side.length()) / static_cast<double>(geometry.sides.size());
+  return inside;
+}
+
 std::shared_ptr<const Material<2>> read_material(const Parameters &parameters,
-                                                 const SceneReader &reader)
+                                                 const SceneReader &reader,
+                                                 const dealii::Point<2> &reference)
 {
   const MaterialParameters &given = parameters.material;
   if (given.law == "general")
-    return make_general(reader.components(given.hooke_tensor, 6, "Material/Hooke tensor"));
+    return make_general(reader.components(given.hooke_tensor, 6, "Material/Hooke tensor"),
+                        reference);
   if (given.law == "orthotropic")
     return make_orthotropic(
       reader.components(given.orthotropic_moduli, 4, "Material/Orthotropic moduli"),
-      given.orientation);
+      given.orientation,
+      reference);
   return make_isotropic<2>(reader.scalar(given.youngs_modulus, "Material/Young's modulus"),
                            reader.scalar(given.poissons_ratio, "Material/Poisson's ratio"),
-                           given.plane_state == "stress" ? PlaneState::stress : PlaneState::strain);
+                           given.plane_state == "stress" ? PlaneState::stress : PlaneState::strain,
+                           reference);
 }
 
 /** Gives the sides named in one list their role; a side has one role only. */
@@ -170,9 +183,7 @@ void read_exact_displacement(const Parameters &parameters,
 /** Points where every expression must have a value: Gauss points, as the integrals use them. */
 std::vector<dealii::Point<2>> sample_body(const Geometry<2> &geometry)
 {
-  dealii::Point<2> inside;
-  for (const Side<2> &side : geometry.sides)
-    inside += side.point(0.5 * side.length()) / static_cast<double>(geometry.sides.size());
+  const dealii::Point<2> inside = inner_point(geometry);
   const dealii::QGauss<1> gauss(3);
   std::vector<dealii::Point<2>> points;
   for (const Side<2> &side : geometry.sides)
@@ -265,7 +276,7 @@ Scene<2> make_described_scene(const Parameters &parameters)
   scene.name = "described";
   scene.title = "described by expressions";
   scene.geometry = make_geometry(parameters);
-  scene.material = read_material(parameters, reader);
+  scene.material = read_material(parameters, reader, inner_point(scene.geometry));
   read_boundary(parameters, reader, scene);
   read_contact_data(parameters, reader, scene);
   if (!is_zero(reader.components(parameters.load.body_force, 2, "Load/Body force")))

@@ -26,22 +26,32 @@ template <int dim>
   throw InputError(message.str());
 }
 
+/** A modulus at a point, as the unit of stress; what is no modulus is found where it is used. */
+template <int dim>
+double unit_of_stress(const Expression<dim> &modulus, const dealii::Point<dim> &x)
+{
+  const double value = modulus(x);
+  return value > 0. && std::isfinite(value) ? value : 1.;
+}
+
 template <int dim>
 class Isotropic : public Material<dim>
 {
 public:
   Isotropic(const Expression<dim> &youngs_modulus,
             const Expression<dim> &poissons_ratio,
-            const PlaneState plane_state)
-    : youngs_modulus_(youngs_modulus)
+            const PlaneState plane_state,
+            const dealii::Point<dim> &reference)
+    : Material<dim>(unit_of_stress(youngs_modulus, reference))
+    , youngs_modulus_(youngs_modulus)
     , poissons_ratio_(poissons_ratio)
     , plane_state_(plane_state)
   {
   }
 
-  dealii::SymmetricTensor<4, dim> hooke(const dealii::Point<dim> &x) const override
+  dealii::SymmetricTensor<4, dim> relative_hooke(const dealii::Point<dim> &x) const override
   {
-    const Lame lame = lame_constants(x);
+    const Lame lame = relative_lame_constants(x);
     using Tensors = dealii::Physics::Elasticity::StandardTensors<dim>;
     return lame.lambda * Tensors::IxI + 2. * lame.mu * Tensors::S;
   }
@@ -54,8 +64,9 @@ public:
   double out_of_plane_stress(const dealii::Point<dim> &x,
                              const dealii::SymmetricTensor<2, dim> &strain) const override
   {
-    return dim == 2 && plane_state_ == PlaneState::strain ? lame_constants(x).lambda * trace(strain)
-                                                          : 0.;
+    return dim == 2 && plane_state_ == PlaneState::strain
+             ? this->modulus() * relative_lame_constants(x).lambda * trace(strain)
+             : 0.;
   }
 
 private:
@@ -65,12 +76,15 @@ private:
     double mu;
   };
 
-  Lame lame_constants(const dealii::Point<dim> &x) const
+  /** In units of E_0: a constant modulus is exactly 1, whatever its unit. */
+  Lame relative_lame_constants(const dealii::Point<dim> &x) const
   {
-    const double E = youngs_modulus_(x);
+    const double given = youngs_modulus_(x);
+    const double E = given / this->modulus();
     const double nu = poissons_ratio_(x);
-    if (!(E > 0. && std::isfinite(E)))
-      refuse_value(youngs_modulus_.where(), x, std::to_string(E), "a positive number everywhere");
+    if (!(given > 0. && std::isfinite(E)))
+      refuse_value(
+        youngs_modulus_.where(), x, std::to_string(given), "a positive number everywhere");
     if (!(nu > -1. && nu < 0.5))
       refuse_value(poissons_ratio_.where(),
                    x,
@@ -131,15 +145,18 @@ VoigtMatrix rotate(const std::array<double, 4> &Q, const double angle)
 class Anisotropic : public Material<2>
 {
 public:
-  Anisotropic(const std::vector<Expression<2>> &entries, const double degrees)
-    : entries_(entries)
+  Anisotropic(const std::vector<Expression<2>> &entries,
+              const double degrees,
+              const dealii::Point<2> &reference)
+    : Material<2>(unit_of_stress(entries[0], reference))
+    , entries_(entries)
     , angle_(degrees * dealii::numbers::PI / 180.)
   {
   }
 
-  dealii::SymmetricTensor<4, 2> hooke(const dealii::Point<2> &x) const override
+  dealii::SymmetricTensor<4, 2> relative_hooke(const dealii::Point<2> &x) const override
   {
-    const VoigtMatrix C = voigt(x);
+    const VoigtMatrix C = relative_voigt(x);
     if (!is_positive_definite(C))
       refuse_value(entries_[0].where(),
                    x,
@@ -163,12 +180,12 @@ public:
   }
 
 private:
-  VoigtMatrix voigt(const dealii::Point<2> &x) const
+  VoigtMatrix relative_voigt(const dealii::Point<2> &x) const
   {
-    const auto &e = entries_;
-    if (e.size() == 4)
-      return rotate({e[0](x), e[1](x), e[2](x), e[3](x)}, angle_);
-    return {e[0](x), e[1](x), e[2](x), e[3](x), e[4](x), e[5](x)};
+    const auto e = [&](const unsigned int i) { return entries_[i](x) / modulus(); };
+    if (entries_.size() == 4)
+      return rotate({e(0), e(1), e(2), e(3)}, angle_);
+    return {e(0), e(1), e(2), e(3), e(4), e(5)};
   }
 
   std::vector<Expression<2>> entries_;
@@ -179,25 +196,27 @@ private:
 template <int dim>
 std::shared_ptr<const Material<dim>> make_isotropic(const Expression<dim> &youngs_modulus,
                                                     const Expression<dim> &poissons_ratio,
-                                                    const PlaneState plane_state)
+                                                    const PlaneState plane_state,
+                                                    const dealii::Point<dim> &reference)
 {
-  return std::make_shared<Isotropic<dim>>(youngs_modulus, poissons_ratio, plane_state);
+  return std::make_shared<Isotropic<dim>>(youngs_modulus, poissons_ratio, plane_state, reference);
 }
 
-std::shared_ptr<const Material<2>> make_general(const std::vector<Expression<2>> &entries)
+std::shared_ptr<const Material<2>> make_general(const std::vector<Expression<2>> &entries,
+                                                const dealii::Point<2> &reference)
 {
   AssertDimension(entries.size(), 6);
-  return std::make_shared<Anisotropic>(entries, 0.);
+  return std::make_shared<Anisotropic>(entries, 0., reference);
 }
 
 std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression<2>> &moduli,
-                                                    const double degrees)
+                                                    const double degrees,
+                                                    const dealii::Point<2> &reference)
 {
   AssertDimension(moduli.size(), 4);
-  return std::make_shared<Anisotropic>(moduli, degrees);
+  return std::make_shared<Anisotropic>(moduli, degrees, reference);
 }
 
-template std::shared_ptr<const Material<2>> make_isotropic(const Expression<2> &,
-                                                           const Expression<2> &,
-                                                           PlaneState);
+template std::shared_ptr<const Material<2>>
+make_isotropic(const Expression<2> &, const Expression<2> &, PlaneState, const dealii::Point<2> &);
 } // namespace Signorini

@@ -18,13 +18,13 @@ namespace Signorini
 {
 namespace
 {
-/** Residuals above this part of |b| are refined once, unless they are below that part of |A| |x|:
- * there they are rounding, which no refinement removes. Above the last part of |b| they are
- * refused.
- */
+/** Residuals above this part of |b| are refined once. */
 constexpr double refine_above = 1e-12;
-constexpr double rounding = 1e-15;
-constexpr double refuse_above = 1e-8;
+/** Once refinement has changed x by less than this part, so has it for other right-hand sides with
+ * residuals like that. */
+constexpr double harmless = 1e-9;
+/** A solution that refinement changes by more than this part is refused. */
+constexpr double refuse_above = 1e-4;
 
 /** A number in [-1, 1) without a pattern that a kernel could be orthogonal to (a hash of i). */
 double irregular_number(const dealii::types::global_dof_index i)
@@ -78,33 +78,56 @@ private:
 
 StiffnessInverse::StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &A)
   : A_(A)
-  , norm_of_A_(A.linfty_norm())
+  , scaling_(A.locally_owned_range_indices(), A.get_mpi_communicator())
 {
+  for (const auto i : A.locally_owned_range_indices())
+    scaling_(i) = 1. / std::sqrt(A.diag_element(i));
+  scaling_.compress(dealii::VectorOperation::insert);
+}
+
+double StiffnessInverse::scaled_norm(const Vector &r) const
+{
+  Vector scaled(r);
+  scaled.scale(scaling_);
+  return scaled.l2_norm();
+}
+
+double StiffnessInverse::refine(Vector &x, const Vector &r) const
+{
+  Vector correction(r);
+  apply(correction, r);
+  x += correction;
+  const double size = x.l2_norm();
+  return size > 0. ? correction.l2_norm() / size : 0.;
 }
 
 void StiffnessInverse::solve(Vector &x, const Vector &b) const
 {
   ++n_solves_;
-  const double size = b.l2_norm();
   apply(x, b);
   Vector r(b);
-  const auto relative_residual = [&]() { return size > 0. ? A_.residual(r, x, b) / size : 0.; };
-  double residual = relative_residual();
-  if (!(residual < refine_above || residual * size < rounding * norm_of_A_ * x.l2_norm()))
+  A_.residual(r, x, b);
+  const double size = scaled_norm(b);
+  double residual = size > 0. ? scaled_norm(r) / size : 0.;
+  const bool is_known = residual <= largest_residual_ && rounding_error_ < harmless;
+  if (!(residual < refine_above || is_known))
   {
-    Vector correction(b);
-    apply(correction, r);
-    x += correction;
-    residual = relative_residual();
+    const double change = refine(x, r);
+    rounding_error_ = std::max(rounding_error_, change);
+    if (!(change < refuse_above))
+    {
+      std::ostringstream message;
+      message
+        << "A linear solve is spoilt by rounding: refinement changes the solution by the part "
+        << change
+        << ", more than 1e-4; the stiffness matrix is singular or too ill-conditioned "
+           "(Poisson's ratio near 1/2, moduli of very different size, a very slender body).";
+      throw ComputationError(message.str());
+    }
+    A_.residual(r, x, b);
+    residual = scaled_norm(r) / size;
   }
   largest_residual_ = std::max(largest_residual_, residual);
-  if (!(residual < refuse_above))
-  {
-    std::ostringstream message;
-    message << "A linear solve left the residual |b - A x| = " << residual
-            << " |b|, more than 1e-8: the stiffness matrix is singular or too ill-conditioned.";
-    throw ComputationError(message.str());
-  }
 }
 
 void StiffnessInverse::refuse_singular_matrix() const
@@ -117,6 +140,7 @@ void StiffnessInverse::refuse_singular_matrix() const
   solve(x, b);
   n_solves_ = 0;
   largest_residual_ = 0.;
+  rounding_error_ = 0.;
 }
 
 std::unique_ptr<StiffnessInverse>

@@ -36,6 +36,12 @@ unsigned int additional_points(const unsigned int n_cells)
   return n_cells <= 64 ? 6 : (n_cells <= 1024 ? 3 : 0);
 }
 
+StrainOperator strain_operator(const std::string &element)
+{
+  return element == "Q1 B-bar" ? StrainOperator::mean_dilatation
+                               : StrainOperator::symmetric_gradient;
+}
+
 /** A patch without a free node next to it cannot feel or do anything. */
 void refuse_blind_patches(const Parameters &parameters, const Coupling &condensed_D)
 {
@@ -112,8 +118,11 @@ QPResult find_pressure(const Parameters &parameters,
       progress("compliance: " + std::to_string(done) + " columns, up to " +
                std::to_string(D.n_columns()));
   };
+  const bool may_be_singular = discretization.multipliers.partition().has_unstable_patch();
   const QPSolver solve = [&](const BoundConstrainedQP &qp, const dealii::Vector<double> &start) {
-    return solve_dual_problem(parameters.solver, qp, start);
+    QPResult result = solve_dual_problem(parameters.solver, qp, start);
+    result.unique = !may_be_singular || qp.has_unique_solution(result.P);
+    return result;
   };
   if (!holds_compliance(inverse, D) && parameters.solver.contact_solver != "psor" &&
       !parameters.output.compliance)
@@ -134,11 +143,12 @@ QPResult find_pressure(const Parameters &parameters,
   return solve(BoundConstrainedQP(solution.C, solution.F), P_start);
 }
 
-/** P with what the table says about it. */
+/** P and C in units of @p unit, with what the table says about them. */
 template <int dim>
 void solve_contact(const Parameters &parameters,
                    const Discretization<dim> &discretization,
                    const StiffnessInverse &inverse,
+                   const double unit,
                    const StartingPressure &start,
                    const Progress &progress,
                    LevelSolution<dim> &solution)
@@ -146,10 +156,13 @@ void solve_contact(const Parameters &parameters,
   StageClock clock;
   LevelRecord &record = solution.record;
   const double before = record.times.compliance;
-  const dealii::Vector<double> P_start =
-    start.patches.empty()
-      ? dealii::Vector<double>()
-      : transfer_pressure(start.patches, start.P, discretization.multipliers.partition().patches);
+  dealii::Vector<double> P_start;
+  if (!start.patches.empty())
+  {
+    P_start =
+      transfer_pressure(start.patches, start.P, discretization.multipliers.partition().patches);
+    P_start /= unit;
+  }
   const QPResult result =
     find_pressure(parameters, discretization, inverse, P_start, progress, solution);
   solution.P = result.P;
@@ -158,6 +171,7 @@ void solve_contact(const Parameters &parameters,
     record.increment_iterations = result.increment_iterations;
   record.kkt = result.kkt_residual;
   record.converged = result.converged;
+  record.unique = result.unique;
   record.times.qp += clock.lap() - (record.times.compliance - before);
 }
 
@@ -209,7 +223,7 @@ Discretization<dim>::Discretization(const Parameters &parameters,
   , mesh_seconds(clock_.lap())
   , n_points(parameters.discretization.quadrature_points +
              additional_points(mesh.triangulation().n_active_cells()))
-  , space(mesh, scene)
+  , space(mesh, scene, strain_operator(parameters.discretization.element))
   , multipliers(make_multiplier_space(parameters.discretization, scene, mesh))
   , D(assemble_coupling(space, multipliers.faces(), multipliers.partition()))
   , condensed_D(condense(D, space.constraints()))
@@ -254,16 +268,19 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
     solution.U = free.U;
   else
   {
-    solve_contact(parameters, discretization, *inverse, start, progress, solution);
+    solve_contact(parameters, discretization, *inverse, system.unit, start, progress, solution);
     clock.lap();
     solution.U =
       recover_displacement(*inverse, space, discretization.condensed_D, solution.P, system.f);
+    solution.P *= system.unit;
+    solution.C /= system.unit;
     clock.add_to(times.recovery);
   }
 
   solution.loads = system.loads;
   solution.record.linear_solves = inverse->n_solves();
   solution.record.linear_residual = inverse->largest_residual();
+  solution.record.rounding_error = inverse->rounding_error();
 
   if (wants_inf_sup(parameters.output.inf_sup_constant, space.dofs().n_dofs()))
   {

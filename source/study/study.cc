@@ -3,11 +3,13 @@
 
 #include <signorini/output/tables.h>
 #include <signorini/parameters/exceptions.h>
+#include <signorini/postprocess/locking.h>
 #include <signorini/stiffness_inverse/library_threads.h>
 #include <signorini/study/study.h>
 
 #include <deal.II/base/utilities.h>
 
+#include <sstream>
 #include <sys/resource.h>
 
 #include "memory_limit.h"
@@ -73,6 +75,9 @@ LevelRecord run_level(const StudyContext<dim> &context,
                 progress);
   progress("errors");
   add_errors(parameters, context.scene, discretization, context.exact_pressure.get(), solution);
+  if (is_last(parameters.discretization, solution.record) &&
+      discretization.space.strain_operator() == StrainOperator::symmetric_gradient)
+    solution.record.locking_number = locking_number(discretization.mesh, *context.scene.material);
   progress("output");
   StageClock clock;
   writer.write_fields(
@@ -90,10 +95,34 @@ void print_warnings(const LevelRecord &record, const double tolerance, std::ostr
     screen << "Warning: on level " << record.level
            << " a contact patch is no longer than a face (H = h), which is not inf-sup stable: "
               "the pressure may oscillate. Take a patch ratio of 2 or more.\n";
-  if (!record.is_certified(tolerance))
-    screen << "Warning: level " << record.level << " is not certified: the KKT residual is "
-           << record.kkt << ", the largest residual of the certificate "
-           << record.certificate.worst() << ".\n";
+  const std::string doubt = record.doubt(tolerance);
+  if (!doubt.empty())
+    screen << "Warning: level " << record.level << " is not certified: " << doubt << "\n";
+}
+
+/** Why the study as a whole cannot be trusted: a level's residuals, or what the finest level cannot
+ * resolve. */
+std::string find_failure(const std::vector<LevelRecord> &levels, const double tolerance)
+{
+  for (const LevelRecord &record : levels)
+  {
+    const std::string doubt = record.doubt(tolerance);
+    if (!doubt.empty())
+      return "Level " + std::to_string(record.level) + ": " + doubt;
+  }
+  std::ostringstream text;
+  if (!levels.empty() && !levels.back().unique)
+    text
+      << "Level " << levels.back().level
+      << ": the contact pressure is not unique, because contact patches are finer than the mesh; "
+         "take a Patch ratio of 2 or more, or fewer Patches.";
+  else if (!levels.empty() && levels.back().locking_number.value_or(0.) > largest_locking_number)
+    text << "The body is nearly incompressible, and bilinear elements lock on a mesh as coarse as "
+            "level "
+         << levels.back().level << ": K/mu (h/l)^2 = " << *levels.back().locking_number
+         << ", allowed: at most " << largest_locking_number
+         << "; set Discretization/Element = Q1 B-bar, or refine.";
+  return text.str();
 }
 } // namespace
 
@@ -140,9 +169,13 @@ StudyResult run_study(const Parameters &parameters,
     result.failure = error.what();
     writer.write_tables(result.levels, result.failure);
   }
+  if (result.failure.empty())
+  {
+    result.failure = find_failure(result.levels, tolerance);
+    if (!result.failure.empty())
+      writer.write_tables(result.levels, result.failure);
+  }
   result.certified = result.failure.empty();
-  for (const LevelRecord &record : result.levels)
-    result.certified = result.certified && record.is_certified(tolerance);
   print_verdict(parameters, result.levels, result.certified, report.screen);
   return result;
 }

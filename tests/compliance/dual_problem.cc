@@ -38,11 +38,16 @@ struct DualProblem
                             level.discretization.D,
                             level.discretization.G))
   {
+    // A and f are in units of stiffness, and so was C.
+    C /= system.unit;
   }
 
   NodalVector recover(const dealii::Vector<double> &P, const DistributedVector &f) const
   {
-    return recover_displacement(*inverse, level.space(), level.discretization.condensed_D, P, f);
+    dealii::Vector<double> in_units = P;
+    in_units /= system.unit;
+    return recover_displacement(
+      *inverse, level.space(), level.discretization.condensed_D, in_units, f);
   }
   dealii::Vector<double> transpose_product(const NodalVector &U) const
   {

@@ -32,17 +32,22 @@ std::string polygon(const std::string &vertices)
 /** A mesh without contact faces, which the stiffness does not know of. */
 struct Body
 {
-  Body(const std::string &text, const unsigned int level)
+  Body(const std::string &text,
+       const unsigned int level,
+       const StrainOperator strain_operator = StrainOperator::symmetric_gradient)
     : scene(make_scene(parse_parameters(text, "test")))
     , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
-    , space(mesh, scene)
+    , space(mesh, scene, strain_operator)
     , stiffness(space, *scene.material, Kinks<2>(scene.kinks))
+    , unit(stiffness_unit(space, *scene.material))
   {
   }
 
   dealii::FullMatrix<double> first_matrix()
   {
-    return stiffness(mesh.triangulation().begin_active());
+    dealii::FullMatrix<double> matrix = stiffness(mesh.triangulation().begin_active());
+    matrix *= unit;
+    return matrix;
   }
   /** a(u,u) on the first cell for the nodal interpolant of u. */
   double energy(const Field &u)
@@ -54,13 +59,14 @@ struct Body
       const auto component_and_vertex = space.element().system_to_component_index(i);
       U[i] = u(cell->vertex(component_and_vertex.second))[component_and_vertex.first];
     }
-    return stiffness(cell).matrix_norm_square(U);
+    return unit * stiffness(cell).matrix_norm_square(U);
   }
 
   Scene<2> scene;
   Mesh<2> mesh;
   DisplacementSpace<2> space;
   CellStiffness<2> stiffness;
+  double unit;
 };
 
 /**
@@ -198,6 +204,18 @@ void varying_modulus(Checks &checks)
               1e-14);
 }
 
+/** u = (x y, 0): tr eps = y has the mean 1/2, so that the strain is (y/2 + 1/4, 1/4 - y/2, x/2). */
+void mean_dilatation(Checks &checks)
+{
+  Body square(rectangle("1, 1", elastic), 0, StrainOperator::mean_dilatation);
+  const double linear = square.energy(
+    [](const Point<2> &x) { return Point<2>(0.3 * x[0] + 0.4 * x[1], -0.2 * x[0] - 0.2 * x[1]); });
+  checks.near(
+    "B-bar: linear fields are not affected", linear, lambda * 0.01 + 2. * mu * 0.15, 1e-14);
+  const double twist = square.energy([](const Point<2> &x) { return Point<2>(x[0] * x[1], 0.); });
+  checks.near("B-bar: u = (x y, 0)", twist, lambda / 4. + 2. * mu * 22. / 48., 1e-14);
+}
+
 /** internal_forces is the product with the unconstrained matrix: work and resultants. */
 void forces(Checks &checks)
 {
@@ -236,6 +254,7 @@ int main(int argc, char **argv)
   shapes(checks);
   congruent_cells(checks);
   varying_modulus(checks);
+  mean_dilatation(checks);
   forces(checks);
   return checks.exit_code();
 }

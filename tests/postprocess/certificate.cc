@@ -28,14 +28,19 @@ struct Solved
                             level.discretization.G))
     , C(compute_compliance(*inverse, level.space(), level.discretization.condensed_D))
     , P(solve_by_active_set(BoundConstrainedQP(C, free.F), {}, {1e-12, 100}).P)
-    , U(recover(P))
   {
+    // A and f are in units of stiffness, and so are C and P.
+    C /= system.unit;
+    P *= system.unit;
+    U = recover(P);
   }
 
   NodalVector recover(const dealii::Vector<double> &pressure) const
   {
+    dealii::Vector<double> in_units = pressure;
+    in_units /= system.unit;
     return recover_displacement(
-      *inverse, level.space(), level.discretization.condensed_D, pressure, system.f);
+      *inverse, level.space(), level.discretization.condensed_D, in_units, system.f);
   }
   Certificate judge(const NodalVector &displacement,
                     const dealii::Vector<double> &pressure,

@@ -106,6 +106,8 @@ public:
           solution.converged && std::abs(solution.P[i] - std::min(0., predicted)) <= small;
       }
     }
+    // A and f are in units of stiffness, and so was P.
+    solution.P *= system_.unit;
     return solution;
   }
 

@@ -4,10 +4,12 @@
 #include <signorini/elasticity/displacement_space.h>
 #include <signorini/elasticity/integration.h>
 
+#include <cmath>
+
 namespace Signorini
 {
 /**
- * a(phi_j, phi_i) on one cell.
+ * a(phi_j, phi_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
  *
  * Two Gauss points per direction are exact for a constant tensor on a parallelogram; four are taken
  * otherwise. With a constant tensor, congruent cells share one matrix: on a mesh of squares it is
@@ -30,7 +32,9 @@ private:
   void integrate(const dealii::FEValues<dim> &values);
   bool is_congruent(const CellIterator &cell) const;
 
+  const Mesh<dim> &mesh_;
   const Material<dim> &material_;
+  StrainOperator strain_operator_;
   bool constant_;
   /** Whether vertices alone do not tell the shape of a cell. */
   bool curved_;
@@ -40,6 +44,17 @@ private:
   dealii::FullMatrix<double> matrix_;
   std::vector<dealii::Tensor<1, dim>> shape_;
 };
+
+/**
+ * The unit in which a(phi_j, phi_i) is computed: E_0 l^{dim-2}, with the material's modulus E_0 and
+ * the body's size l. Matrices are those of a body of size one and modulus one, so that neither
+ * units nor sizes of numbers matter (force/length per thickness in the plane: force/area).
+ */
+template <int dim>
+double stiffness_unit(const DisplacementSpace<dim> &space, const Material<dim> &material)
+{
+  return material.modulus() * std::pow(space.mesh().size(), dim - 2);
+}
 
 /** (a(phi_j, phi_i))_ij U for all i, constrained or not: the internal forces. Collective. */
 template <int dim>

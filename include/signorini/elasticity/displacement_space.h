@@ -18,6 +18,29 @@ using DistributedVector = dealii::TrilinosWrappers::MPI::Vector;
 /** Nodal values U that every rank knows as a whole. */
 using NodalVector = dealii::Vector<double>;
 
+/** How a(.,.) takes the strain of a function of V^h. */
+enum class StrainOperator
+{
+  /** eps(v) = (grad v + grad v^T)/2: the conforming element, which locks as Poisson's ratio tends
+   * to 1/2. */
+  symmetric_gradient,
+  /**
+   * B-bar: eps(v) + (m - tr eps(v))/dim I, where m is the mean of tr eps(v) over the cell. It keeps
+   * the order of V^h for all Poisson's ratios. (Hughes, Int. J. Numer. Methods Eng. 15 (1980)
+   * 1413-1418, with the dilatation in the plane.)
+   */
+  mean_dilatation
+};
+
+/** The strain with the trace @p dilatation instead of its own, the same deviator. */
+template <int dim>
+void replace_trace(dealii::SymmetricTensor<2, dim> &strain, const double dilatation)
+{
+  const double change = (dilatation - trace(strain)) / dim;
+  for (unsigned int d = 0; d < dim; ++d)
+    strain[d][d] += change;
+}
+
 /**
  * V^h: FE_Q(1) for each component, with the essential conditions of clamped, prescribed and roller
  * sides.
@@ -26,11 +49,17 @@ template <int dim>
 class DisplacementSpace
 {
 public:
-  DisplacementSpace(const Mesh<dim> &mesh, const Scene<dim> &scene);
+  DisplacementSpace(const Mesh<dim> &mesh,
+                    const Scene<dim> &scene,
+                    StrainOperator strain_operator = StrainOperator::symmetric_gradient);
 
   const Mesh<dim> &mesh() const
   {
     return mesh_;
+  }
+  StrainOperator strain_operator() const
+  {
+    return strain_operator_;
   }
   const dealii::FESystem<dim> &element() const
   {
@@ -67,6 +96,7 @@ public:
 
 private:
   const Mesh<dim> &mesh_;
+  StrainOperator strain_operator_;
   dealii::FESystem<dim> element_;
   dealii::DoFHandler<dim> dofs_;
   dealii::AffineConstraints<double> constraints_;

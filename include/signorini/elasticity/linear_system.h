@@ -24,7 +24,10 @@ struct Resultant
   }
 };
 
-/** A U = f, once with the essential conditions eliminated (A, f), once without (loads). */
+/**
+ * A U = f, once with the essential conditions eliminated (A, f), once without (loads). A and f are
+ * divided by @p unit: what is solved has the modulus one.
+ */
 template <int dim>
 struct LinearSystem
 {
@@ -32,14 +35,16 @@ struct LinearSystem
   dealii::TrilinosWrappers::SparseMatrix A;
   /** f_j, reduced by what the prescribed displacements contribute. */
   DistributedVector f;
-  /** f_j = int f.phi_j + int t.phi_j for all j. */
+  /** f_j = int f.phi_j + int t.phi_j for all j (force per thickness). */
   DistributedVector loads;
   /** Their resultant, by quadrature of f and t. */
   Resultant<dim> applied;
+  /** stiffness_unit(). */
+  double unit = 1.;
 };
 
 /**
- * Assembles A_ij = a(phi_j, phi_i) and f_i = int f.phi_i + int_{Gamma_F} t.phi_i with
+ * Assembles A_ij = a(phi_j, phi_i)/unit and f_i = (int f.phi_i + int_{Gamma_F} t.phi_i)/unit with
  * @p n_points Gauss points per direction for the loads. Collective.
  * @throws InputError where the data has no value.
  */

@@ -37,6 +37,25 @@ public:
   {
     return *mapping_;
   }
+  /**
+   * The map onto the body of size one, (x - lower)/l with the length l of size(). In the plane
+   * stiffness matrices depend neither on the unit of length nor on the place of the origin, and
+   * with this map they do so to the last digit. The same as mapping() for curved bodies.
+   */
+  const dealii::Mapping<dim> &unit_mapping() const
+  {
+    return unit_mapping_ != nullptr ? *unit_mapping_ : *mapping_;
+  }
+  /** The point that unit_mapping() maps to @p x. */
+  dealii::Point<dim> from_unit_body(const dealii::Point<dim> &x) const
+  {
+    return unit_mapping_ != nullptr ? lower_ + size_ * (x - dealii::Point<dim>()) : x;
+  }
+  /** The longest edge of the box around the body (length). */
+  double size() const
+  {
+    return size_;
+  }
   /** Whether cells are curved: their edges are parabolas, close to the sides to the order h^4. */
   bool is_curved() const
   {
@@ -68,7 +87,9 @@ public:
 private:
   dealii::parallel::shared::Triangulation<dim> triangulation_;
   bool curved_;
-  std::unique_ptr<const dealii::Mapping<dim>> mapping_;
+  dealii::Point<dim> lower_;
+  double size_;
+  std::unique_ptr<const dealii::Mapping<dim>> mapping_, unit_mapping_;
   unsigned int n_nested_ancestors_;
 };
 } // namespace Signorini

@@ -4,6 +4,7 @@
 #include <signorini/postprocess/certificate.h>
 
 #include <optional>
+#include <string>
 
 namespace Signorini
 {
@@ -44,9 +45,13 @@ struct LevelRecord
   std::optional<unsigned int> increment_iterations;
   double kkt = 0.;
   bool converged = true;
+  /** Whether the pressure is the only one that solves the dual problem. */
+  bool unique = true;
   /** Whether a patch is no longer than a face (H = h). */
   bool unstable = false;
   std::optional<double> inf_sup;
+  /** K/mu (h/l)^2 of a nearly incompressible body on the finest level, where elements may lock. */
+  std::optional<double> locking_number;
   double contact_force = 0.;
   double max_pressure = 0.;
   double contact_length = 0.;
@@ -64,6 +69,8 @@ struct LevelRecord
   /** Solves with the factors of A, and the largest |b - A x| / |b| among them. */
   unsigned int linear_solves = 0;
   double linear_residual = 0.;
+  /** The relative error of U that is due to rounding, as far as it was estimated. */
+  double rounding_error = 0.;
 
   Certificate certificate;
   StageTimes times;
@@ -73,10 +80,15 @@ struct LevelRecord
 
   /** estimated_h1 / u_h1. */
   std::optional<double> effectivity() const;
-  /** Whether the dual problem and the certificate are within @p tolerance. */
-  bool is_certified(double tolerance) const;
+  /** The bound on the certificate's residuals that belongs to a tolerance of the dual problem: not
+   * below what rounding makes of U. */
+  double residual_bound(double tolerance) const;
+  /** One sentence that says why the dual problem or the certificate is not within @p tolerance;
+   * empty if they are. */
+  std::string doubt(double tolerance) const;
+  bool is_certified(double tolerance) const
+  {
+    return doubt(tolerance).empty();
+  }
 };
-
-/** The bound on the certificate's residuals that belongs to a tolerance of the dual problem. */
-double certificate_bound(double tolerance);
 } // namespace Signorini

@@ -80,6 +80,7 @@ struct DiscretizationParameters
 {
   unsigned int coarsest_level = 2;
   unsigned int finest_level = 6;
+  std::string element = "Q1";
   unsigned int patch_ratio = 2;
   unsigned int patches = 0;
   double target_error = 0.;

@@ -10,7 +10,8 @@ struct ErrorEstimate
 {
   /** ‖pi^{2h} u_h - u_h‖_{1,Omega}; asymptotically exact where pi^{2h} u_h superconverges. */
   double absolute;
-  /** The same divided by ‖pi^{2h} u_h‖_{1,Omega}. */
+  /** The same divided by ‖pi^{2h} u_h‖_{1,Omega}, both with the body's size as the unit of length:
+   * it does not depend on the units of the scene. */
   double relative;
 };
 

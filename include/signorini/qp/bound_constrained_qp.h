@@ -37,6 +37,11 @@ struct BoundConstrainedQP
    * solution and nowhere else.
    */
   double kkt_residual(const Vector &P) const;
+  /**
+   * Whether P is the only solution: C restricted to {i : W_i = 0 within rounding} is regular. (Two
+   * solutions have the same W and differ by an element of the kernel of C that lives there.)
+   */
+  bool has_unique_solution(const Vector &P) const;
 };
 
 /** What a solver of the dual problem returns. */
@@ -51,5 +56,7 @@ struct QPResult
   unsigned int increment_iterations = 0;
   /** Active set: whether a set came back and single exchanges had to end the search. */
   bool cycled = false;
+  /** Whether P is known to be the only solution, or nobody asked. */
+  bool unique = true;
 };
 } // namespace Signorini

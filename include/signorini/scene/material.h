@@ -15,10 +15,25 @@ template <int dim>
 class Material
 {
 public:
+  /** @param modulus E_0, a modulus of this material (force/area). */
+  explicit Material(const double modulus)
+    : modulus_(modulus)
+  {
+  }
   virtual ~Material() = default;
 
-  /** E_ijkl at a point. @throws InputError where the data there is no material. */
-  virtual dealii::SymmetricTensor<4, dim> hooke(const dealii::Point<dim> &x) const = 0;
+  /** E_0, the unit of stress in which systems of equations are solved (force/area). */
+  double modulus() const
+  {
+    return modulus_;
+  }
+  /** E_ijkl / E_0 at a point. @throws InputError where the data there is no material. */
+  virtual dealii::SymmetricTensor<4, dim> relative_hooke(const dealii::Point<dim> &x) const = 0;
+  /** E_ijkl at a point. @throws InputError like relative_hooke(). */
+  dealii::SymmetricTensor<4, dim> hooke(const dealii::Point<dim> &x) const
+  {
+    return modulus_ * relative_hooke(x);
+  }
 
   /** Whether E_ijkl is the same everywhere. */
   virtual bool is_constant() const = 0;
@@ -26,6 +41,9 @@ public:
   /** The stress normal to the plane, for the von Mises stress; 0 where the law does not say. */
   virtual double out_of_plane_stress(const dealii::Point<dim> &x,
                                      const dealii::SymmetricTensor<2, dim> &strain) const = 0;
+
+private:
+  double modulus_;
 };
 
 /** What the third direction does in two dimensions. */
@@ -36,17 +54,25 @@ enum class PlaneState
 };
 
 /** sigma = lambda tr(eps) I + 2 mu eps, with lambda replaced by 2 lambda mu/(lambda + 2 mu) for
- * plane stress. Young's modulus and Poisson's ratio may vary in space. */
+ * plane stress. Young's modulus and Poisson's ratio may vary in space; E_0 is Young's modulus at
+ * the point @p reference. */
 template <int dim>
-std::shared_ptr<const Material<dim>> make_isotropic(const Expression<dim> &youngs_modulus,
-                                                    const Expression<dim> &poissons_ratio,
-                                                    PlaneState plane_state);
+std::shared_ptr<const Material<dim>>
+make_isotropic(const Expression<dim> &youngs_modulus,
+               const Expression<dim> &poissons_ratio,
+               PlaneState plane_state,
+               const dealii::Point<dim> &reference = dealii::Point<dim>());
 
 /** (s11,s22,s12) = C (e11,e22,2 e12) with the entries C11, C12, C13, C22, C23, C33; positive
- * definite at every point. */
-std::shared_ptr<const Material<2>> make_general(const std::vector<Expression<2>> &entries);
+ * definite at every point. E_0 is C11 at the point @p reference. */
+std::shared_ptr<const Material<2>>
+make_general(const std::vector<Expression<2>> &entries,
+             const dealii::Point<2> &reference = dealii::Point<2>());
 
-/** Moduli Q11, Q22, Q12, Q66 in axes that are rotated by @p degrees against the x-axis. */
-std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression<2>> &moduli,
-                                                    double degrees);
+/** Moduli Q11, Q22, Q12, Q66 in axes that are rotated by @p degrees against the x-axis. E_0 is Q11
+ * at the point @p reference. */
+std::shared_ptr<const Material<2>>
+make_orthotropic(const std::vector<Expression<2>> &moduli,
+                 double degrees,
+                 const dealii::Point<2> &reference = dealii::Point<2>());
 } // namespace Signorini

@@ -19,9 +19,10 @@ public:
   virtual ~StiffnessInverse() = default;
 
   /**
-   * x = A^{-1} b. The residual of every solve is computed; one step of iterative refinement is
-   * taken when it is larger than rounding explains. Collective.
-   * @throws ComputationError if |b - A x| > 1e-8 |b| remains.
+   * x = A^{-1} b. The residual of every solve is computed. Where it is not small, one step of
+   * iterative refinement is taken; its size tells how many digits of x rounding has spoilt.
+   * Collective.
+   * @throws ComputationError if fewer than four digits are left.
    */
   void solve(Vector &x, const Vector &b) const;
 
@@ -30,10 +31,16 @@ public:
   {
     return n_solves_;
   }
-  /** The largest |b - A x| / |b| so far. */
+  /** The largest |b - A x| / |b| so far, in the norm |r|^2 = sum r_i^2 / A_ii. */
   double largest_residual() const
   {
     return largest_residual_;
+  }
+  /** The largest relative error of an x so far that is due to rounding, as far as it was estimated:
+   * 0 where residuals were small. */
+  double rounding_error() const
+  {
+    return rounding_error_;
   }
 
 protected:
@@ -51,11 +58,17 @@ private:
   /** x = A^{-1} b by the factors alone. */
   virtual void apply(Vector &x, const Vector &b) const = 0;
 
+  /** (sum r_i^2 / A_ii)^{1/2}: rows of stiff and of soft parts of a body count alike. */
+  double scaled_norm(const Vector &r) const;
+  /** Adds A^{-1} r to x. @return the size of that correction relative to x. */
+  double refine(Vector &x, const Vector &r) const;
+
   const dealii::TrilinosWrappers::SparseMatrix &A_;
-  /** Largest sum of a row. */
-  double norm_of_A_;
+  /** A_ii^{-1/2}. */
+  Vector scaling_;
   mutable unsigned int n_solves_ = 0;
   mutable double largest_residual_ = 0.;
+  mutable double rounding_error_ = 0.;
 };
 
 /**

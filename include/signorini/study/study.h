@@ -30,7 +30,7 @@ struct StudyResult
   /** The contact pressure of the finest level. */
   StartingPressure pressure;
   bool certified = false;
-  /** Why a level could not be solved; empty if all were. */
+  /** Why the study is not certified; empty if it is. */
   std::string failure;
 };
 
