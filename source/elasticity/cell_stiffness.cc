@@ -117,32 +117,65 @@ const dealii::FullMatrix<double> &CellStiffness<dim>::operator()(const CellItera
   return matrix_;
 }
 
-template <int dim>
-DistributedVector internal_forces(const DisplacementSpace<dim> &space,
-                                  const Scene<dim> &scene,
-                                  const NodalVector &U)
+namespace
 {
-  const Kinks<dim> kinks(scene.kinks);
+/** Sums up cell_product(K, U_K) over the cells, K being the cell's matrix in units of stiffness. */
+template <int dim, typename CellProduct>
+DistributedVector sum_over_cells(const DisplacementSpace<dim> &space,
+                                 const Scene<dim> &scene,
+                                 const NodalVector &U,
+                                 const CellProduct &cell_product)
+{
+  const Kinks<dim> kinks = Kinks<dim>::of_scene(scene);
   CellStiffness<dim> stiffness(space, *scene.material, kinks);
-  DistributedVector forces = space.make_vector();
+  DistributedVector sum = space.make_vector();
   const unsigned int n = space.element().n_dofs_per_cell();
-  dealii::Vector<double> cell_U(n), cell_forces(n);
+  dealii::Vector<double> cell_U(n), product(n);
   std::vector<dealii::types::global_dof_index> indices(n);
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->is_locally_owned())
     {
       cell->get_dof_indices(indices);
       cell->get_dof_values(U, cell_U);
-      stiffness(cell).vmult(cell_forces, cell_U);
-      forces.add(indices, cell_forces);
+      cell_product(stiffness(cell), cell_U, product);
+      sum.add(indices, product);
     }
-  forces.compress(dealii::VectorOperation::add);
-  forces *= stiffness_unit(space, *scene.material);
-  return forces;
+  sum.compress(dealii::VectorOperation::add);
+  sum *= stiffness_unit(space, *scene.material);
+  return sum;
+}
+} // namespace
+
+template <int dim>
+DistributedVector internal_forces(const DisplacementSpace<dim> &space,
+                                  const Scene<dim> &scene,
+                                  const NodalVector &U)
+{
+  return sum_over_cells(space, scene, U, [](const auto &K, const auto &cell_U, auto &forces) {
+    K.vmult(forces, cell_U);
+  });
+}
+
+template <int dim>
+DistributedVector force_magnitudes(const DisplacementSpace<dim> &space,
+                                   const Scene<dim> &scene,
+                                   const NodalVector &U)
+{
+  return sum_over_cells(space, scene, U, [](const auto &K, const auto &cell_U, auto &magnitudes) {
+    for (unsigned int i = 0; i < cell_U.size(); ++i)
+    {
+      magnitudes[i] = 0.;
+      for (unsigned int j = 0; j < cell_U.size(); ++j)
+        magnitudes[i] += std::abs(K(i, j) * cell_U[j]);
+    }
+  });
 }
 
 template class CellStiffness<2>;
 template DistributedVector internal_forces(const DisplacementSpace<2> &,
                                            const Scene<2> &,
                                            const NodalVector &);
+template DistributedVector force_magnitudes(const DisplacementSpace<2> &,
+                                            const Scene<2> &,
+                                            const NodalVector &);
 } // namespace Signorini

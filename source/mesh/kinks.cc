@@ -59,10 +59,19 @@ struct Quadrilateral
   {
     return x.distance(at(0.5, 0.5)) - 0.5 * std::max(diameter(), a.distance(b));
   }
-  /** The image of one quarter of the square. */
-  Quadrilateral quarter(const double s, const double t) const
+  /** The image of [s, s + ds] x [t, t + dt]. */
+  Quadrilateral part(const double s, const double t, const double ds, const double dt) const
   {
-    return {at(s, t), at(s + 0.5, t), at(s + 0.5, t + 0.5), at(s, t + 0.5)};
+    return {at(s, t), at(s + ds, t), at(s + ds, t + dt), at(s, t + dt)};
+  }
+  /** The longer edges in the directions of s and t. */
+  double length_s() const
+  {
+    return std::max(a.distance(b), d.distance(c));
+  }
+  double length_t() const
+  {
+    return std::max(a.distance(d), b.distance(c));
   }
 };
 
@@ -103,9 +112,7 @@ private:
     for (const dealii::Point<2> &end : ends_)
       if (depth < deepest && 0.75 * piece.distance(end) < piece.diameter())
       {
-        for (const double s : {0., 0.5})
-          for (const double t : {0., 0.5})
-            add(piece.quarter(s, t), depth + 1);
+        split(piece, depth);
         return;
       }
     const dealii::Quadrature<2> &gauss = gauss_[depth];
@@ -115,6 +122,29 @@ private:
       points.push_back(piece.at(s, t));
       weights.push_back(gauss.weight(q) * piece.jacobian(s, t));
     }
+  }
+
+  /** Long pieces into halves, others (and slivers, which hold next to nothing) into quarters. */
+  void split(const Quadrilateral &piece, const unsigned int depth)
+  {
+    constexpr double sliver = 1e-6;
+    const double length_s = piece.length_s(), length_t = piece.length_t();
+    if (std::min(length_s, length_t) < sliver * std::max(length_s, length_t))
+      quarter(piece, depth);
+    else if (length_s > 2. * length_t)
+      for (const double s : {0., 0.5})
+        add(piece.part(s, 0., 0.5, 1.), depth);
+    else if (length_t > 2. * length_s)
+      for (const double t : {0., 0.5})
+        add(piece.part(0., t, 1., 0.5), depth);
+    else
+      quarter(piece, depth);
+  }
+  void quarter(const Quadrilateral &piece, const unsigned int depth)
+  {
+    for (const double s : {0., 0.5})
+      for (const double t : {0., 0.5})
+        add(piece.part(s, t, 0.5, 0.5), depth + 1);
   }
 
   /** The rule of every depth. */

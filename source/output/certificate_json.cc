@@ -33,7 +33,7 @@ void write_certificate(std::ostream &stream,
                     {"kkt", level.kkt},
                     {"linear_solves", level.linear_solves},
                     {"linear_residual", level.linear_residual},
-                    {"rounding_error", level.rounding_error},
+                    {"rounding_error", std::max(level.rounding_error, c.rounding)},
                     {"residual_bound", level.residual_bound(tolerance)},
                     {"unique", level.unique},
                     {"certified", level.is_certified(tolerance)}});

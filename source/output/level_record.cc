@@ -19,7 +19,7 @@ std::optional<double> LevelRecord::effectivity() const
 double LevelRecord::residual_bound(const double tolerance) const
 {
   // Direct solves and sums over all cells lose some digits of their own.
-  return std::max({1e-8, 100. * tolerance, 10. * rounding_error});
+  return std::max({1e-8, 100. * tolerance, 10. * rounding_error, 10. * certificate.rounding});
 }
 
 std::string LevelRecord::doubt(const double tolerance) const
@@ -30,8 +30,9 @@ std::string LevelRecord::doubt(const double tolerance) const
   std::ostringstream text;
   if (!std::isfinite(residual) || !std::isfinite(kkt))
     text << "numbers overflow: choose units in which moduli, lengths and loads are of size one.";
-  else if (!(rounding_error <= largest_rounding_error))
-    text << "rounding spoils the displacement by the part " << rounding_error
+  else if (!(std::max(rounding_error, certificate.rounding) <= largest_rounding_error))
+    text << "rounding spoils displacements or forces by the part "
+         << std::max(rounding_error, certificate.rounding)
          << " (allowed: 1e-6), because the stiffness matrix is ill-conditioned: Poisson's ratio "
             "near 1/2, moduli of very different size, or a very slender body.";
   else if (!(converged && kkt <= tolerance))

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace Signorini
@@ -25,6 +26,20 @@ struct NodalForces
   NodalVector contact;
   /** internal - loads - contact: zero on free, the reaction on constrained degrees of freedom. */
   NodalVector residual;
+  /** |A| |U|: the size of the terms that make up the internal forces. */
+  double magnitude = 0.;
+
+  /** The norm of the largest of the forces. */
+  double largest() const
+  {
+    return std::max({internal.l2_norm(), loads.l2_norm(), contact.l2_norm()});
+  }
+  /** Whether all forces are zero within rounding: a rigid motion. Then there is nothing but the
+   * magnitude that residuals could be compared with. */
+  bool vanish() const
+  {
+    return largest() <= 1e3 * std::numeric_limits<double>::epsilon() * magnitude;
+  }
 };
 
 template <int dim>
@@ -44,6 +59,7 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
   forces.residual = forces.internal;
   forces.residual -= forces.loads;
   forces.residual -= forces.contact;
+  forces.magnitude = force_magnitudes(space, scene, solution.U).l2_norm();
   return forces;
 }
 
@@ -51,9 +67,8 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
 template <int dim>
 double stationarity(const DisplacementSpace<dim> &space, const NodalForces &forces)
 {
-  const double scale =
-    std::max({forces.internal.l2_norm(), forces.loads.l2_norm(), forces.contact.l2_norm()});
-  return relative(space.condense(forces.residual).l2_norm(), scale);
+  return relative(space.condense(forces.residual).l2_norm(),
+                  forces.vanish() ? forces.magnitude : forces.largest());
 }
 
 /** Nodes that hold the body: where degrees of freedom are constrained, or constrain others. */
@@ -140,7 +155,8 @@ void balance(const DisplacementSpace<dim> &space,
     0.5 * (scene.geometry.lower + (scene.geometry.upper - dealii::Point<dim>()));
   const double moment = reactions.moment + applied.moment + contact.moment -
                         (centre[0] * force[1] - centre[1] * force[0]);
-  const double scale = std::max({sum_of_sizes, applied.force.norm(), contact.force.norm()});
+  const double largest = std::max({sum_of_sizes, applied.force.norm(), contact.force.norm()});
+  const double scale = forces.vanish() ? forces.magnitude : largest;
   certificate.force_balance = relative(force.norm(), scale);
   certificate.moment_balance =
     relative(moment, scale * (scene.geometry.diameter() + centre.norm()));
@@ -175,6 +191,21 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
     if (std::abs(pressed) < small && std::abs(W[tau]) < small)
       ++certificate.degenerate_patches;
   }
+}
+/**
+ * Without contact the body has the energy Pi(U_0). With V = U - U_0, primal: Pi(U) - Pi(U_0) =
+ * a(V,V)/2 and a(V,V) = a(U,V) - f(V); dual: P^T F - P^T C P/2.
+ */
+template <int dim>
+double duality_gap(const ContactSolution<dim> &solution,
+                   const NodalForces &forces,
+                   const double energy_scale)
+{
+  NodalVector V = solution.U;
+  V -= solution.free_U;
+  const double primal = 0.5 * (V * forces.internal - V * forces.loads);
+  const double dual = solution.P * solution.F - 0.5 * solution.C.matrix_norm_square(solution.P);
+  return relative(primal - dual, std::max(energy_scale, std::abs(dual)));
 }
 } // namespace
 
@@ -227,15 +258,11 @@ Certificate certify(const DisplacementSpace<dim> &space,
   // J of (22); [p, Bu - g] is P^T W.
   certificate.energy = strain_energy - work_of_loads - solution.P * W;
 
-  if (solution.C.m() == 0)
-    return certificate;
-  // Without contact the body has the energy Pi(U_0). With V = U - U_0, primal: Pi(U) - Pi(U_0) =
-  // a(V,V)/2 and a(V,V) = a(U,V) - f(V); dual: P^T F - P^T C P/2.
-  NodalVector V = solution.U;
-  V -= solution.free_U;
-  const double primal = 0.5 * (V * forces.internal - V * forces.loads);
-  const double dual = solution.P * solution.F - 0.5 * solution.C.matrix_norm_square(solution.P);
-  certificate.duality_gap = relative(primal - dual, std::max(energy_scale, std::abs(dual)));
+  if (solution.C.m() > 0)
+    certificate.duality_gap = duality_gap(solution, forces, energy_scale);
+  const double unit_roundoff = std::numeric_limits<double>::epsilon();
+  certificate.rounding =
+    forces.vanish() ? unit_roundoff : relative(unit_roundoff * forces.magnitude, forces.largest());
   return certificate;
 }
 

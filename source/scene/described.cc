@@ -158,6 +158,13 @@ void read_contact_data(const Parameters &parameters, const SceneReader &reader, 
       reader.function(pressure.second, 1, "Exact solution/Pressure");
 }
 
+/** The shorter edge of the box around the body: differences of slender bodies must not leave them
+ * far behind. */
+double shortest_extent(const Geometry<2> &geometry)
+{
+  return std::min(geometry.upper[0] - geometry.lower[0], geometry.upper[1] - geometry.lower[1]);
+}
+
 void read_exact_displacement(const Parameters &parameters,
                              const SceneReader &reader,
                              Scene<2> &scene)
@@ -177,7 +184,7 @@ void read_exact_displacement(const Parameters &parameters,
   scene.exact_displacement = std::make_shared<ExpressionFunction<2>>(
     reader.components(given.displacement, 2, "Exact solution/Displacement"),
     gradients,
-    1e-4 * scene.geometry.diameter());
+    1e-4 * shortest_extent(scene.geometry));
 }
 
 /** Points where every expression must have a value: Gauss points, as the integrals use them. */

@@ -61,4 +61,11 @@ template <int dim>
 DistributedVector internal_forces(const DisplacementSpace<dim> &space,
                                   const Scene<dim> &scene,
                                   const NodalVector &U);
+
+/** |A| |U|, summed up cell by cell: times the unit roundoff, what the rounding of U and of sums
+ * makes of internal_forces(). Collective. */
+template <int dim>
+DistributedVector force_magnitudes(const DisplacementSpace<dim> &space,
+                                   const Scene<dim> &scene,
+                                   const NodalVector &U);
 } // namespace Signorini

@@ -34,6 +34,9 @@ struct Certificate
    * |tau|, the displacement that the pressure causes there, are below 1e-6 of displacement and gap.
    */
   unsigned int degenerate_patches = 0;
+  /** How large rounding alone makes residuals: the unit roundoff times |A| |U|, relative to the
+   * largest of the forces. */
+  double rounding = 0.;
   /** J(u_h, p_H) of (22), the energy (force x length per thickness). */
   double energy = 0.;
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Moduli of very different size: smooth along and across the contact side, and in two layers.
+
+#include "stress.h"
+
+using namespace Signorini;
+
+namespace
+{
+void smooth(Checks &checks, StabilityTable &table)
+{
+  for (const bool along : {true, false})
+    for (const char *exponent : {"2", "4", "6", "8", "-8"})
+    {
+      Family family;
+      (along ? family.contrast_x : family.contrast_y) = exponent;
+      const Measured measured = measure(text_of(family), levels(3, 5));
+      const std::string name = std::string(along ? "along" : "across") + ", 1e" + exponent;
+      table.add(name, measured);
+      checks.that(name + ": certified", measured.is_certified());
+    }
+}
+
+/** nu = 0, E = M for y < 1/4 and 1 above, pressed down by 0.01: p = -0.01/(1/(4 M) + 3/4), u linear
+ * in each layer. */
+void layers(Checks &checks, StabilityTable &table)
+{
+  for (const double modulus : {1e-8, 1e-4, 1e2, 1e4, 1e6, 1e8, 1e10})
+  {
+    std::ostringstream text;
+    text << "subsection Material\nset Young's modulus = y < 0.25 ? " << modulus
+         << " : 1\nset Poisson's ratio = 0\nend\nsubsection Boundary\nset Contact = bottom\n"
+         << "set Displacement = top: 0; -0.01\nend\n"
+         << entry("Exact solution", "Pressure", "-0.01/(0.25/" + brief(modulus) + " + 0.75)");
+    const Measured measured = measure(text.str(), levels(3, 5));
+    const std::string name = "layer of " + brief(modulus);
+    table.add(name, measured);
+    checks.that(name + ": certified, or rounding is named",
+                measured.is_certified() || measured.names("rounding"));
+    if (!measured.is_certified())
+      continue;
+    const double exact = 0.01 / (0.25 / modulus + 0.75);
+    checks.near(name + ": the pressure, as far as rounding lets it",
+                *measured.finest().p_l2 / exact,
+                0.,
+                std::max(1e-10, 10. * measured.finest().rounding_error));
+  }
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  StabilityTable table("contrast", "contrast of E");
+  smooth(checks, table);
+  layers(checks, table);
+  return checks.exit_code();
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Flat and tall cells, distorted cells, a single cell.
+
+#include "stress.h"
+
+using namespace Signorini;
+
+namespace
+{
+void aspect(Checks &checks)
+{
+  StabilityTable table("aspect_ratio", "height / width of cells");
+  for (const char *height : {"1e-4", "1e-3", "1e-2", "0.1", "1", "10", "100", "1e3", "1e4"})
+  {
+    Family family;
+    family.height = height;
+    const Measured measured = measure(text_of(family), levels(3, 5));
+    table.add(height, measured);
+    const std::string name = std::string("aspect ratio ") + height;
+    checks.that(name + ": certified, or rounding is named",
+                measured.is_certified() || measured.names("rounding"));
+  }
+}
+
+void distortion(Checks &checks)
+{
+  StabilityTable table("distortion", "distortion of the coarsest level");
+  for (const char *share : {"0", "0.1", "0.2", "0.3", "0.4", "0.45"})
+  {
+    std::vector<std::string> overrides = levels(2, 5);
+    overrides.push_back(std::string("Geometry/Distortion=") + share);
+    const Measured measured = measure(text_of({}), overrides);
+    table.add(share, measured);
+    const std::string name = std::string("distortion ") + share;
+    checks.that(name + ": certified", measured.is_certified());
+    checks.between(
+      name + ": order of |u-uh|_1", slope(measured.study.levels, &LevelRecord::u_h1), 0.95, 1.2);
+    checks.between(
+      name + ": order of |p-pH|_0", slope(measured.study.levels, &LevelRecord::p_l2), 0.85, 1.1);
+  }
+}
+
+void smallest(Checks &checks)
+{
+  StabilityTable table("smallest", "smallest meshes");
+  const std::string block = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
+                            entry("Contact", "Gap", "-0.01");
+  const Measured one_cell = measure(block, levels(0, 0));
+  table.add("one cell, one patch", one_cell);
+  checks.that("one cell: certified", one_cell.is_certified());
+  // Plane strain, E = 1, nu = 0.3, sides free: the bottom moves up by 0.01 as a whole, P = -F/C.
+  checks.that("one cell: it presses", one_cell.finest().max_pressure > 0.01);
+  const Measured one_patch = measure(block, {"Discretization/Patch ratio=100"});
+  table.add("one patch, 64 x 64 cells", one_patch);
+  checks.that("one patch: certified", one_patch.is_certified());
+  checks.that("one patch: it is one", one_patch.finest().multipliers == 1);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  aspect(checks);
+  distortion(checks);
+  smallest(checks);
+  return checks.exit_code();
+}
