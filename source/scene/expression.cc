@@ -106,6 +106,19 @@ std::string rewrite_powers(const std::string &text)
   return rewritten;
 }
 
+/** muParser's message without its full stop, with at most a part of a long token. */
+std::string reason_of(const mu::ParserError &error)
+{
+  std::string reason = error.GetMsg();
+  const std::string token = error.GetToken();
+  const auto found = token.empty() ? std::string::npos : reason.find('"' + token + '"');
+  if (found != std::string::npos)
+    reason.replace(found + 1, token.size(), shorten(trim(token)));
+  while (!reason.empty() && reason.back() == '.')
+    reason.pop_back();
+  return reason;
+}
+
 void define_powers(mu::Parser &parser)
 {
   parser.DefinePostfixOprt(square_operator, square);
@@ -118,7 +131,7 @@ bool is_taken(const std::string &name)
   mu::Parser parser;
   define_functions(parser);
   return name == "x" || name == "y" || name == "z" || name == "pi" ||
-         parser.GetFunDef().count(name) > 0;
+         parser.GetFunDef().count(name) > 0 || parser.GetConst().count(name) > 0;
 }
 
 bool is_name(const std::string &text)
@@ -208,7 +221,8 @@ Expression<dim>::Expression(const std::string &text,
 {
   const std::string misuse = find_misuse(text_);
   if (!misuse.empty())
-    throw InputError(where_ + ": the expression '" + text_ + "' cannot be used: " + misuse + ".");
+    throw InputError(where_ + ": the expression " + quote(text_) + " cannot be used: " + misuse +
+                     ".");
   try
   {
     Parser parser(text_, constants_, false);
@@ -219,11 +233,8 @@ Expression<dim>::Expression(const std::string &text,
   }
   catch (const mu::ParserError &error)
   {
-    std::string reason = error.GetMsg();
-    while (!reason.empty() && reason.back() == '.')
-      reason.pop_back();
-    throw InputError(where_ + ": the expression '" + text_ + "' cannot be parsed: " + reason +
-                     "; allowed: a formula in x, y, the constants and pi.");
+    throw InputError(where_ + ": the expression " + quote(text_) + " cannot be parsed: " +
+                     reason_of(error) + "; allowed: a formula in x, y, the constants and pi.");
   }
 }
 
@@ -274,17 +285,17 @@ Constants read_constants(const std::string &text, const std::string &where)
     const auto equals = part.find('=');
     const std::string name = trim(part.substr(0, equals));
     if (equals == std::string::npos || !is_name(name))
-      throw InputError(where + ": found '" + part +
-                       "', allowed: name=number, separated by commas.");
+      throw InputError(where + ": found " + quote(part) +
+                       ", allowed: name=number, separated by commas.");
     if (is_taken(name) || constants.count(name) > 0)
-      throw InputError(where + ": the name '" + name +
-                       "' is taken; x, y, z, pi and the functions are known, and a constant is set "
+      throw InputError(where + ": the name " + quote(name) +
+                       " is taken; x, y, z, pi and the functions are known, and a constant is set "
                        "once.");
     const Expression<1> value(part.substr(equals + 1), constants, where);
     const double number = value(dealii::Point<1>(0.));
     if (!value.is_constant() || !std::isfinite(number))
-      throw InputError(where + ": the value of '" + name + "' must be a finite number, found '" +
-                       value.text() + "'.");
+      throw InputError(where + ": the value of " + quote(name) +
+                       " must be a finite number, found " + quote(value.text()) + ".");
     constants[name] = number;
   }
   return constants;

@@ -18,6 +18,8 @@ struct Geometry
 {
   /** The boundary; the faces of sides[i] carry i as their boundary id in the coarse mesh. */
   std::vector<Side<dim>> sides;
+  /** The number of cells on level 0. */
+  double n_coarse_cells = 1.;
   /** Makes the coarse mesh (level 0), with the manifolds of a curved body. */
   std::function<void(dealii::Triangulation<dim> &)> make_coarse_mesh;
   /** Whether cells are curved. */
