@@ -34,7 +34,7 @@ public:
     const std::string keyword = line.substr(0, blank);
     const std::string rest = blank == std::string::npos ? "" : trim(line.substr(blank));
     if (keyword == "subsection" && !rest.empty())
-      sections_.push_back({rest, place_, true});
+      enter_section(rest);
     else if (keyword == "end" && rest.empty())
       leave_section();
     else if (keyword == "set" && rest.find('=') != std::string::npos && rest[0] != '=')
@@ -59,6 +59,15 @@ private:
     std::string place;
     bool is_empty;
   };
+
+  void enter_section(const std::string &name)
+  {
+    if (!known_sections_.empty() && !sections_.empty())
+      throw InputError(place_ + ": found the subsection " + quote(name) + " inside of " +
+                       quote(sections_.back().name) + " (" + sections_.back().place +
+                       "), allowed: one after the other, each closed by 'end'.");
+    sections_.push_back({name, place_, true});
+  }
 
   void leave_section()
   {

@@ -8,22 +8,17 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/thread_local_storage.h>
 
-#include <muParser.h>
-
 #include <array>
 #include <cctype>
 #include <cmath>
+
+#include "formulas.h"
 
 namespace Signorini
 {
 namespace
 {
 constexpr std::array<const char *, 3> coordinate_names = {{"x", "y", "z"}};
-
-double choose(const double condition, const double then_value, const double else_value)
-{
-  return condition != 0. ? then_value : else_value;
-}
 
 /**
  * muParser takes `1, 2` for 2 and `x = 3` for an assignment; neither can be meant.
@@ -47,65 +42,6 @@ std::string find_misuse(const std::string &text)
   return trim(text).empty() ? "it is empty" : "";
 }
 
-/** The functions that muParser lacks. */
-void define_functions(mu::Parser &parser)
-{
-  parser.DefineFun("floor", static_cast<double (*)(double)>(std::floor));
-  parser.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
-  parser.DefineFun("pow", static_cast<double (*)(double, double)>(std::pow));
-  parser.DefineFun("erf", static_cast<double (*)(double)>(std::erf));
-  parser.DefineFun("erfc", static_cast<double (*)(double)>(std::erfc));
-  parser.DefineFun("if", choose);
-}
-
-double square(const double x)
-{
-  return x * x;
-}
-
-double cube(const double x)
-{
-  return x * x * x;
-}
-
-constexpr const char *square_operator = "'";
-constexpr const char *cube_operator = "~";
-
-/**
- * Writes (...)^2 and (...)^3 with operators of our own behind the bracket: muParser multiplies out
- * the powers of a plain coordinate only and takes the library's pow for all else, which costs more
- * than the rest of a typical formula. Expects a formula that muParser accepts.
- */
-std::string rewrite_powers(const std::string &text)
-{
-  const auto next = [&](std::size_t i) {
-    while (i < text.size() && std::isspace(static_cast<unsigned char>(text[i])) != 0)
-      ++i;
-    return i;
-  };
-  std::string rewritten;
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
-    rewritten += text[i];
-    const std::size_t caret = next(i + 1);
-    if (text[i] != ')' || caret >= text.size() || text[caret] != '^')
-      continue;
-    const std::size_t digit = next(caret + 1), end = digit + 1;
-    if (digit >= text.size() || (text[digit] != '2' && text[digit] != '3'))
-      continue;
-    // Not the beginning of a longer number, nor of a tower a^2^b = a^(2^b).
-    const std::size_t follower = next(end);
-    const bool is_number =
-      end < text.size() &&
-      (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '.');
-    if (is_number || (follower < text.size() && text[follower] == '^'))
-      continue;
-    rewritten += text[digit] == '2' ? square_operator : cube_operator;
-    i = digit;
-  }
-  return rewritten;
-}
-
 /** muParser's message without its full stop, with at most a part of a long token. */
 std::string reason_of(const mu::ParserError &error)
 {
@@ -117,12 +53,6 @@ std::string reason_of(const mu::ParserError &error)
   while (!reason.empty() && reason.back() == '.')
     reason.pop_back();
   return reason;
-}
-
-void define_powers(mu::Parser &parser)
-{
-  parser.DefinePostfixOprt(square_operator, square);
-  parser.DefinePostfixOprt(cube_operator, cube);
 }
 
 /** Whether a constant cannot have this name because formulas know it already. */
@@ -222,7 +152,7 @@ Expression<dim>::Expression(const std::string &text,
   const std::string misuse = find_misuse(text_);
   if (!misuse.empty())
     throw InputError(where_ + ": the expression " + quote(text_) + " cannot be used: " + misuse +
-                     ".");
+                     "; allowed: a formula in x, y, the constants and pi.");
   try
   {
     Parser parser(text_, constants_, false);

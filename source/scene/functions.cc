@@ -6,6 +6,8 @@
 #include <signorini/scene/functions.h>
 #include <signorini/scene/magnitudes.h>
 
+#include <deal.II/lac/vector.h>
+
 #include <array>
 #include <cmath>
 #include <sstream>

@@ -8,6 +8,7 @@
 
 #include <deal.II/grid/grid_generator.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -109,6 +110,13 @@ Geometry<2> read_polygon(const Parameters &parameters)
     vertices.emplace_back(xy[0], xy[1]);
   }
   check_coordinates(vertices, where);
+  const bool is_tiny = std::all_of(vertices.begin(), vertices.end(), [](const auto &x) {
+    return std::abs(x[0]) < smallest_magnitude && std::abs(x[1]) < smallest_magnitude;
+  });
+  if (is_tiny && vertices.size() > 2)
+    throw InputError(where + ": found coordinates that are all below " +
+                     number_text(smallest_magnitude) +
+                     ", allowed: the corners of a convex polygon; take other units.");
   check_convexity(vertices, where);
   return make_polygon(vertices);
 }

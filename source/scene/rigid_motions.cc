@@ -3,6 +3,7 @@
 
 #include <signorini/scene/rigid_motions.h>
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <cmath>

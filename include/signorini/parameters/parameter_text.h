@@ -27,9 +27,9 @@ struct Assignment
  * Understood are `subsection NAME`, `end`, `set NAME = VALUE`, comments from `#` to the end of the
  * line, continuation lines (a backslash at the end; lines of comment may stand between them),
  * the line ends of all systems and a byte-order mark.
- * Throws InputError for anything else, for control characters, unbalanced subsections, an entry set
- * twice, and for a subsection without entries that is not one of @p known_sections (if there are
- * any; wrong names of others show in their entries).
+ * Throws InputError for anything else, for control characters, unbalanced subsections and an entry
+ * set twice; with @p known_sections also for a subsection inside of another, and for one without
+ * entries that is not among them (wrong names of others show in their entries).
  */
 std::vector<Assignment> scan_parameter_text(const std::string &text,
                                             const std::string &file_name,
