@@ -5,7 +5,6 @@
 
 #include <signorini/parameters/exceptions.h>
 #include <signorini/parameters/parameters.h>
-#include <signorini/parameters/threads.h>
 #include <signorini/scene/catalogue.h>
 
 #include <deal.II/base/config.h>
@@ -116,7 +115,6 @@ CommandLine read_command_line(const int argc, char **argv)
   if (!command_line.text.empty())
     return command_line;
 
-  check_thread_limit();
   if (values.count("scene") == 0)
     throw InputError("command line: no parameter file is given, allowed: signorini [options] "
                      "SCENE.prm (see --help).");

@@ -15,10 +15,6 @@ namespace Signorini
  */
 unsigned int number_of_threads(MPI_Comm communicator);
 
-/** @throws InputError if DEAL_II_NUM_THREADS is set to anything but a number from 1 to 1024:
- * deal.II, which reads it when MPI is started, would end the program. */
-void check_thread_limit();
-
 /**
  * consume(produce(i)) for i = 0, ..., n - 1: @p produce on @p n_threads threads at once, @p consume
  * on this one and in order, so that sums have the same digits for any number of threads.
