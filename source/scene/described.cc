@@ -34,6 +34,7 @@ public:
                        " component(s) in " + quote(text) + ", allowed: " + std::to_string(n) +
                        (n == 1 ? " expression." : " expressions separated by ';'."));
     std::vector<Expression<2>> expressions;
+    expressions.reserve(n);
     for (const std::string &part : parts)
       expressions.emplace_back(part, constants_, parameters_.where(path));
     return expressions;

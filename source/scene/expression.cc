@@ -46,7 +46,7 @@ std::string find_misuse(const std::string &text)
 std::string reason_of(const mu::ParserError &error)
 {
   std::string reason = error.GetMsg();
-  const std::string token = error.GetToken();
+  const std::string &token = error.GetToken();
   const auto found = token.empty() ? std::string::npos : reason.find('"' + token + '"');
   if (found != std::string::npos)
     reason.replace(found + 1, token.size(), shorten(trim(token)));

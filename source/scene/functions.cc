@@ -41,8 +41,8 @@ void ExpressionFunction<dim>::check(const double value,
   if (h_ > 0. || std::abs(value) <= largest_magnitude)
     return;
   std::ostringstream message;
-  message << values_[component].where() << ": component " << component + 1 << " has the value "
-          << number_text(value) << " at (" << x << "), allowed: values up to "
+  message << values_[component].where() << ": found the value " << number_text(value)
+          << " of component " << component + 1 << " at (" << x << "), allowed: values up to "
           << number_text(largest_magnitude) << " on the whole body.";
   throw InputError(message.str());
 }

@@ -75,7 +75,7 @@ refuse no 'pipe.prm: this is a device or a pipe, allowed: a file of text on a di
 refuse no 'large.prm: this file has 2000000 bytes, allowed: at most 1000000.' large.prm
 refuse no "two?lines.prm:6: Load/Body force: found 1 component(s) in '0', allowed: 2 expressions separated by ';'." \
   $'two\nlines.prm'
-refuse no "Contact/Gap: component 1 has the value nan at (0.0001 0), allowed: values up to 1e+30 on the whole body." \
+refuse no "Contact/Gap: found the value nan of component 1 at (0.0001 0), allowed: values up to 1e+30 on the whole body." \
   good.prm --set Contact/Gap=0/0
 for threads in abc 0 -3 1.5 100000 ''; do
   export DEAL_II_NUM_THREADS=$threads
