@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <boost/serialization/utility.hpp>
+
 #include <string>
 
 namespace Signorini

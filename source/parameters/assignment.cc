@@ -77,7 +77,7 @@ bool Declarations::assign(const std::string &path,
   }
   catch (const dealii::ExceptionBase &)
   {
-    throw InputError(where + ": found '" + value + "', allowed: " + known->second + ".");
+    throw InputError(where + ": found " + quote(value) + ", allowed: " + known->second + ".");
   }
   if (slash != std::string::npos)
     handler_.leave_subsection();

@@ -227,12 +227,12 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
       "Positions x where the data is not smooth (length): cells and patches crossed by one are "
       "integrated on the pieces.",
       positions,
-      "numbers separated by commas");
+      "at most 1000 numbers separated by commas");
   add("Kinks at y",
       discretization.kinks_at_y,
       "The same for positions y.",
       positions,
-      "numbers separated by commas");
+      "at most 1000 numbers separated by commas");
   leave();
 }
 

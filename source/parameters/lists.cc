@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 
 namespace Signorini
 {
@@ -79,6 +80,35 @@ bool read_numbers(const std::string &text, std::vector<double> &numbers)
     numbers.push_back(number);
   }
   return true;
+}
+
+std::string shorten(const std::string &text)
+{
+  constexpr std::size_t longest = 120, beginning = 80, ending = 30;
+  if (text.size() <= longest)
+    return text;
+  // Not in the middle of a character of UTF-8.
+  const auto is_continued = [&](const std::size_t i) { return (text[i] & 0xC0) == 0x80; };
+  std::size_t first = beginning, last = text.size() - ending;
+  while (first > 0 && is_continued(first))
+    --first;
+  while (last < text.size() && is_continued(last))
+    ++last;
+  return text.substr(0, first) + " ... " + text.substr(last);
+}
+
+std::string quote(const std::string &text)
+{
+  return "'" + shorten(text) + "'";
+}
+
+std::string number_text(const double number)
+{
+  if (std::isnan(number))
+    return "nan";
+  std::ostringstream text;
+  text << number;
+  return text.str();
 }
 
 std::string join(const std::vector<std::string> &words, const std::string &separator)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -20,8 +21,9 @@ namespace
 class Scanner
 {
 public:
-  explicit Scanner(std::string file_name)
+  Scanner(std::string file_name, const std::set<std::string> &known_sections)
     : file_name_(std::move(file_name))
+    , known_sections_(known_sections)
   {
   }
 
@@ -32,60 +34,114 @@ public:
     const std::string keyword = line.substr(0, blank);
     const std::string rest = blank == std::string::npos ? "" : trim(line.substr(blank));
     if (keyword == "subsection" && !rest.empty())
-      sections_.emplace_back(rest, place_);
+      enter_section(rest);
     else if (keyword == "end" && rest.empty())
       leave_section();
-    else if (keyword == "set" && rest.find('=') != std::string::npos)
+    else if (keyword == "set" && rest.find('=') != std::string::npos && rest[0] != '=')
       add(rest);
     else
-      throw InputError(place_ + ": found '" + line +
-                       "', but a line must be 'set Name = value', 'subsection Name' or 'end'.");
+      throw InputError(place_ + ": found " + quote(line) +
+                       ", but a line must be 'set Name = value', 'subsection Name' or 'end'.");
   }
 
   std::vector<Assignment> finish() const
   {
     if (!sections_.empty())
-      throw InputError(sections_.back().second + ": subsection '" + sections_.back().first +
-                       "' is not closed by 'end'.");
+      throw InputError(sections_.back().place + ": subsection " + quote(sections_.back().name) +
+                       " is not closed by 'end'.");
     return assignments_;
   }
 
 private:
+  struct Section
+  {
+    std::string name;
+    std::string place;
+    bool is_empty;
+  };
+
+  void enter_section(const std::string &name)
+  {
+    if (!known_sections_.empty() && !sections_.empty())
+      throw InputError(place_ + ": found the subsection " + quote(name) + " inside of " +
+                       quote(sections_.back().name) + " (" + sections_.back().place +
+                       "), allowed: one after the other, each closed by 'end'.");
+    sections_.push_back({name, place_, true});
+  }
+
   void leave_section()
   {
     if (sections_.empty())
       throw InputError(place_ + ": found 'end' without an open subsection.");
+    const Section &section = sections_.back();
+    if (section.is_empty && !known_sections_.empty() && known_sections_.count(path()) == 0)
+      throw InputError(section.place + ": found the subsection " + quote(section.name) +
+                       ", allowed: " + join({known_sections_.begin(), known_sections_.end()}) +
+                       ".");
     sections_.pop_back();
+  }
+
+  /** The names of the open subsections, joined by '/'. */
+  std::string path() const
+  {
+    std::string joined;
+    for (const Section &section : sections_)
+      joined += (joined.empty() ? "" : "/") + section.name;
+    return joined;
   }
 
   void add(const std::string &text)
   {
     const auto equals = text.find('=');
-    std::string path;
-    for (const auto &section : sections_)
-      path += section.first + "/";
-    path += trim(text.substr(0, equals));
-    const auto earlier = places_.emplace(path, place_);
+    const std::string name = trim(text.substr(0, equals));
+    const std::string full_name = sections_.empty() ? name : path() + "/" + name;
+    for (Section &section : sections_)
+      section.is_empty = false;
+    const auto earlier = places_.emplace(full_name, place_);
     if (!earlier.second)
-      throw InputError(place_ + ": " + path + " was set already at " + earlier.first->second +
-                       "; set every parameter only once.");
-    assignments_.push_back({path, trim(text.substr(equals + 1)), place_});
+      throw InputError(place_ + ": " + shorten(full_name) + " was set already at " +
+                       earlier.first->second + "; set every parameter only once.");
+    assignments_.push_back({full_name, trim(text.substr(equals + 1)), place_});
   }
 
   std::string file_name_;
+  std::set<std::string> known_sections_;
   std::string place_;
-  std::vector<std::pair<std::string, std::string>> sections_;
+  std::vector<Section> sections_;
   std::map<std::string, std::string> places_;
   std::vector<Assignment> assignments_;
 };
+
+/** Without a byte-order mark, and with the line ends of Unix. */
+std::string with_plain_line_ends(const std::string &text)
+{
+  const std::string byte_order_mark = "\xEF\xBB\xBF";
+  const bool is_marked = text.compare(0, byte_order_mark.size(), byte_order_mark) == 0;
+  std::string plain;
+  plain.reserve(text.size());
+  for (std::size_t i = is_marked ? byte_order_mark.size() : 0; i < text.size(); ++i)
+    if (text[i] != '\r')
+      plain += text[i];
+    else if (i + 1 == text.size() || text[i + 1] != '\n')
+      plain += '\n';
+  return plain;
+}
+
+void refuse_control_characters(const std::string &line, const std::string &place)
+{
+  for (const char c : line)
+    if (std::iscntrl(static_cast<unsigned char>(c)) != 0 && c != '\t')
+      throw InputError(place + ": found the control character number " +
+                       std::to_string(static_cast<unsigned char>(c)) + ", allowed: plain text.");
+}
 } // namespace
 
-std::vector<Assignment> scan_parameter_text(const std::string &text, const std::string &file_name)
+std::vector<Assignment> scan_parameter_text(const std::string &text,
+                                            const std::string &file_name,
+                                            const std::set<std::string> &known_sections)
 {
-  Scanner scanner(file_name);
-  const std::string byte_order_mark = "\xEF\xBB\xBF";
-  std::istringstream stream(
-    text.compare(0, byte_order_mark.size(), byte_order_mark) == 0 ? text.substr(3) : text);
+  Scanner scanner(file_name, known_sections);
+  std::istringstream stream(with_plain_line_ends(text));
   std::string line;
   std::string logical_line;
   unsigned int number = 0;
@@ -93,6 +149,7 @@ std::vector<Assignment> scan_parameter_text(const std::string &text, const std::
   while (std::getline(stream, line))
   {
     ++number;
+    refuse_control_characters(line, file_name + ":" + std::to_string(number));
     const auto comment = line.find('#');
     line = trim(line.substr(0, comment));
     // A line that is nothing but a comment may stand between the parts of a continued line.
@@ -122,16 +179,27 @@ Assignment scan_override(const std::string &argument)
     line.begin(), line.end(), [](const unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
   const auto equals = line.find('=');
   if (equals == std::string::npos || trim(line.substr(0, equals)).empty())
-    throw InputError("--set: found '" + line + "', but 'Subsection/Parameter=value' is expected.");
+    throw InputError("--set: found " + quote(line) +
+                     ", but 'Subsection/Parameter=value' is expected.");
   return {trim(line.substr(0, equals)), trim(line.substr(equals + 1)), "--set"};
 }
 
 std::string read_text_file(const std::string &file_name)
 {
-  std::error_code ignored;
+  constexpr std::uintmax_t largest = 1000000;
+  std::error_code error;
+  const auto status = std::filesystem::status(file_name, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
+      !std::filesystem::is_directory(status))
+    throw InputError(shorten(file_name) +
+                     ": this is a device or a pipe, allowed: a file of text on a disk.");
+  const std::uintmax_t size = std::filesystem::file_size(file_name, error);
+  if (!error && size > largest)
+    throw InputError(shorten(file_name) + ": this file has " + std::to_string(size) +
+                     " bytes, allowed: at most " + std::to_string(largest) + ".");
   std::ifstream file(file_name, std::ios::binary);
-  if (!file || std::filesystem::is_directory(file_name, ignored))
-    throw InputError(file_name + ": this parameter file cannot be read.");
+  if (!file || !std::filesystem::is_regular_file(status))
+    throw InputError(shorten(file_name) + ": this parameter file cannot be read.");
   std::ostringstream text;
   text << file.rdbuf();
   if (text.str().find('\0') != std::string::npos)

@@ -21,13 +21,31 @@ void check(const Parameters &parameters)
                      std::to_string(discretization.finest_level) +
                      "', allowed: an integer not below Discretization/Coarsest level = " +
                      std::to_string(discretization.coarsest_level) + ".");
+  if (parameters.changed("Discretization/Patches") && discretization.patches > 0 &&
+      parameters.changed("Discretization/Patch ratio"))
+    throw InputError(parameters.where("Discretization/Patches") + ": found '" +
+                     std::to_string(discretization.patches) + "' beside Patch ratio = " +
+                     std::to_string(discretization.patch_ratio) + ", allowed: one of them.");
+  if (parameters.output.lemmas && !parameters.output.errors)
+    throw InputError(parameters.where("Output/Lemmas") +
+                     ": found 'true' beside Output/Errors = false, allowed: both, or false.");
+}
+
+/** The subsections that are declared. */
+std::set<std::string> known_sections(const Declarations &declarations)
+{
+  std::set<std::string> sections;
+  for (const Assignment &entry : scan_parameter_text(declarations.print(false), ""))
+    if (entry.path.find('/') != std::string::npos)
+      sections.insert(entry.path.substr(0, entry.path.find('/')));
+  return sections;
 }
 } // namespace
 
 std::string Parameters::where(const std::string &path) const
 {
   const auto place = places.find(path);
-  return (place == places.end() ? file_name : place->second) + ": " + path;
+  return (place == places.end() ? file_name : place->second) + ": " + shorten(path);
 }
 
 bool Parameters::changed(const std::string &path) const
@@ -42,7 +60,8 @@ Parameters parse_parameters(const std::string &text,
   Parameters parameters;
   parameters.file_name = file_name;
   Declarations declarations(parameters);
-  std::vector<Assignment> assignments = scan_parameter_text(text, file_name);
+  std::vector<Assignment> assignments =
+    scan_parameter_text(text, file_name, known_sections(declarations));
   for (const std::string &argument : overrides)
     assignments.push_back(scan_override(argument));
   for (const Assignment &assignment : assignments)

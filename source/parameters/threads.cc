@@ -11,7 +11,6 @@ namespace Signorini
 {
 unsigned int number_of_threads(MPI_Comm communicator)
 {
-  // deal.II reads the same variable, and refuses what is not a number.
   if (const char *const given = std::getenv("DEAL_II_NUM_THREADS"))
     return static_cast<unsigned int>(std::max(1L, std::strtol(given, nullptr, 10)));
   int n_ranks = 1;

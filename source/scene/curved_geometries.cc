@@ -17,6 +17,7 @@ Geometry<2> make_ring(const double inner_radius, const double outer_radius)
 {
   Geometry<2> geometry;
   geometry.curved = true;
+  geometry.n_coarse_cells = 8.;
   geometry.lower = Point(-outer_radius, -outer_radius);
   geometry.upper = Point(outer_radius, outer_radius);
   // The order is that of colorize = true.
@@ -33,6 +34,7 @@ Geometry<2> make_half_disc(const double radius)
 {
   Geometry<2> geometry;
   geometry.curved = true;
+  geometry.n_coarse_cells = 4.;
   geometry.lower = Point(-radius, -radius);
   geometry.upper = Point(radius, 0.);
   geometry.sides = {Side<2>("flat", Point(-radius, 0.), Point(radius, 0.), Point(0., 1.)),

@@ -6,11 +6,7 @@
 #include <signorini/scene/described.h>
 #include <signorini/scene/functions.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
-#include <cmath>
-#include <sstream>
-
+#include "described_checks.h"
 #include "side_lists.h"
 
 namespace Signorini
@@ -35,9 +31,10 @@ public:
     const std::vector<std::string> parts = split_list(text, ';');
     if (parts.size() != n)
       throw InputError(parameters_.where(path) + ": found " + std::to_string(parts.size()) +
-                       " component(s) in '" + text + "', allowed: " + std::to_string(n) +
+                       " component(s) in " + quote(text) + ", allowed: " + std::to_string(n) +
                        (n == 1 ? " expression." : " expressions separated by ';'."));
     std::vector<Expression<2>> expressions;
+    expressions.reserve(n);
     for (const std::string &part : parts)
       expressions.emplace_back(part, constants_, parameters_.where(path));
     return expressions;
@@ -48,12 +45,12 @@ public:
     return components(text, 1, path).front();
   }
 
+  /** Data of the problem. */
   FunctionPointer<2> function(const std::string &text,
                               const unsigned int n,
                               const std::string &path) const
   {
-    return std::make_shared<ExpressionFunction<2>>(
-      components(text, n, path), std::vector<Expression<2>>(), 1e-8);
+    return std::make_shared<ExpressionFunction<2>>(components(text, n, path));
   }
 
 private:
@@ -61,29 +58,41 @@ private:
   Constants constants_;
 };
 
-/** A point inside of the body. */
-dealii::Point<2> inner_point(const Geometry<2> &geometry)
+/** Entries that a law does not use contradict it. */
+void refuse_foreign_moduli(const Parameters &parameters)
 {
-  dealii::Point<2> inside;
-  for (const Side<2> &side : geometry.sides)
-    inside += side.point(0.5 * side.length()) / static_cast<double>(geometry.sides.size());
-  return inside;
+  const std::string &law = parameters.material.law;
+  const std::vector<std::pair<const char *, const char *>> laws_of_entries = {
+    {"Material/Young's modulus", "isotropic"},
+    {"Material/Poisson's ratio", "isotropic"},
+    {"Material/Plane state", "isotropic"},
+    {"Material/Hooke tensor", "general"},
+    {"Material/Orthotropic moduli", "orthotropic"},
+    {"Material/Orientation", "orthotropic"}};
+  for (const auto &entry : laws_of_entries)
+    if (entry.second != law && parameters.changed(entry.first))
+      throw InputError(parameters.where(entry.first) + ": this entry belongs to Law = " +
+                       entry.second + ", found Law = " + law + ".");
 }
 
 std::shared_ptr<const Material<2>> read_material(const Parameters &parameters,
                                                  const SceneReader &reader,
-                                                 const dealii::Point<2> &reference)
+                                                 const Geometry<2> &geometry)
 {
   const MaterialParameters &given = parameters.material;
-  if (given.law == "general")
-    return make_general(reader.components(given.hooke_tensor, 6, "Material/Hooke tensor"),
-                        reference);
-  if (given.law == "orthotropic")
-    return make_orthotropic(
-      reader.components(given.orthotropic_moduli, 4, "Material/Orthotropic moduli"),
-      given.orientation,
-      reference);
-  return make_isotropic<2>(reader.scalar(given.youngs_modulus, "Material/Young's modulus"),
+  refuse_foreign_moduli(parameters);
+  const bool is_general = given.law == "general", is_orthotropic = given.law == "orthotropic";
+  const std::vector<Expression<2>> moduli =
+    is_general       ? reader.components(given.hooke_tensor, 6, "Material/Hooke tensor")
+    : is_orthotropic ? reader.components(given.orthotropic_moduli, 4, "Material/Orthotropic moduli")
+                     : reader.components(given.youngs_modulus, 1, "Material/Young's modulus");
+  check_moduli(moduli, geometry);
+  const dealii::Point<2> reference = geometry.inner_point();
+  if (is_general)
+    return make_general(moduli, reference);
+  if (is_orthotropic)
+    return make_orthotropic(moduli, given.orientation, reference);
+  return make_isotropic<2>(moduli[0],
                            reader.scalar(given.poissons_ratio, "Material/Poisson's ratio"),
                            given.plane_state == "stress" ? PlaneState::stress : PlaneState::strain,
                            reference);
@@ -101,8 +110,8 @@ void assign_roles(const Parameters &parameters,
   {
     const std::size_t side = scene.geometry.find_side(name);
     if (side == scene.geometry.sides.size())
-      throw InputError(parameters.where(path) + ": found the side '" + name +
-                       "', allowed: " + join(scene.geometry.side_names()) + ".");
+      throw InputError(parameters.where(path) + ": found the side " + quote(name) +
+                       ", allowed: " + join(scene.geometry.side_names()) + ".");
     if (!role_names[side].empty())
       throw InputError(parameters.where(path) + ": the side '" + name + "' is listed in " +
                        role_names[side] + " already; every side has exactly one role.");
@@ -155,14 +164,10 @@ void read_contact_data(const Parameters &parameters, const SceneReader &reader, 
     return;
   for (const auto &pressure : per_side("Exact solution/Pressure", parameters.exact.pressure))
     scene.boundary[scene.geometry.find_side(pressure.first)].exact_pressure =
-      reader.function(pressure.second, 1, "Exact solution/Pressure");
-}
-
-/** The shorter edge of the box around the body: differences of slender bodies must not leave them
- * far behind. */
-double shortest_extent(const Geometry<2> &geometry)
-{
-  return std::min(geometry.upper[0] - geometry.lower[0], geometry.upper[1] - geometry.lower[1]);
+      std::make_shared<ExpressionFunction<2>>(
+        reader.components(pressure.second, 1, "Exact solution/Pressure"),
+        std::vector<Expression<2>>(),
+        1e-4 * scene.geometry.shortest_extent());
 }
 
 void read_exact_displacement(const Parameters &parameters,
@@ -184,86 +189,8 @@ void read_exact_displacement(const Parameters &parameters,
   scene.exact_displacement = std::make_shared<ExpressionFunction<2>>(
     reader.components(given.displacement, 2, "Exact solution/Displacement"),
     gradients,
-    1e-4 * shortest_extent(scene.geometry));
-}
-
-/** Points where every expression must have a value: Gauss points, as the integrals use them. */
-std::vector<dealii::Point<2>> sample_body(const Geometry<2> &geometry)
-{
-  const dealii::Point<2> inside = inner_point(geometry);
-  const dealii::QGauss<1> gauss(3);
-  std::vector<dealii::Point<2>> points;
-  for (const Side<2> &side : geometry.sides)
-    for (const dealii::Point<1> &q : gauss.get_points())
-      for (const dealii::Point<1> &r : gauss.get_points())
-        points.push_back(inside + r[0] * (side.point(q[0] * side.length()) - inside));
-  return points;
-}
-
-std::vector<dealii::Point<2>> sample_side(const Side<2> &side)
-{
-  const dealii::QGauss<1> gauss(7);
-  std::vector<dealii::Point<2>> points;
-  for (const dealii::Point<1> &q : gauss.get_points())
-    points.push_back(side.point(q[0] * side.length()));
-  return points;
-}
-
-void check_finite(const FunctionPointer<2> &function,
-                  const std::vector<dealii::Point<2>> &points,
-                  const std::string &where)
-{
-  if (function == nullptr)
-    return;
-  for (const dealii::Point<2> &x : points)
-    for (unsigned int c = 0; c < function->n_components; ++c)
-      if (!std::isfinite(function->value(x, c)))
-      {
-        std::ostringstream message;
-        message << where << ": component " << c + 1 << " has the value " << function->value(x, c)
-                << " at (" << x << "), allowed: finite values on the whole body.";
-        throw InputError(message.str());
-      }
-}
-
-/** A gradient that is given by expressions; differences may leave the body. */
-void check_gradient(const Parameters &parameters,
-                    const Scene<2> &scene,
-                    const std::vector<dealii::Point<2>> &points)
-{
-  if (parameters.exact.displacement_gradient.empty())
-    return;
-  for (const dealii::Point<2> &x : points)
-    for (unsigned int c = 0; c < 2; ++c)
-      if (!std::isfinite(scene.exact_displacement->gradient(x, c).norm()))
-      {
-        std::ostringstream message;
-        message << parameters.where("Exact solution/Displacement gradient")
-                << ": the gradient of component " << c + 1 << " has no value at (" << x
-                << "), allowed: finite values on the whole body.";
-        throw InputError(message.str());
-      }
-}
-
-/** Evaluates everything once where the integrals will, so that nonsense is found before work. */
-void check_values(const Parameters &parameters, const Scene<2> &scene)
-{
-  const auto body = sample_body(scene.geometry);
-  for (const dealii::Point<2> &x : body)
-    scene.material->hooke(x);
-  check_finite(scene.body_force, body, parameters.where("Load/Body force"));
-  check_finite(scene.exact_displacement, body, parameters.where("Exact solution/Displacement"));
-  check_gradient(parameters, scene, body);
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-  {
-    const BoundaryCondition<2> &condition = scene.boundary[i];
-    const char *path = condition.role == Role::contact        ? "Contact/Gap"
-                       : condition.role == Role::displacement ? "Boundary/Displacement"
-                                                              : "Boundary/Traction";
-    const auto points = sample_side(scene.geometry.sides[i]);
-    check_finite(condition.data, points, parameters.where(path));
-    check_finite(condition.exact_pressure, points, parameters.where("Exact solution/Pressure"));
-  }
+    // Differences of slender bodies must not leave them far behind.
+    1e-4 * scene.geometry.shortest_extent());
 }
 
 /** Zero body forces need no volume integrals. */
@@ -283,13 +210,13 @@ Scene<2> make_described_scene(const Parameters &parameters)
   scene.name = "described";
   scene.title = "described by expressions";
   scene.geometry = make_geometry(parameters);
-  scene.material = read_material(parameters, reader, inner_point(scene.geometry));
+  scene.material = read_material(parameters, reader, scene.geometry);
   read_boundary(parameters, reader, scene);
   read_contact_data(parameters, reader, scene);
   if (!is_zero(reader.components(parameters.load.body_force, 2, "Load/Body force")))
     scene.body_force = reader.function(parameters.load.body_force, 2, "Load/Body force");
   read_exact_displacement(parameters, reader, scene);
-  check_values(parameters, scene);
+  check_described_scene(parameters, scene);
   return scene;
 }
 } // namespace Signorini

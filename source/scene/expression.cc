@@ -8,22 +8,17 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/thread_local_storage.h>
 
-#include <muParser.h>
-
 #include <array>
 #include <cctype>
 #include <cmath>
+
+#include "formulas.h"
 
 namespace Signorini
 {
 namespace
 {
 constexpr std::array<const char *, 3> coordinate_names = {{"x", "y", "z"}};
-
-double choose(const double condition, const double then_value, const double else_value)
-{
-  return condition != 0. ? then_value : else_value;
-}
 
 /**
  * muParser takes `1, 2` for 2 and `x = 3` for an assignment; neither can be meant.
@@ -47,69 +42,17 @@ std::string find_misuse(const std::string &text)
   return trim(text).empty() ? "it is empty" : "";
 }
 
-/** The functions that muParser lacks. */
-void define_functions(mu::Parser &parser)
+/** muParser's message without its full stop, with at most a part of a long token. */
+std::string reason_of(const mu::ParserError &error)
 {
-  parser.DefineFun("floor", static_cast<double (*)(double)>(std::floor));
-  parser.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
-  parser.DefineFun("pow", static_cast<double (*)(double, double)>(std::pow));
-  parser.DefineFun("erf", static_cast<double (*)(double)>(std::erf));
-  parser.DefineFun("erfc", static_cast<double (*)(double)>(std::erfc));
-  parser.DefineFun("if", choose);
-}
-
-double square(const double x)
-{
-  return x * x;
-}
-
-double cube(const double x)
-{
-  return x * x * x;
-}
-
-constexpr const char *square_operator = "'";
-constexpr const char *cube_operator = "~";
-
-/**
- * Writes (...)^2 and (...)^3 with operators of our own behind the bracket: muParser multiplies out
- * the powers of a plain coordinate only and takes the library's pow for all else, which costs more
- * than the rest of a typical formula. Expects a formula that muParser accepts.
- */
-std::string rewrite_powers(const std::string &text)
-{
-  const auto next = [&](std::size_t i) {
-    while (i < text.size() && std::isspace(static_cast<unsigned char>(text[i])) != 0)
-      ++i;
-    return i;
-  };
-  std::string rewritten;
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
-    rewritten += text[i];
-    const std::size_t caret = next(i + 1);
-    if (text[i] != ')' || caret >= text.size() || text[caret] != '^')
-      continue;
-    const std::size_t digit = next(caret + 1), end = digit + 1;
-    if (digit >= text.size() || (text[digit] != '2' && text[digit] != '3'))
-      continue;
-    // Not the beginning of a longer number, nor of a tower a^2^b = a^(2^b).
-    const std::size_t follower = next(end);
-    const bool is_number =
-      end < text.size() &&
-      (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '.');
-    if (is_number || (follower < text.size() && text[follower] == '^'))
-      continue;
-    rewritten += text[digit] == '2' ? square_operator : cube_operator;
-    i = digit;
-  }
-  return rewritten;
-}
-
-void define_powers(mu::Parser &parser)
-{
-  parser.DefinePostfixOprt(square_operator, square);
-  parser.DefinePostfixOprt(cube_operator, cube);
+  std::string reason = error.GetMsg();
+  const std::string &token = error.GetToken();
+  const auto found = token.empty() ? std::string::npos : reason.find('"' + token + '"');
+  if (found != std::string::npos)
+    reason.replace(found + 1, token.size(), shorten(trim(token)));
+  while (!reason.empty() && reason.back() == '.')
+    reason.pop_back();
+  return reason;
 }
 
 /** Whether a constant cannot have this name because formulas know it already. */
@@ -118,7 +61,7 @@ bool is_taken(const std::string &name)
   mu::Parser parser;
   define_functions(parser);
   return name == "x" || name == "y" || name == "z" || name == "pi" ||
-         parser.GetFunDef().count(name) > 0;
+         parser.GetFunDef().count(name) > 0 || parser.GetConst().count(name) > 0;
 }
 
 bool is_name(const std::string &text)
@@ -208,7 +151,8 @@ Expression<dim>::Expression(const std::string &text,
 {
   const std::string misuse = find_misuse(text_);
   if (!misuse.empty())
-    throw InputError(where_ + ": the expression '" + text_ + "' cannot be used: " + misuse + ".");
+    throw InputError(where_ + ": the expression " + quote(text_) + " cannot be used: " + misuse +
+                     "; allowed: a formula in x, y, the constants and pi.");
   try
   {
     Parser parser(text_, constants_, false);
@@ -219,11 +163,8 @@ Expression<dim>::Expression(const std::string &text,
   }
   catch (const mu::ParserError &error)
   {
-    std::string reason = error.GetMsg();
-    while (!reason.empty() && reason.back() == '.')
-      reason.pop_back();
-    throw InputError(where_ + ": the expression '" + text_ + "' cannot be parsed: " + reason +
-                     "; allowed: a formula in x, y, the constants and pi.");
+    throw InputError(where_ + ": the expression " + quote(text_) + " cannot be parsed: " +
+                     reason_of(error) + "; allowed: a formula in x, y, the constants and pi.");
   }
 }
 
@@ -274,17 +215,17 @@ Constants read_constants(const std::string &text, const std::string &where)
     const auto equals = part.find('=');
     const std::string name = trim(part.substr(0, equals));
     if (equals == std::string::npos || !is_name(name))
-      throw InputError(where + ": found '" + part +
-                       "', allowed: name=number, separated by commas.");
+      throw InputError(where + ": found " + quote(part) +
+                       ", allowed: name=number, separated by commas.");
     if (is_taken(name) || constants.count(name) > 0)
-      throw InputError(where + ": the name '" + name +
-                       "' is taken; x, y, z, pi and the functions are known, and a constant is set "
+      throw InputError(where + ": the name " + quote(name) +
+                       " is taken; x, y, z, pi and the functions are known, and a constant is set "
                        "once.");
     const Expression<1> value(part.substr(equals + 1), constants, where);
     const double number = value(dealii::Point<1>(0.));
     if (!value.is_constant() || !std::isfinite(number))
-      throw InputError(where + ": the value of '" + name + "' must be a finite number, found '" +
-                       value.text() + "'.");
+      throw InputError(where + ": the value of " + quote(name) +
+                       " must be a finite number, found " + quote(value.text()) + ".");
     constants[name] = number;
   }
   return constants;

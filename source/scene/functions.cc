@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Expressions as deal.II functions.
 
+#include <signorini/parameters/exceptions.h>
+#include <signorini/parameters/lists.h>
 #include <signorini/scene/functions.h>
+#include <signorini/scene/magnitudes.h>
+
+#include <deal.II/lac/vector.h>
 
 #include <array>
+#include <cmath>
+#include <sstream>
 
 namespace Signorini
 {
@@ -21,10 +28,32 @@ ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values,
 }
 
 template <int dim>
+ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values)
+  : ExpressionFunction(std::move(values), {}, 0.)
+{
+}
+
+template <int dim>
+void ExpressionFunction<dim>::check(const double value,
+                                    const unsigned int component,
+                                    const dealii::Point<dim> &x) const
+{
+  if (h_ > 0. || std::abs(value) <= largest_magnitude)
+    return;
+  std::ostringstream message;
+  message << values_[component].where() << ": found the value " << number_text(value)
+          << " of component " << component + 1 << " at (" << x << "), allowed: values up to "
+          << number_text(largest_magnitude) << " on the whole body.";
+  throw InputError(message.str());
+}
+
+template <int dim>
 double ExpressionFunction<dim>::value(const dealii::Point<dim> &x,
                                       const unsigned int component) const
 {
-  return values_[component](x);
+  const double value = values_[component](x);
+  check(value, component, x);
+  return value;
 }
 
 template <int dim>
@@ -32,7 +61,7 @@ void ExpressionFunction<dim>::vector_value(const dealii::Point<dim> &x,
                                            dealii::Vector<double> &values) const
 {
   for (unsigned int c = 0; c < values.size(); ++c)
-    values[c] = values_[c](x);
+    values[c] = value(x, c);
 }
 
 template <int dim>
@@ -41,6 +70,8 @@ void ExpressionFunction<dim>::value_list(const Points &points,
                                          const unsigned int component) const
 {
   values_[component].evaluate(points, values);
+  for (std::size_t q = 0; q < points.size(); ++q)
+    check(values[q], component, points[q]);
 }
 
 template <int dim>
@@ -50,7 +81,7 @@ void ExpressionFunction<dim>::vector_value_list(const Points &points,
   std::vector<double> component(points.size());
   for (unsigned int c = 0; c < values_.size(); ++c)
   {
-    values_[c].evaluate(points, component);
+    value_list(points, component, c);
     for (std::size_t q = 0; q < points.size(); ++q)
       values[q][c] = component[q];
   }

@@ -4,9 +4,11 @@
 #include <signorini/parameters/exceptions.h>
 #include <signorini/parameters/lists.h>
 #include <signorini/scene/geometry.h>
+#include <signorini/scene/magnitudes.h>
 
 #include <deal.II/grid/grid_generator.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -31,9 +33,20 @@ std::vector<double> numbers_of(const Parameters &parameters,
 {
   std::vector<double> numbers;
   if (!read_numbers(text, numbers) || numbers.size() != 2)
-    throw InputError(parameters.where(path) + ": found '" + text +
-                     "', allowed: two numbers separated by a comma.");
+    throw InputError(parameters.where(path) + ": found " + quote(text) +
+                     ", allowed: two numbers separated by a comma.");
   return numbers;
+}
+
+/** Beyond, squares of lengths would overflow before the size of the body could be judged. */
+void check_coordinates(const std::vector<dealii::Point<2>> &points, const std::string &where)
+{
+  for (const dealii::Point<2> &x : points)
+    for (unsigned int d = 0; d < 2; ++d)
+      if (!(std::abs(x[d]) <= largest_magnitude))
+        throw InputError(where + ": found the coordinate " + number_text(x[d]) +
+                         ", allowed: coordinates up to " + number_text(largest_magnitude) +
+                         "; take other units.");
 }
 
 Geometry<2> read_rectangle(const Parameters &parameters)
@@ -44,12 +57,14 @@ Geometry<2> read_rectangle(const Parameters &parameters)
   const auto cells = numbers_of(parameters, "Geometry/Cells", given.cells);
   for (const double n : cells)
     if (n < 1 || n > 10000 || n != std::floor(n))
-      throw InputError(parameters.where("Geometry/Cells") + ": found '" + given.cells +
-                       "', allowed: two integers from 1 to 10000.");
+      throw InputError(parameters.where("Geometry/Cells") + ": found " + quote(given.cells) +
+                       ", allowed: two integers from 1 to 10000.");
+  check_coordinates({{lower[0], lower[1]}}, parameters.where("Geometry/Lower left"));
+  check_coordinates({{upper[0], upper[1]}}, parameters.where("Geometry/Upper right"));
   if (!(upper[0] > lower[0] && upper[1] > lower[1]))
     throw InputError(
-      parameters.where("Geometry/Upper right") + ": found '" + given.upper_right +
-      "', allowed: a point to the right of and above Lower left = " + given.lower_left + ".");
+      parameters.where("Geometry/Upper right") + ": found " + quote(given.upper_right) +
+      ", allowed: a point to the right of and above Lower left = " + given.lower_left + ".");
   if (!given.vertices.empty())
     throw InputError(parameters.where("Geometry/Vertices") +
                      ": vertices belong to Shape = polygon, found Shape = rectangle.");
@@ -63,8 +78,8 @@ void check_convexity(const std::vector<dealii::Point<2>> &vertices, const std::s
 {
   const std::size_t n = vertices.size();
   if (n < 3)
-    throw InputError(where + ": found " + std::to_string(n) +
-                     " vertices, allowed: three or more, x0,y0; x1,y1; ...");
+    throw InputError(where + ": found " + std::to_string(n) + (n == 1 ? " vertex" : " vertices") +
+                     ", allowed: three or more, x0,y0; x1,y1; ...");
   double turning = 0;
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -94,8 +109,42 @@ Geometry<2> read_polygon(const Parameters &parameters)
     const auto xy = numbers_of(parameters, "Geometry/Vertices", part);
     vertices.emplace_back(xy[0], xy[1]);
   }
+  check_coordinates(vertices, where);
+  const bool is_tiny = std::all_of(vertices.begin(), vertices.end(), [](const auto &x) {
+    return std::abs(x[0]) < smallest_magnitude && std::abs(x[1]) < smallest_magnitude;
+  });
+  if (is_tiny && vertices.size() > 2)
+    throw InputError(where + ": found coordinates that are all below " +
+                     number_text(smallest_magnitude) +
+                     ", allowed: the corners of a convex polygon; take other units.");
   check_convexity(vertices, where);
   return make_polygon(vertices);
+}
+
+/** Whether the body can be computed with at all; @p where is the parameter that made it. */
+void check_size(const Geometry<2> &geometry, const std::string &where)
+{
+  const double size = geometry.diameter();
+  double distance = 0., shortest = size;
+  for (const Side<2> &side : geometry.sides)
+  {
+    distance = std::max(distance, side.start().norm());
+    shortest = std::min(shortest, side.length());
+  }
+  if (!(size >= smallest_magnitude && size <= largest_magnitude))
+    throw InputError(where + ": found a body of the size " + number_text(size) +
+                     ", allowed: sizes from " + number_text(smallest_magnitude) + " to " +
+                     number_text(largest_magnitude) + "; take other units.");
+  if (!(distance <= largest_distance * size))
+    throw InputError(where + ": found a body of the size " + number_text(size) +
+                     " at the distance " + number_text(distance) +
+                     " from the origin, allowed: at most " + number_text(largest_distance) +
+                     " times its size; put the origin near the body.");
+  if (!(shortest * largest_slenderness >= size))
+    throw InputError(where + ": found a side of the length " + number_text(shortest) +
+                     " on a body of the size " + number_text(size) +
+                     ", allowed: sides of at least " + number_text(1. / largest_slenderness) +
+                     " of the size.");
 }
 
 /** One coarse cell for a quadrilateral, in deal.II's lexicographic order of vertices. */
@@ -159,6 +208,24 @@ void number_boundary(const std::vector<Side<2>> &sides, dealii::Triangulation<2>
 }
 
 template <int dim>
+dealii::Point<dim> Geometry<dim>::inner_point() const
+{
+  dealii::Point<dim> mean;
+  for (const Side<dim> &side : sides)
+    mean += side.point(0.5 * side.length()) / static_cast<double>(sides.size());
+  return mean;
+}
+
+template <int dim>
+double Geometry<dim>::shortest_extent() const
+{
+  double shortest = diameter();
+  for (unsigned int d = 0; d < dim; ++d)
+    shortest = std::min(shortest, upper[d] - lower[d]);
+  return shortest;
+}
+
+template <int dim>
 std::size_t Geometry<dim>::find_side(const std::string &name) const
 {
   std::size_t i = 0;
@@ -184,6 +251,7 @@ Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
   const P lower_right(upper_right[0], lower_left[1]);
   const P upper_left(lower_left[0], upper_right[1]);
   Geometry<2> geometry;
+  geometry.n_coarse_cells = double(cells[0]) * double(cells[1]);
   geometry.lower = lower_left;
   geometry.upper = upper_right;
   // The arc length of every side grows with its coordinate; the order is that of colorize = true.
@@ -202,6 +270,7 @@ Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
 {
   const std::size_t n = vertices.size();
   Geometry<2> geometry;
+  geometry.n_coarse_cells = n == 4 ? 1. : static_cast<double>(n);
   geometry.lower = geometry.upper = vertices[0];
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -227,8 +296,10 @@ Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
 
 Geometry<2> make_geometry(const Parameters &parameters)
 {
-  Geometry<2> geometry = parameters.geometry.shape == "rectangle" ? read_rectangle(parameters)
-                                                                  : read_polygon(parameters);
+  const bool is_rectangle = parameters.geometry.shape == "rectangle";
+  Geometry<2> geometry = is_rectangle ? read_rectangle(parameters) : read_polygon(parameters);
+  check_size(geometry,
+             parameters.where(is_rectangle ? "Geometry/Upper right" : "Geometry/Vertices"));
   geometry.distortion = parameters.geometry.distortion;
   geometry.where_distortion = parameters.where("Geometry/Distortion");
   return geometry;

@@ -3,6 +3,8 @@
 
 #include "manufactured_scene.h"
 
+#include <deal.II/lac/vector.h>
+
 #include <algorithm>
 #include <iomanip>
 #include <sstream>

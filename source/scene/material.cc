@@ -2,6 +2,7 @@
 // E_ijkl: isotropic, orthotropic and general, by expressions.
 
 #include <signorini/parameters/exceptions.h>
+#include <signorini/parameters/lists.h>
 #include <signorini/scene/material.h>
 
 #include <deal.II/base/numbers.h>
@@ -83,12 +84,11 @@ private:
     const double E = given / this->modulus();
     const double nu = poissons_ratio_(x);
     if (!(given > 0. && std::isfinite(E)))
-      refuse_value(
-        youngs_modulus_.where(), x, std::to_string(given), "a positive number everywhere");
+      refuse_value(youngs_modulus_.where(), x, number_text(given), "a positive number everywhere");
     if (!(nu > -1. && nu < 0.5))
       refuse_value(poissons_ratio_.where(),
                    x,
-                   std::to_string(nu),
+                   number_text(nu),
                    "a number between -1 and 0.5 (both excluded) everywhere");
     const double mu = E / (2. * (1. + nu));
     const bool plane_stress = dim == 2 && plane_state_ == PlaneState::stress;

@@ -3,6 +3,7 @@
 
 #include <signorini/scene/rigid_motions.h>
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <cmath>
@@ -88,8 +89,9 @@ std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene)
   matrix.compute_eigenvalues_symmetric(-1., 1e6, 1e-15, eigenvalues, vectors);
   std::vector<RigidMotion> motions;
   for (unsigned int k = 0; k < 3; ++k)
-    // A clamped side as long as the part e of the body's size gives e^2.
-    if (eigenvalues[k] < 1e-13)
+    // A clamped side of the length l holds a rotation with (l / size)² at least, see
+    // largest_slenderness; rounding leaves 1e-15.
+    if (eigenvalues[k] < 1e-14)
       motions.push_back(name_motion(
         dealii::Tensor<1, 2>({vectors(0, k), vectors(1, k)}), vectors(2, k), centre, size));
   return motions;

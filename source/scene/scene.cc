@@ -42,6 +42,21 @@ void refuse_free_motions(const Scene<2> &scene, const Parameters &parameters)
                      " of the body free (the stiffness matrix is singular); hold the body with "
                      "Clamped, Displacement or Rollers.");
 }
+/** A position that misses the body is a slip of the pen. */
+void refuse_kinks_outside(const Scene<2> &scene, const Parameters &parameters)
+{
+  const auto check =
+    [&](const std::string &path, const std::vector<double> &positions, const unsigned int d) {
+      for (const double position : positions)
+        if (!(position >= scene.geometry.lower[d] && position <= scene.geometry.upper[d]))
+          throw InputError(parameters.where(path) + ": found " + number_text(position) +
+                           ", allowed: positions on the body, from " +
+                           number_text(scene.geometry.lower[d]) + " to " +
+                           number_text(scene.geometry.upper[d]) + ".");
+    };
+  check("Discretization/Kinks at x", parameters.discretization.kinks_at_x, 0);
+  check("Discretization/Kinks at y", parameters.discretization.kinks_at_y, 1);
+}
 } // namespace
 
 template <int dim>
@@ -80,14 +95,15 @@ Scene<2> make_scene(const Parameters &parameters)
         found = &entry;
     }
     if (found == nullptr)
-      throw InputError(parameters.where("Scene/Name") + ": found '" + name +
-                       "', allowed: " + join(names) + ".");
+      throw InputError(parameters.where("Scene/Name") + ": found " + quote(name) +
+                       ", allowed: " + join(names) + ".");
     refuse_description(parameters);
     scene = found->make();
     scene.name = found->name;
     scene.title = found->title;
   }
   refuse_free_motions(scene, parameters);
+  refuse_kinks_outside(scene, parameters);
   const DiscretizationParameters &discretization = parameters.discretization;
   const std::vector<KinkLine<2>> more =
     lines_at<2>({{discretization.kinks_at_x, discretization.kinks_at_y}});

@@ -37,7 +37,7 @@ SideTexts read_side_list(const std::string &text,
     const auto colon = part.find(':');
     const std::string name = trim(part.substr(0, colon));
     if (colon == std::string::npos || !contains(sides, name))
-      throw InputError(where + ": found '" + part + "', allowed: a side (" + join(sides) +
+      throw InputError(where + ": found " + quote(part) + ", allowed: a side (" + join(sides) +
                        "), ':' and its value.");
     entries.emplace_back(name, trim(part.substr(colon + 1)));
   }
@@ -63,8 +63,8 @@ SideTexts read_contact_list(const std::string &text,
       return other.first == entry.first;
     });
     if (repeated || !contains(contact_sides, entry.first))
-      throw InputError(where + ": found an entry for '" + entry.first +
-                       "', allowed: one for each contact side (" + join(contact_sides) + ").");
+      throw InputError(where + ": found an entry for " + quote(entry.first) +
+                       ", allowed: one for each contact side (" + join(contact_sides) + ").");
     entries.push_back(entry);
   }
   for (const std::string &side : contact_sides)

@@ -42,6 +42,21 @@ StrainOperator strain_operator(const std::string &element)
                                : StrainOperator::symmetric_gradient;
 }
 
+/** C is singular anyway where patches are finer than faces; far finer ones only cost time. */
+constexpr unsigned int most_patches_per_face = 16;
+
+template <int dim>
+void refuse_needless_patches(const Parameters &parameters, const MultiplierSpace<dim> &multipliers)
+{
+  const std::size_t n_faces = multipliers.faces().size();
+  const std::size_t n_patches = multipliers.partition().patches.size();
+  if (n_patches > most_patches_per_face * n_faces)
+    throw InputError(parameters.where("Discretization/Patches") + ": found " +
+                     std::to_string(n_patches) + " patches on the " + std::to_string(n_faces) +
+                     " contact faces of the coarsest level, allowed: at most " +
+                     std::to_string(most_patches_per_face) + " per face.");
+}
+
 /** A patch without a free node next to it cannot feel or do anything. */
 void refuse_blind_patches(const Parameters &parameters, const Coupling &condensed_D)
 {
@@ -231,6 +246,7 @@ Discretization<dim>::Discretization(const Parameters &parameters,
   , setup_seconds(clock_.lap())
 {
   refuse_blind_patches(parameters, condensed_D);
+  refuse_needless_patches(parameters, multipliers);
   if (parameters.solver.require_stability && multipliers.partition().has_unstable_patch())
     throw InputError(parameters.where("Solver/Require stability") +
                      ": a contact patch is no longer than a face (H = h), which is not inf-sup "

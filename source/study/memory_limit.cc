@@ -4,10 +4,14 @@
 #include "memory_limit.h"
 
 #include <signorini/parameters/exceptions.h>
+#include <signorini/parameters/lists.h>
+
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <fstream>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace Signorini
@@ -16,37 +20,129 @@ namespace
 {
 /** Mesh, matrix and factor took 3.5 kB per cell for 2^16 cells of a square, 4.1 kB for 2^18 and
  * 4.4 kB for 2^20 (condensed; Amesos MUMPS takes more): the factor grows like n log n. */
-double needed_bytes(const double cells)
+double sparse_bytes(const double cells)
 {
   return cells * std::max(1e3, 240. * std::log2(cells) - 370.);
 }
 
-double physical_memory()
+/** C, its copy and its factor; condensed also the factor of S, of order @p unknowns, and W. */
+double dense_bytes(const double patches, const double unknowns, const bool condensed)
 {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  return sizeof(double) *
+         (3. * patches * patches + (condensed ? unknowns * (unknowns + patches) : 0.));
+}
+
+/** The number in a file, or infinity: "max" stands for no limit. */
+double read_limit(const char *file_name)
+{
+  std::ifstream file(file_name);
+  double limit = 0.;
+  return file >> limit && limit > 0. ? limit : HUGE_VAL;
+}
+
+double available_bytes()
+{
+  double available =
+    static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  rlimit address_space = {};
+  if (getrlimit(RLIMIT_AS, &address_space) == 0 && address_space.rlim_cur != RLIM_INFINITY)
+    available = std::min(available, static_cast<double>(address_space.rlim_cur));
+  // As a container sees its own group, version 2 and 1.
+  for (const char *file :
+       {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"})
+    available = std::min(available, read_limit(file));
+  return available;
+}
+
+std::string gibibytes(const double bytes)
+{
+  const double gib = bytes / (1024. * 1024. * 1024.);
+  return number_text(gib < 10. ? std::round(10. * gib) / 10. : std::round(gib)) + " GiB";
 }
 } // namespace
 
 template <int dim>
-void refuse_huge_levels(const Parameters &parameters, const Scene<dim> &scene)
+MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
+                              const Scene<dim> &scene,
+                              MPI_Comm communicator)
+  : n_coarse_cells_(scene.geometry.n_coarse_cells)
+  , n_contact_sides_(static_cast<double>(scene.contact_sides().size()))
+  , given_(parameters.discretization)
+  , condensed_(parameters.solver.linear_solver == "condensed" ||
+               (parameters.solver.linear_solver == "automatic" &&
+                dealii::Utilities::MPI::n_mpi_processes(communicator) == 1))
+  , available_(available_bytes())
 {
-  if (parameters.discretization.target_error > 0.)
-    return;
+  const bool may_stop_early = given_.target_error > 0.;
+  const unsigned int level = may_stop_early ? given_.coarsest_level : given_.finest_level;
+  const auto refuse_if_huge = [&]() {
+    if (needed(level) < available_)
+      return;
+    throw InputError(parameters.where(std::string("Discretization/") +
+                                      (may_stop_early ? "Coarsest level" : "Finest level")) +
+                     ": found '" + std::to_string(level) + "', but " + describe(level) +
+                     ", allowed: levels that fit into the " + describe_available() + ".");
+  };
+  refuse_if_huge();
   dealii::Triangulation<dim> coarse_mesh;
   scene.geometry.make_coarse_mesh(coarse_mesh);
-  const unsigned int level = parameters.discretization.finest_level;
-  const double cells = coarse_mesh.n_active_cells() * std::pow(2., double(dim) * level);
-  const double needed = needed_bytes(cells);
-  if (needed < physical_memory())
-    return;
-  constexpr double gibibyte = 1024. * 1024. * 1024.;
-  std::ostringstream message;
-  message << parameters.where("Discretization/Finest level") << ": found '" << level
-          << "', which makes " << cells << " cells and needs more than "
-          << std::ceil(needed / gibibyte) << " GiB, allowed: levels that fit into the "
-          << std::floor(physical_memory() / gibibyte) << " GiB of this machine.";
-  throw InputError(message.str());
+  double all_faces = 0., length = 0., contact_length = 0.;
+  for (const auto &face : coarse_mesh.active_face_iterators())
+    if (face->at_boundary())
+    {
+      all_faces += 1.;
+      // Boundary numbers are not known where sides end inside coarse faces.
+      if (!scene.geometry.classify_after_refinement &&
+          scene.boundary[face->boundary_id()].role == Role::contact)
+        n_coarse_contact_faces_ += 1.;
+    }
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+  {
+    length += scene.geometry.sides[i].length();
+    if (scene.boundary[i].role == Role::contact)
+      contact_length += scene.geometry.sides[i].length();
+  }
+  if (scene.geometry.classify_after_refinement)
+    n_coarse_contact_faces_ = all_faces * contact_length / length;
+  refuse_if_huge();
 }
 
-template void refuse_huge_levels(const Parameters &, const Scene<2> &);
+template <int dim>
+double MemoryLimit<dim>::needed(const unsigned int level) const
+{
+  const double faces = n_coarse_contact_faces_ * std::pow(2., (dim - 1.) * level);
+  const double patches =
+    given_.patches > 0 ? n_contact_sides_ * given_.patches : std::floor(faces / given_.patch_ratio);
+  return sparse_bytes(n_coarse_cells_ * std::pow(2., double(dim) * level)) +
+         dense_bytes(patches, dim * faces, condensed_);
+}
+
+template <int dim>
+std::string MemoryLimit<dim>::describe(const unsigned int level) const
+{
+  const std::string cells = number_text(n_coarse_cells_ * std::pow(2., double(dim) * level));
+  const double faces = n_coarse_contact_faces_ * std::pow(2., (dim - 1.) * level);
+  const std::string patches =
+    given_.patches > 0 ? " and " + number_text(n_contact_sides_ * given_.patches) + " patches"
+    : faces > 0.       ? " and " + number_text(std::floor(faces / given_.patch_ratio)) + " patches"
+                       : "";
+  return "level " + std::to_string(level) + " has " + cells + " cells" + patches +
+         ", which need more than " + gibibytes(needed(level));
+}
+
+template <int dim>
+std::string MemoryLimit<dim>::describe_available() const
+{
+  return gibibytes(available_) + " of memory";
+}
+
+template <int dim>
+void MemoryLimit<dim>::check(const unsigned int level) const
+{
+  if (needed(level) >= available_)
+    throw ComputationError("The target error is not reached: " + describe(level) +
+                           ", but there are " + describe_available() + ".");
+}
+
+template class MemoryLimit<2>;
 } // namespace Signorini

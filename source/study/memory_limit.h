@@ -4,14 +4,42 @@
 #include <signorini/parameters/parameters.h>
 #include <signorini/scene/scene.h>
 
+#include <mpi.h>
+
 namespace Signorini
 {
 /**
- * Refuses levels that cannot fit into this machine's memory before they are started, by a low
- * estimate of what a direct factorisation takes. With a target error the finest level is a limit
- * that need not be reached, and is let through.
- * @throws InputError with the estimated need.
+ * What levels need, by a low estimate of a direct factorisation and of the dense matrices on the
+ * contact boundary, against the memory that this process may have: that of the machine, or less
+ * where RLIMIT_AS or a control group says so.
  */
 template <int dim>
-void refuse_huge_levels(const Parameters &parameters, const Scene<dim> &scene);
+class MemoryLimit
+{
+public:
+  /**
+   * Judges the finest level; with a target error, where that is a limit that need not be reached,
+   * the coarsest. Allocates no more than the coarse mesh, if that fits.
+   * @throws InputError with the estimated need.
+   */
+  MemoryLimit(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator);
+
+  /** @throws ComputationError if the level does not fit. */
+  void check(unsigned int level) const;
+
+private:
+  /** On level 0. */
+  double n_coarse_cells_;
+  double n_coarse_contact_faces_ = 0.;
+  double n_contact_sides_;
+  const DiscretizationParameters &given_;
+  /** Whether the factor holds the dense Schur complement of the contact unknowns. */
+  bool condensed_;
+  double available_;
+
+  double needed(unsigned int level) const;
+  /** "level 14 makes 1e9 cells and 16384 contact patches, which need more than 12 GiB". */
+  std::string describe(unsigned int level) const;
+  std::string describe_available() const;
+};
 } // namespace Signorini

@@ -135,7 +135,7 @@ StudyResult run_study(const Parameters &parameters,
   const DiscretizationParameters &given = parameters.discretization;
   const double tolerance = parameters.solver.tolerance;
   const LibraryThreads one_thread_in_libraries(1);
-  refuse_huge_levels(parameters, scene);
+  const MemoryLimit<dim> memory(parameters, scene, communicator);
   StudyResult result;
   ResultsWriter writer(parameters, report.directory, communicator);
   print_scene(parameters, scene, report.screen);
@@ -153,6 +153,7 @@ StudyResult run_study(const Parameters &parameters,
       const Progress progress = [&](const std::string &stage) {
         report.progress("level " + std::to_string(level) + ": " + stage);
       };
+      memory.check(level);
       const LevelRecord record = run_level(context, level, progress, writer, result.pressure);
       report.progress("");
       report.screen << table.row(record, result.levels.empty() ? nullptr : &result.levels.back())
@@ -163,6 +164,13 @@ StudyResult run_study(const Parameters &parameters,
       if (is_last(given, record))
         break;
     }
+  }
+  catch (const InputError &error)
+  {
+    // What was wrong shows on a finer level only: the results of the others must not look complete.
+    if (!result.levels.empty())
+      writer.write_tables(result.levels, error.what());
+    throw;
   }
   catch (const ComputationError &error)
   {

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 #include <sstream>
 
 #include "tests.h"
@@ -40,6 +42,16 @@ void test_lists(Checks &checks)
   checks.that("read_numbers of nothing", read_numbers("", numbers) && numbers.empty());
   for (const char *text : {"1, nan", "inf, 0", "1,,2", "1; 2"})
     checks.that("read_numbers refuses '" + std::string(text) + "'", !read_numbers(text, numbers));
+  checks.that("shorten",
+              shorten("short") == "short" && shorten(std::string(500, 'a')).size() < 120);
+  std::string greek;
+  for (int i = 0; i < 100; ++i)
+    greek += "\u03bb";
+  checks.that("shorten keeps characters whole",
+              shorten(greek).substr(78, 4) == "\u03bb ." && quote("a") == "'a'");
+  checks.that("number_text",
+              number_text(-std::nan("")) == "nan" && number_text(1e300) == "1e+300" &&
+                number_text(0.5) == "0.5");
   checks.that("join", join({"a", "b", "c"}) == "a, b, c" && join({}).empty());
 }
 
@@ -74,44 +86,24 @@ void test_good_syntax(Checks &checks)
               split_words(assignments[3].value) == Words({"bottom", "top"}));
 }
 
-void test_syntax(Checks &checks)
+/** Wrong syntax is a part of tests/bad_input. */
+void test_files(Checks &checks)
 {
-  const std::vector<std::vector<std::string>> rows = {
-    {"missing end",
-     "subsection Solver\nset Tolerance = 1e-8\n",
-     "a.prm:1: subsection 'Solver' is not closed by 'end'."},
-    {"missing inner end",
-     "subsection A\nsubsection B\nend\n",
-     "a.prm:1: subsection 'A' is not closed by 'end'."},
-    {"end too much", "subsection Solver\nend\nend\n", "a.prm:3: found 'end' without an open"},
-    {"set without =", "\nset Dimension 2\n", "a.prm:2: found 'set Dimension 2', but a line must"},
-    {"set with = attached", "set=2", "a.prm:1: found 'set=2', but a line must be"},
-    {"subsection without a name", "subsection\nend", "a.prm:1: found 'subsection', but"},
-    {"end with a name", "subsection A\nend A", "a.prm:2: found 'end A', but a line must be"},
-    {"unknown keyword", "include b.prm", "a.prm:1: found 'include b.prm', but a line must be"},
-    {"upper case matters", "Set Dimension = 2", "a.prm:1: found 'Set Dimension = 2', but"},
-    {"set twice",
-     "set Dimension = 2\n\nset Dimension = 2\n",
-     "a.prm:3: Dimension was set already at a.prm:1; set every parameter only once."},
-    {"set twice in two subsections of one name",
-     "subsection Solver\nset Tolerance = 1e-8\nend\nsubsection Solver\nset Tolerance = 1e-9\nend",
-     "a.prm:5: Solver/Tolerance was set already at a.prm:2"},
-    {"unknown parameter",
-     "subsection Solver\nset Tolerence = 1e-8\nend",
-     "a.prm:2: Solver/Tolerence: unknown parameter; did you mean 'Solver/Tolerance'?"},
-    {"parameter outside of its subsection",
-     "set Tolerance = 1e-8",
-     "a.prm:1: Tolerance: unknown parameter; did you mean"},
-    {"subsection in the wrong place",
-     "subsection Solver\nsubsection Output\nset VTU = all\nend\nend",
-     "a.prm:3: Solver/Output/VTU: unknown parameter; did you mean"}};
-  for (const auto &row : rows)
-    checks.throws<InputError>(row[0], row[2], [&] { parse_parameters(row[1], "a.prm"); });
   checks.throws<InputError>("unreadable file",
                             "no such file.prm: this parameter file cannot be",
                             [] { read_parameters("no such file.prm"); });
   checks.throws<InputError>(
     "directory as file", ".: this parameter file cannot be read.", [] { read_parameters("."); });
+  checks.throws<InputError>("endless file",
+                            "/dev/zero: this is a device or a pipe, allowed: a file of text",
+                            [] { read_parameters("/dev/zero"); });
+  std::ofstream("large.prm") << std::string(1000001, '#');
+  checks.throws<InputError>("large file",
+                            "large.prm: this file has 1000001 bytes, allowed: at most 1000000.",
+                            [] { read_parameters("large.prm"); });
+  std::remove("large.prm");
+  checks.that("line ends of old systems",
+              scan_parameter_text("set A = 1\rset B = 2\r", "a.prm").size() == 2);
 }
 
 /** What each pattern refuses; the message names what is allowed. */
@@ -263,7 +255,7 @@ int main()
   Checks checks;
   test_lists(checks);
   test_good_syntax(checks);
-  test_syntax(checks);
+  test_files(checks);
   test_values(checks);
   test_overrides(checks);
   test_echo(checks);

@@ -110,7 +110,7 @@ void test_constants(Checks &checks)
     {"a=1, a=2", "the name 'a' is taken"},
     {"sin=1", "the name 'sin' is taken"},
     {"erf=1", "the name 'erf' is taken"},
-    {"a=", "c: the expression '' cannot be used: it is empty."},
+    {"a=", "c: the expression '' cannot be used: it is empty"},
     {"a=x", "the value of 'a' must be a finite number"},
     {"a=y", "c: the expression 'y' cannot be parsed"},
     {"a=b, b=1", "c: the expression 'b' cannot be parsed"},

@@ -6,6 +6,10 @@
 
 namespace Signorini
 {
+/** A sentence on one line: what would break the line or steer a terminal becomes a question mark.
+ */
+std::string one_line(std::string sentence);
+
 /**
  * The input is wrong and the user can mend it: exit code 1.
  *
@@ -16,7 +20,7 @@ class InputError : public std::runtime_error
 {
 public:
   explicit InputError(const std::string &sentence)
-    : std::runtime_error(sentence)
+    : std::runtime_error(one_line(sentence))
   {
   }
 };
@@ -26,7 +30,7 @@ class ComputationError : public std::runtime_error
 {
 public:
   explicit ComputationError(const std::string &sentence)
-    : std::runtime_error(sentence)
+    : std::runtime_error(one_line(sentence))
   {
   }
 };

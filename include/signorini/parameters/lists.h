@@ -25,6 +25,15 @@ bool read_number(const std::string &text, double &number);
 /** Numbers separated by commas. Returns false if one of them is not a finite number. */
 bool read_numbers(const std::string &text, std::vector<double> &numbers);
 
+/** For messages: of a long text the beginning and the end. */
+std::string shorten(const std::string &text);
+
+/** 'text' for messages, shortened. */
+std::string quote(const std::string &text);
+
+/** A number for messages: 0.5, 1e+300, nan. */
+std::string number_text(double number);
+
 /** "a, b, c" for messages. */
 std::string join(const std::vector<std::string> &words, const std::string &separator = ", ");
 } // namespace Signorini

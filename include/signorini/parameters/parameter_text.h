@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,14 +26,19 @@ struct Assignment
  *
  * Understood are `subsection NAME`, `end`, `set NAME = VALUE`, comments from `#` to the end of the
  * line, continuation lines (a backslash at the end; lines of comment may stand between them),
- * Windows line ends and a byte-order mark.
- * Throws InputError for anything else, for unbalanced subsections and for an entry set twice.
+ * the line ends of all systems and a byte-order mark.
+ * Throws InputError for anything else, for control characters, unbalanced subsections and an entry
+ * set twice; with @p known_sections also for a subsection inside of another, and for one without
+ * entries that is not among them (wrong names of others show in their entries).
  */
-std::vector<Assignment> scan_parameter_text(const std::string &text, const std::string &file_name);
+std::vector<Assignment> scan_parameter_text(const std::string &text,
+                                            const std::string &file_name,
+                                            const std::set<std::string> &known_sections = {});
 
 /** Splits `Subsection/Parameter=value` of the option `--set`; throws InputError without '='. */
 Assignment scan_override(const std::string &argument);
 
-/** Reads a whole file; throws InputError when it cannot be read. */
+/** Reads a whole file; throws InputError when it cannot be read, is not a file (devices and pipes
+ * may never end) or has more than a million bytes. */
 std::string read_text_file(const std::string &file_name);
 } // namespace Signorini

@@ -12,7 +12,9 @@ namespace Signorini
 /**
  * A deal.II function whose components are expressions. Its gradient is given by further expressions
  * (component by component, dim each) or by fourth-order differences with the step @p h (length).
- * Thread-safe; the functions for lists of points are the fast ones.
+ * Thread-safe; the functions for lists of points are the fast ones. Without gradients and step the
+ * function is data of the problem: its values must be finite and not beyond largest_magnitude
+ * (magnitudes.h), or InputError is thrown.
  */
 template <int dim>
 class ExpressionFunction : public dealii::Function<dim>
@@ -24,6 +26,8 @@ public:
   ExpressionFunction(std::vector<Expression<dim>> values,
                      std::vector<Expression<dim>> gradients,
                      double h);
+  /** Data of the problem, with checked values and without derivatives. */
+  explicit ExpressionFunction(std::vector<Expression<dim>> values);
 
   double value(const dealii::Point<dim> &x, unsigned int component = 0) const override;
   void vector_value(const dealii::Point<dim> &x, dealii::Vector<double> &values) const override;
@@ -41,6 +45,9 @@ public:
   void vector_gradient_list(const Points &points, std::vector<Gradients> &gradients) const override;
 
 private:
+  /** @throws InputError if this is data and a value of a component cannot be used. */
+  void check(double value, unsigned int component, const dealii::Point<dim> &x) const;
+
   /** du_c/dx_d at all points. */
   void derivative_list(const Points &points,
                        unsigned int component,
@@ -49,6 +56,7 @@ private:
 
   std::vector<Expression<dim>> values_;
   std::vector<Expression<dim>> gradients_;
+  /** 0 for data. */
   double h_;
 };
 } // namespace Signorini

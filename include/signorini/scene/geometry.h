@@ -18,6 +18,8 @@ struct Geometry
 {
   /** The boundary; the faces of sides[i] carry i as their boundary id in the coarse mesh. */
   std::vector<Side<dim>> sides;
+  /** The number of cells on level 0. */
+  double n_coarse_cells = 1.;
   /** Makes the coarse mesh (level 0), with the manifolds of a curved body. */
   std::function<void(dealii::Triangulation<dim> &)> make_coarse_mesh;
   /** Whether cells are curved. */
@@ -37,6 +39,10 @@ struct Geometry
   {
     return lower.distance(upper);
   }
+  /** The mean of the mid-points of the sides; inside of a convex body. */
+  dealii::Point<dim> inner_point() const;
+  /** The shortest edge of the box around the body (length). */
+  double shortest_extent() const;
   /** @return the number of the side, or sides.size() if there is none of this name. */
   std::size_t find_side(const std::string &name) const;
   /** All names, for messages. */
