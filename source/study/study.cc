@@ -95,6 +95,20 @@ void print_warnings(const LevelRecord &record, const double tolerance, std::ostr
            << record.kkt << ", the largest residual of the certificate "
            << record.certificate.worst() << ".\n";
 }
+
+/** What a ComputationError leaves behind. A full disk may not even take that: then the certificate
+ * still says "unfinished". */
+void write_failure(ResultsWriter &writer, const StudyResult &result)
+{
+  try
+  {
+    writer.write_failure(result.levels, result.failure);
+  }
+  catch (const ComputationError &)
+  {
+    // The first failure is the one to be told.
+  }
+}
 } // namespace
 
 template <int dim>
@@ -130,15 +144,21 @@ StudyResult run_study(const Parameters &parameters,
                     << std::endl;
       print_warnings(record, tolerance, report.screen);
       result.levels.push_back(record);
-      writer.write_tables(result.levels, "");
-      if (is_last(given, record))
+      const bool last = is_last(given, record);
+      writer.write_tables(result.levels, last);
+      if (last)
         break;
     }
   }
   catch (const ComputationError &error)
   {
     result.failure = error.what();
-    writer.write_tables(result.levels, result.failure);
+    write_failure(writer, result);
+  }
+  catch (const InputError &error)
+  {
+    writer.abandon(result.levels, error.what());
+    throw;
   }
   result.certified = result.failure.empty();
   for (const LevelRecord &record : result.levels)
