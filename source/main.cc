@@ -101,11 +101,21 @@ int run(const CommandLine &command_line, MPI_Comm communicator)
   }
 }
 
-/** Ranks that failed alone must not leave the others waiting. */
-int leave_all_ranks(const int code)
+/** Ranks that failed alone, by exceptions that are not agreed upon, say so and must not leave the
+ * others waiting. @return the exit code. */
+int fail_alone(const std::string &sentence)
 {
-  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-    MPI_Abort(MPI_COMM_WORLD, code);
+  constexpr int code = 3;
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+  {
+    complain(sentence);
+    return code;
+  }
+  std::cerr << "signorini, rank " << dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)
+            << ": " << sentence << std::endl;
+  // MPI ends all ranks by a signal, about which nothing is left to say.
+  describe_interruption("");
+  MPI_Abort(MPI_COMM_WORLD, code);
   return code;
 }
 } // namespace
@@ -144,13 +154,11 @@ int main(int argc, char **argv)
     }
     catch (const std::bad_alloc &)
     {
-      complain("there is not enough memory for this computation.");
-      return leave_all_ranks(3);
+      return fail_alone("there is not enough memory for this computation.");
     }
     catch (const std::exception &error)
     {
-      complain(std::string("an unexpected error occurred: ") + error.what());
-      return leave_all_ranks(3);
+      return fail_alone(std::string("an unexpected error occurred: ") + error.what());
     }
   }
   catch (const InputError &error)

@@ -46,6 +46,11 @@ public:
     append(other.characters_.data(), other.size_);
   }
 
+  bool is_empty() const
+  {
+    return size_ == 0;
+  }
+
   void clear()
   {
     size_ = 0;
@@ -72,7 +77,8 @@ extern "C" void end_by_signal(const int number)
 {
   if (const char *const file = unfinished_file)
     unlink(file);
-  if (const Line *const description = current_description)
+  const Line *const description = current_description;
+  if (description != nullptr && !description->is_empty())
   {
     Line line;
     line.append(isatty(STDERR_FILENO) != 0 ? "\r\033[Ksignorini: " : "signorini: ");

@@ -121,13 +121,14 @@ StudyResult run_study(const Parameters &parameters,
   const double tolerance = parameters.solver.tolerance;
   const LibraryThreads one_thread_in_libraries(1);
   refuse_huge_levels(parameters, scene);
-  StudyResult result;
-  ResultsWriter writer(parameters, report.directory, communicator);
-  print_scene(parameters, scene, report.screen);
   StudyContext<dim> context = {parameters, scene, nullptr, communicator};
   const bool errors = parameters.output.errors;
   if (errors && scene.has_exact_pressure())
     context.exact_pressure = std::make_unique<const ExactPressure<dim>>(scene);
+  // What can be wrong before the first level has been found: earlier results are not lost for it.
+  ResultsWriter writer(parameters, report.directory, communicator);
+  StudyResult result;
+  print_scene(parameters, scene, report.screen);
   const ScreenTable table(errors && scene.exact_displacement != nullptr,
                           errors && scene.has_exact_pressure());
   report.screen << table.header() << std::endl;

@@ -29,7 +29,7 @@ subsection Output
 end
 PRM
 run() {
-  timeout 60 "$program" scene.prm "$@" >stdout 2>stderr
+  timeout 600 "$program" scene.prm "$@" >stdout 2>stderr
   code=$?
 }
 could_not_write() { grep -q "^signorini: The file '$1.*' could not be written: the disk is full" stderr; }
@@ -67,7 +67,7 @@ small_disks() {
   umount small
   if [ -x "$mpirun" ]; then
     mount -t tmpfs -o size=96k none small
-    timeout 60 "$mpirun" -np 2 "$program" scene.prm --output small >stdout 2>stderr.all
+    timeout 600 "$mpirun" -np 2 "$program" scene.prm --output small >stdout 2>stderr.all
     code=$?
     # mpirun has something to say about exit codes, too.
     grep '^signorini' stderr.all >stderr
@@ -117,11 +117,11 @@ check "  one sentence" one_line stderr
 check "  which names the file" could_not_write gone/
 check "  and stays removed" [ ! -e gone ]
 
-# From here on the process may write no file of more than 4 kB.
+# From here on the process may write no file of more than 100 kB.
 "$program" scene.prm --set 'Discretization/Finest level=9' --output limited >stdout 2>stderr &
 process=$!
 until [ -e limited/contact-02.csv ] || ! kill -0 "$process"; do sleep 0.02; done
-if prlimit --pid "$process" --fsize=4096 2>/dev/null; then
+if prlimit --pid "$process" --fsize=100000 2>/dev/null; then
   wait "$process"
   code=$?
   check "a limit to the size of files" [ "$code" -ne 0 ]

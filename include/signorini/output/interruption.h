@@ -28,7 +28,7 @@ void handle_signals(const std::vector<int> &ending);
 
 /**
  * What is said on stderr after "signorini: interrupted by signal N ": @p where, one line of at most
- * 400 characters. Nothing is said before the first call.
+ * 400 characters. Nothing is said before the first call, or if @p where is empty.
  */
 void describe_interruption(const std::string &where);
 
