@@ -12,6 +12,7 @@ namespace Signorini
 void write_certificate(std::ostream &stream,
                        const std::vector<LevelRecord> &levels,
                        const double tolerance,
+                       const bool finished,
                        const std::string &failure)
 {
   using Json = nlohmann::ordered_json;
@@ -42,9 +43,8 @@ void write_certificate(std::ostream &stream,
                          std::all_of(levels.begin(), levels.end(), [&](const LevelRecord &level) {
                            return level.is_certified(tolerance);
                          });
-  Json certificate = {{"verdict", certified ? "certified" : "not certified"},
-                      {"tolerance", tolerance},
-                      {"levels", rows}};
+  const char *const verdict = !finished ? "unfinished" : certified ? "certified" : "not certified";
+  Json certificate = {{"verdict", verdict}, {"tolerance", tolerance}, {"levels", rows}};
   if (!failure.empty())
     certificate["failure"] = failure;
   stream << certificate.dump(2) << "\n";

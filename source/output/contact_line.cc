@@ -88,8 +88,10 @@ void write_contact_vtu(std::ostream &stream, const std::vector<ContactSegment<di
                            unsigned int,
                            std::string,
                            dealii::DataComponentInterpretation::DataComponentInterpretation>;
-  dealii::DataOutBase::write_vtu(
-    patches, names, std::vector<Range>(), dealii::DataOutBase::VtkFlags(), stream);
+  dealii::DataOutBase::VtkFlags flags;
+  // The same run gives the same file.
+  flags.print_date_and_time = false;
+  dealii::DataOutBase::write_vtu(patches, names, std::vector<Range>(), flags, stream);
 }
 
 template std::vector<ContactSegment<2>> trace_contact_line(const DisplacementSpace<2> &,

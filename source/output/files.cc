@@ -2,21 +2,24 @@
 // Files appear complete or not at all.
 
 #include <signorini/output/files.h>
+#include <signorini/output/interruption.h>
 #include <signorini/parameters/exceptions.h>
 
+#include <cerrno>
+#include <fcntl.h>
 #include <fstream>
+#include <sys/file.h>
+#include <unistd.h>
+#include <vector>
 
 namespace Signorini
 {
 namespace
 {
-/** The name under which a file is written until it is complete. */
-std::filesystem::path temporary_name(const std::filesystem::path &path)
-{
-  return path.parent_path() / ("." + path.filename().string() + ".part");
-}
+const std::string temporary_prefix = ".", temporary_suffix = ".part";
 
-/** Writes and flushes; returns whether every byte was taken. Nothing is left if @p write throws. */
+/** Writes and flushes; returns whether every byte was taken. Nothing is left if @p write throws for
+ * another reason. */
 bool try_to_write(const std::filesystem::path &path,
                   const std::function<void(std::ostream &)> &write)
 {
@@ -29,6 +32,9 @@ bool try_to_write(const std::filesystem::path &path,
   }
   catch (...)
   {
+    // deal.II's writers throw when the disk is full.
+    if (!file)
+      return false;
     file.close();
     std::error_code ignored;
     std::filesystem::remove(path, ignored);
@@ -50,53 +56,85 @@ std::filesystem::path outermost_missing(const std::filesystem::path &directory)
   return missing;
 }
 
-/** Removes @p directory and those above it up to @p outermost, as far as they are empty. */
-void remove_empty(const std::filesystem::path &directory, const std::filesystem::path &outermost)
+/** Whether a small file can be written into @p directory; it is removed again. */
+bool is_writable(const std::filesystem::path &directory)
 {
+  const std::filesystem::path trial = temporary_name(directory / "trial");
+  const RemovedOnInterruption registered(trial);
+  const bool written = try_to_write(trial, [](std::ostream &stream) { stream << "trial\n"; });
   std::error_code ignored;
-  if (outermost.empty())
-    return;
-  for (std::filesystem::path path = directory; !path.empty(); path = path.parent_path())
-  {
-    std::filesystem::remove(path, ignored);
-    if (path == outermost)
-      return;
-  }
+  std::filesystem::remove(trial, ignored);
+  return written;
+}
+
+/** The name of the file that @p name is a part of; @p name itself if it is not temporary. */
+std::string final_name(const std::string &name)
+{
+  const std::size_t extra = temporary_prefix.size() + temporary_suffix.size();
+  const bool temporary =
+    name.size() > extra && name.compare(0, temporary_prefix.size(), temporary_prefix) == 0 &&
+    name.compare(
+      name.size() - temporary_suffix.size(), temporary_suffix.size(), temporary_suffix) == 0;
+  return temporary ? name.substr(temporary_prefix.size(), name.size() - extra) : name;
 }
 } // namespace
 
-std::filesystem::path prepare_directory(const std::filesystem::path &directory)
+ResultsDirectory::ResultsDirectory(const std::filesystem::path &path)
+  : path_(path)
+  , outermost_made_(outermost_missing(path))
 {
+  const std::string found = "--output: found '" + path_.string() + "', ";
   std::error_code error;
-  const std::filesystem::path outermost = outermost_missing(directory);
-  std::filesystem::create_directories(directory, error);
-  const std::filesystem::path trial = temporary_name(directory / "trial");
-  const bool writable =
-    !error && try_to_write(trial, [](std::ostream &stream) { stream << "trial\n"; });
-  std::filesystem::remove(trial, error);
-  if (writable)
-    return outermost;
-  remove_empty(directory, outermost);
-  throw InputError("--output: found '" + directory.string() +
-                   "', allowed: a directory that can be made and written to.");
+  std::filesystem::create_directories(path_, error);
+  if (error)
+  {
+    remove_if_empty();
+    throw InputError(found + "allowed: a directory that can be made and written to.");
+  }
+  // The kernel releases the lock when the process ends, however that happens.
+  descriptor_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  {
+    close(descriptor_);
+    throw InputError(found + "into which another run is writing, allowed: a directory of its own.");
+  }
+  if (!is_writable(path_))
+  {
+    if (descriptor_ >= 0)
+      close(descriptor_);
+    remove_if_empty();
+    throw InputError(found + "allowed: a directory that can be made and written to.");
+  }
 }
 
-void remove_if_unused(const std::filesystem::path &directory,
-                      const std::filesystem::path &outermost)
+ResultsDirectory::~ResultsDirectory()
+{
+  if (descriptor_ >= 0)
+    close(descriptor_);
+}
+
+void ResultsDirectory::remove_if_empty() const
 {
   std::error_code ignored;
-  if (outermost.empty())
+  if (outermost_made_.empty())
     return;
-  for (const auto &entry : std::filesystem::directory_iterator(directory, ignored))
-    if (entry.path().filename() != "parameters.prm")
+  for (std::filesystem::path path = path_; !path.empty(); path = path.parent_path())
+  {
+    std::filesystem::remove(path, ignored);
+    if (path == outermost_made_)
       return;
-  std::filesystem::remove(directory / "parameters.prm", ignored);
-  remove_empty(directory, outermost);
+  }
+}
+
+std::filesystem::path temporary_name(const std::filesystem::path &path)
+{
+  return path.parent_path() / (temporary_prefix + path.filename().string() + temporary_suffix);
 }
 
 void write_file(const std::filesystem::path &path, const std::function<void(std::ostream &)> &write)
 {
   const std::filesystem::path temporary = temporary_name(path);
+  const RemovedOnInterruption registered(temporary);
   std::error_code error;
   if (try_to_write(temporary, write))
   {
@@ -108,5 +146,22 @@ void write_file(const std::filesystem::path &path, const std::function<void(std:
   throw ComputationError("The file '" + path.string() +
                          "' could not be written: the disk is full, or the directory has been "
                          "removed or write-protected.");
+}
+
+void remove_files(const std::filesystem::path &directory,
+                  const std::function<bool(const std::string &name)> &is_removed)
+{
+  std::error_code error;
+  std::vector<std::filesystem::path> found;
+  for (const auto &entry : std::filesystem::directory_iterator(directory, error))
+    if (!entry.is_directory(error) && is_removed(final_name(entry.path().filename().string())))
+      found.push_back(entry.path());
+  for (const std::filesystem::path &path : found)
+  {
+    std::filesystem::remove(path, error);
+    if (error)
+      throw ComputationError("The file '" + path.string() +
+                             "' of an earlier run could not be removed: " + error.message() + ".");
+  }
 }
 } // namespace Signorini

@@ -13,10 +13,12 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/numerics/data_out.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
+#include <sstream>
 
 namespace Signorini
 {
@@ -182,25 +184,63 @@ struct RecoveredField
   NodalVector values;
 };
 
-/** On one rank through a temporary file; on several, all write into one. */
+/** A field of which every rank writes the piece on its own cells. */
 template <int dim>
-void write_patches(const std::filesystem::path &path,
-                   const dealii::DataOut<dim> &data_out,
-                   MPI_Comm communicator)
+class FieldPieces : public dealii::DataOut<dim>
 {
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+public:
+  std::string piece(const dealii::DataOutBase::VtkFlags &flags) const
   {
-    write_file(path, [&](std::ostream &stream) { data_out.write_vtu(stream); });
-    return;
+    std::ostringstream stream;
+    dealii::DataOutBase::write_vtu_main(this->get_patches(),
+                                        this->get_dataset_names(),
+                                        this->get_nonscalar_data_ranges(),
+                                        flags,
+                                        stream);
+    return stream.str();
   }
-  const std::filesystem::path temporary = path.string() + ".part";
-  data_out.write_vtu_in_parallel(temporary.string(), communicator);
+};
+
+/** All ranks' texts on rank 0, in order; nothing on the others. A text has less than 2 GiB. */
+std::vector<std::string> gather(std::string text, MPI_Comm communicator)
+{
+  const int rank = static_cast<int>(dealii::Utilities::MPI::this_mpi_process(communicator));
+  const int n_ranks = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(communicator));
+  const auto sizes = dealii::Utilities::MPI::all_gather(communicator, text.size());
+  if (*std::max_element(sizes.begin(), sizes.end()) > std::numeric_limits<int>::max())
+    throw ComputationError("A rank's piece of the VTU file has more than 2 GiB; more ranks or "
+                           "'Output/VTU = none' avoid that.");
+  const auto size = [&](const int r) { return static_cast<int>(sizes[static_cast<unsigned>(r)]); };
+  if (rank != 0)
+  {
+    MPI_Send(text.data(), size(rank), MPI_CHAR, 0, 0, communicator);
+    return {};
+  }
+  std::vector<std::string> texts = {std::move(text)};
+  for (int r = 1; r < n_ranks; ++r)
+  {
+    texts.emplace_back(sizes[static_cast<unsigned>(r)], ' ');
+    MPI_Recv(texts.back().data(), size(r), MPI_CHAR, r, 0, communicator, MPI_STATUS_IGNORE);
+  }
+  return texts;
+}
+
+/** Rank 0 writes the pieces of all: when the disk is full, all hear of it. */
+void write_pieces(const std::filesystem::path &path,
+                  std::string piece,
+                  const dealii::DataOutBase::VtkFlags &flags,
+                  MPI_Comm communicator)
+{
+  const std::vector<std::string> pieces = gather(std::move(piece), communicator);
   agree(communicator, [&]() {
-    std::error_code error;
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      std::filesystem::rename(temporary, path, error);
-    if (error)
-      throw ComputationError("The file '" + path.string() + "' could not be written.");
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
+      return;
+    write_file(path, [&](std::ostream &stream) {
+      dealii::DataOutBase::write_vtu_header(stream, flags);
+      for (const std::string &text : pieces)
+        stream << text;
+      dealii::DataOutBase::write_vtu_footer(stream);
+    });
   });
 }
 } // namespace
@@ -214,9 +254,9 @@ void write_solution_vtu(const std::filesystem::path &path,
   using namespace dealii::DataComponentInterpretation;
   const std::vector<DataComponentInterpretation> vector(dim, component_is_part_of_vector);
   const StressPostprocessor<dim> stress(*scene.material, mean_dilatations(space, U));
-  dealii::DataOut<dim> data_out;
-  data_out.set_flags(dealii::DataOutBase::VtkFlags(
-    space.mesh().level(), space.mesh().level(), false, dealii::DataOutBase::VtkFlags::best_speed));
+  const dealii::DataOutBase::VtkFlags flags(
+    space.mesh().level(), space.mesh().level(), false, dealii::DataOutBase::VtkFlags::best_speed);
+  FieldPieces<dim> data_out;
   data_out.add_data_vector(space.dofs(), U, std::vector<std::string>(dim, "displacement"), vector);
   std::optional<RecoveredField<dim>> recovered;
   if (space.mesh().has_parents())
@@ -234,14 +274,20 @@ void write_solution_vtu(const std::filesystem::path &path,
                          space.mesh().has_parents() ? 2 : 1,
                          space.mesh().is_curved() ? dealii::DataOut<dim>::curved_inner_cells
                                                   : dealii::DataOut<dim>::no_curved_cells);
-  write_patches(path, data_out, space.mesh().communicator());
+  write_pieces(path, data_out.piece(flags), flags, space.mesh().communicator());
 }
 
 void write_pvd(const std::filesystem::path &path,
                const std::vector<std::pair<double, std::string>> &files)
 {
-  write_file(path,
-             [&](std::ostream &stream) { dealii::DataOutBase::write_pvd_record(stream, files); });
+  std::ostringstream record;
+  dealii::DataOutBase::write_pvd_record(record, files);
+  // Without the comment, which holds the time: the same run gives the same file.
+  std::string text = record.str();
+  const std::size_t start = text.find("<!--"), end = text.find("-->");
+  if (start != std::string::npos && end != std::string::npos)
+    text.erase(start, text.find_first_not_of("->\n", end) - start);
+  write_file(path, [&](std::ostream &stream) { stream << text; });
 }
 
 template void write_solution_vtu(const std::filesystem::path &,

@@ -9,8 +9,11 @@
 #include <signorini/output/solution_vtu.h>
 #include <signorini/output/tables.h>
 #include <signorini/parameters/agreement.h>
+#include <signorini/parameters/exceptions.h>
 
 #include <deal.II/base/mpi.h>
+
+#include <regex>
 
 namespace Signorini
 {
@@ -24,6 +27,17 @@ void write_on_first_rank(MPI_Comm communicator, const std::function<void()> &wri
       write();
   });
 }
+
+/** Whether a file of this name is written below, parameters.prm and certificate.json apart. */
+bool is_result(const std::string &name)
+{
+  static const std::regex names("convergence\\.csv|(solution|contact)\\.pvd|contact-[0-9]{2}\\.csv|"
+                                "(solution|contact)-[0-9]{2}\\.vtu|[CDFG]-[0-9]{2}\\.mtx");
+  return std::regex_match(name, names);
+}
+
+constexpr const char *parameters_name = "parameters.prm";
+constexpr const char *certificate_name = "certificate.json";
 } // namespace
 
 ResultsWriter::ResultsWriter(const Parameters &parameters,
@@ -35,9 +49,31 @@ ResultsWriter::ResultsWriter(const Parameters &parameters,
 {
   if (directory_.empty())
     return;
-  write_on_first_rank(communicator_, [&]() {
-    write_file(directory_ / "parameters.prm",
-               [&](std::ostream &stream) { stream << parameters_.echo; });
+  write_on_first_rank(communicator_, [&]() { start_directory(); });
+}
+
+void ResultsWriter::start_directory()
+{
+  // In this order the files in the directory tell the truth at every moment.
+  had_parameters_ = std::filesystem::exists(directory_ / parameters_name);
+  write_certificate_of({}, false, "");
+  remove_files(directory_, is_result);
+  write_file(directory_ / parameters_name,
+             [&](std::ostream &stream) { stream << parameters_.echo; });
+}
+
+void ResultsWriter::write_convergence_of(const std::vector<LevelRecord> &levels) const
+{
+  write_file(directory_ / "convergence.csv",
+             [&](std::ostream &stream) { write_convergence_csv(stream, levels); });
+}
+
+void ResultsWriter::write_certificate_of(const std::vector<LevelRecord> &levels,
+                                         const bool finished,
+                                         const std::string &failure) const
+{
+  write_file(directory_ / certificate_name, [&](std::ostream &stream) {
+    write_certificate(stream, levels, parameters_.solver.tolerance, finished, failure);
   });
 }
 
@@ -105,17 +141,47 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
     write("C", solution.C);
 }
 
-void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels, const std::string &failure)
+void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels, const bool last)
 {
   if (directory_.empty())
     return;
   write_on_first_rank(communicator_, [&]() {
-    write_file(directory_ / "convergence.csv",
-               [&](std::ostream &stream) { write_convergence_csv(stream, levels); });
-    write_file(directory_ / "certificate.json", [&](std::ostream &stream) {
-      write_certificate(stream, levels, parameters_.solver.tolerance, failure);
-    });
+    write_convergence_of(levels);
+    write_certificate_of(levels, last, "");
   });
+}
+
+void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,
+                                  const std::string &failure)
+{
+  if (directory_.empty())
+    return;
+  write_on_first_rank(communicator_, [&]() {
+    write_certificate_of(levels, true, failure);
+    write_convergence_of(levels);
+  });
+}
+
+void ResultsWriter::abandon(const std::vector<LevelRecord> &levels, const std::string &failure)
+{
+  if (directory_.empty() || dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+    return;
+  try
+  {
+    if (!levels.empty())
+    {
+      write_certificate_of(levels, true, failure);
+      return;
+    }
+    remove_files(directory_, [&](const std::string &name) {
+      return is_result(name) || name == certificate_name ||
+             (name == parameters_name && !had_parameters_);
+    });
+  }
+  catch (const ComputationError &)
+  {
+    // The InputError is what the user has to hear of.
+  }
 }
 
 template void ResultsWriter::write_fields(const Discretization<2> &,

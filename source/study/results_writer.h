@@ -13,7 +13,11 @@ namespace Signorini
 class ResultsWriter
 {
 public:
-  /** Writes parameters.prm. Collective, like all members. */
+  /**
+   * Removes the results of an earlier run from the directory, by their names, and writes
+   * parameters.prm and a certificate that says "unfinished". Collective, like all members but
+   * abandon().
+   */
   ResultsWriter(const Parameters &parameters,
                 std::filesystem::path directory,
                 MPI_Comm communicator);
@@ -25,8 +29,19 @@ public:
                     const LevelSolution<dim> &solution,
                     bool last_level);
 
-  /** convergence.csv and certificate.json for the levels so far. @param failure why no more. */
-  void write_tables(const std::vector<LevelRecord> &levels, const std::string &failure);
+  /** convergence.csv and certificate.json for the levels so far. @param last whether no more
+   * follow.
+   */
+  void write_tables(const std::vector<LevelRecord> &levels, bool last);
+
+  /** The same for a study that a ComputationError ended: @p failure is its message. */
+  void write_failure(const std::vector<LevelRecord> &levels, const std::string &failure);
+
+  /**
+   * For a study that an InputError ended, on every rank: without finished levels nothing is left
+   * behind, otherwise the certificate says why there are no more.
+   */
+  void abandon(const std::vector<LevelRecord> &levels, const std::string &failure);
 
 private:
   template <int dim>
@@ -37,12 +52,20 @@ private:
   void write_dual_problem(const Discretization<dim> &discretization,
                           const LevelSolution<dim> &solution);
 
+  void start_directory();
+  void write_convergence_of(const std::vector<LevelRecord> &levels) const;
+  void write_certificate_of(const std::vector<LevelRecord> &levels,
+                            bool finished,
+                            const std::string &failure) const;
+
   /** "name-LL.ending" in the directory. */
   std::filesystem::path level_file(const char *name, unsigned int level, const char *ending) const;
 
   const Parameters &parameters_;
   std::filesystem::path directory_;
   MPI_Comm communicator_;
+  /** Whether parameters.prm was there before: it may be what the run was started with. */
+  bool had_parameters_ = false;
   std::vector<std::pair<double, std::string>> solution_files_, contact_files_;
 };
 } // namespace Signorini

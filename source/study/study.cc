@@ -124,6 +124,20 @@ std::string find_failure(const std::vector<LevelRecord> &levels, const double to
          << "; set Discretization/Element = Q1 B-bar, or refine.";
   return text.str();
 }
+
+/** What a ComputationError leaves behind. A full disk may not even take that: then the certificate
+ * still says "unfinished". */
+void write_failure(ResultsWriter &writer, const StudyResult &result)
+{
+  try
+  {
+    writer.write_failure(result.levels, result.failure);
+  }
+  catch (const ComputationError &)
+  {
+    // The first failure is the one to be told.
+  }
+}
 } // namespace
 
 template <int dim>
@@ -136,13 +150,14 @@ StudyResult run_study(const Parameters &parameters,
   const double tolerance = parameters.solver.tolerance;
   const LibraryThreads one_thread_in_libraries(1);
   const MemoryLimit<dim> memory(parameters, scene, communicator);
-  StudyResult result;
-  ResultsWriter writer(parameters, report.directory, communicator);
-  print_scene(parameters, scene, report.screen);
   StudyContext<dim> context = {parameters, scene, nullptr, communicator};
   const bool errors = parameters.output.errors;
   if (errors && scene.has_exact_pressure())
     context.exact_pressure = std::make_unique<const ExactPressure<dim>>(scene);
+  // What can be wrong before the first level has been found: earlier results are not lost for it.
+  ResultsWriter writer(parameters, report.directory, communicator);
+  StudyResult result;
+  print_scene(parameters, scene, report.screen);
   const ScreenTable table(errors && scene.exact_displacement != nullptr,
                           errors && scene.has_exact_pressure());
   report.screen << table.header() << std::endl;
@@ -160,28 +175,26 @@ StudyResult run_study(const Parameters &parameters,
                     << std::endl;
       print_warnings(record, tolerance, report.screen);
       result.levels.push_back(record);
-      writer.write_tables(result.levels, "");
-      if (is_last(given, record))
+      const bool last = is_last(given, record);
+      if (last)
+        result.failure = find_failure(result.levels, tolerance);
+      if (result.failure.empty())
+        writer.write_tables(result.levels, last);
+      else
+        writer.write_failure(result.levels, result.failure);
+      if (last)
         break;
     }
-  }
-  catch (const InputError &error)
-  {
-    // What was wrong shows on a finer level only: the results of the others must not look complete.
-    if (!result.levels.empty())
-      writer.write_tables(result.levels, error.what());
-    throw;
   }
   catch (const ComputationError &error)
   {
     result.failure = error.what();
-    writer.write_tables(result.levels, result.failure);
+    write_failure(writer, result);
   }
-  if (result.failure.empty())
+  catch (const InputError &error)
   {
-    result.failure = find_failure(result.levels, tolerance);
-    if (!result.failure.empty())
-      writer.write_tables(result.levels, result.failure);
+    writer.abandon(result.levels, error.what());
+    throw;
   }
   result.certified = result.failure.empty();
   print_verdict(parameters, result.levels, result.certified, report.screen);

@@ -133,11 +133,62 @@ void contact_line(Checks &checks)
   checks.that("contact line: no exact pressure", read_csv(without.str())[0].at("p_exact").empty());
 }
 
+void directories(Checks &checks, const fs::path &directory)
+{
+  const fs::path path = directory / "a" / "b";
+  fs::create_directory(directory);
+  {
+    const ResultsDirectory results(path);
+    checks.that("directories are made", fs::is_directory(path));
+    checks.that("nothing is left in them", fs::is_empty(path));
+    checks.throws<InputError>("not for two runs at once", "another run is writing", [&]() {
+      const ResultsDirectory second(path);
+    });
+    checks.that("the second run removes nothing", fs::is_directory(path));
+    results.remove_if_empty();
+    checks.that("directories without use are removed, but no others",
+                !fs::exists(directory / "a") && fs::is_directory(directory));
+  }
+  {
+    const ResultsDirectory results(path);
+    write_file(directory / "a" / "notes", [](std::ostream &stream) { stream << "mine"; });
+    results.remove_if_empty();
+    checks.that("only as far as they are empty",
+                !fs::exists(path) && fs::is_directory(directory / "a"));
+  }
+  fs::create_directory(path);
+  ResultsDirectory(path).remove_if_empty();
+  checks.that("what was there before stays", fs::is_directory(path));
+  const ResultsDirectory later(path);
+  checks.that("one run after the other", fs::is_empty(path));
+  fs::remove_all(directory);
+}
+
+/** Results of an earlier run go, with halves of a killed one; other files stay. */
+void earlier_run(Checks &checks, const fs::path &directory)
+{
+  fs::create_directories(directory / "results-1");
+  for (const char *name : {"results-0",
+                           ".results-0.part",
+                           ".results-2.part",
+                           "notes",
+                           ".notes.part",
+                           ".part",
+                           "..part"})
+    std::ofstream(directory / name) << "text";
+  remove_files(directory, [](const std::string &name) { return name.rfind("results-", 0) == 0; });
+  const fs::directory_iterator entries(directory);
+  checks.that("earlier results are removed, also halves of them",
+              !fs::exists(directory / "results-0") && !fs::exists(directory / ".results-0.part") &&
+                !fs::exists(directory / ".results-2.part"));
+  checks.that("nothing else is", std::distance(begin(entries), end(entries)) == 5);
+  remove_files(directory / "missing", [](const std::string &) { return true; });
+  fs::remove_all(directory);
+}
+
 void disk(Checks &checks, const fs::path &directory)
 {
-  prepare_directory(directory / "a" / "b");
-  checks.that("directories are made", fs::is_directory(directory / "a" / "b"));
-  checks.that("nothing is left in them", fs::is_empty(directory / "a" / "b"));
+  fs::create_directories(directory / "a");
   const fs::path file = directory / "a" / "table.csv";
   const auto n_files = [&]() {
     const fs::directory_iterator entries(directory / "a");
@@ -167,10 +218,12 @@ void disk(Checks &checks, const fs::path &directory)
     write_file(directory / "missing" / "file", [](std::ostream &) {});
   });
   checks.that("no temporary files", n_files() == 1 && read(file) == "second");
-  checks.throws<InputError>(
-    "a directory below a file", "--output: found", [&]() { prepare_directory(file / "results"); });
-  checks.throws<InputError>(
-    "a directory that is a file", "--output: found", [&]() { prepare_directory(file); });
+  checks.throws<InputError>("a directory below a file", "--output: found", [&]() {
+    const ResultsDirectory below(file / "results");
+  });
+  checks.throws<InputError>("a directory that is a file", "--output: found", [&]() {
+    const ResultsDirectory results(file);
+  });
   checks.that("the file is still there", read(file) == "second");
 }
 
@@ -208,6 +261,8 @@ int main(int argc, char **argv)
   contact_line(checks);
   const fs::path directory = "files_test_results";
   fs::remove_all(directory);
+  directories(checks, directory);
+  earlier_run(checks, directory);
   disk(checks, directory);
   vtu(checks, directory);
   fs::remove_all(directory);

@@ -119,7 +119,7 @@ void certificate(Checks &checks)
   using Json = nlohmann::json;
   const auto parse = [](const std::vector<LevelRecord> &levels, const std::string &failure) {
     std::ostringstream stream;
-    write_certificate(stream, levels, 1e-10, failure);
+    write_certificate(stream, levels, 1e-10, true, failure);
     return Json::parse(stream.str());
   };
   auto levels = two_levels();
@@ -151,6 +151,9 @@ void certificate(Checks &checks)
   levels[1].kkt = 1e-9;
   checks.that("a KKT residual above the tolerance",
               parse(levels, "").at("verdict") == "not certified");
+  std::ostringstream unfinished;
+  write_certificate(unfinished, two_levels(), 1e-10, false, "");
+  checks.that("more levels to come", Json::parse(unfinished.str()).at("verdict") == "unfinished");
   const Json failed = parse(two_levels(), "it \"failed\"\n");
   checks.that("a failure",
               failed.at("verdict") == "not certified" && failed.at("failure") == "it \"failed\"\n");

@@ -8,24 +8,46 @@
 
 namespace Signorini
 {
-/**
- * Makes a directory for results, with those above it, and tries to write into it.
- * @return the outermost directory that had to be made; empty if all were there.
- * @throws InputError if that is not possible; nothing is left behind then.
- */
-std::filesystem::path prepare_directory(const std::filesystem::path &directory);
+/** A directory for results, which is this run's alone as long as the object lives. */
+class ResultsDirectory
+{
+public:
+  /**
+   * Makes the directory with those above it, tries to write into it, and keeps other runs out of it
+   * (where the file system has locks).
+   * @throws InputError if that is not possible; nothing is left behind then.
+   */
+  explicit ResultsDirectory(const std::filesystem::path &path);
+  ~ResultsDirectory();
+  ResultsDirectory(const ResultsDirectory &) = delete;
+  ResultsDirectory &operator=(const ResultsDirectory &) = delete;
 
-/**
- * Undoes prepare_directory(), which returned @p outermost: removes the directory if it holds
- * nothing but parameters.prm, and those above it if they are empty then. Others are left alone.
- */
-void remove_if_unused(const std::filesystem::path &directory,
-                      const std::filesystem::path &outermost);
+  /** Removes the directories that this object made, as far as they are empty. */
+  void remove_if_empty() const;
+
+private:
+  std::filesystem::path path_;
+  /** The outermost of the directories that had to be made; empty if all were there. */
+  std::filesystem::path outermost_made_;
+  /** Of the open directory, which bears the lock; negative: none. */
+  int descriptor_ = -1;
+};
+
+/** The name under which a file is written until it is complete. */
+std::filesystem::path temporary_name(const std::filesystem::path &path);
 
 /**
  * Writes a file under a temporary name and renames it when it is complete, so that a reader never
- * meets half a file. @throws ComputationError if the disk is full or the file cannot be written.
+ * meets half a file, even if the run is killed. @throws ComputationError if the disk is full or the
+ * file cannot be written.
  */
 void write_file(const std::filesystem::path &path,
                 const std::function<void(std::ostream &)> &write);
+
+/**
+ * Removes the files of a directory whose names satisfy @p is_removed; with a file goes what is left
+ * of an attempt to write it. @throws ComputationError if one cannot be removed.
+ */
+void remove_files(const std::filesystem::path &directory,
+                  const std::function<bool(const std::string &name)> &is_removed);
 } // namespace Signorini

@@ -29,9 +29,14 @@ private:
 /** convergence.csv, all levels. */
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels);
 
-/** certificate.json, all levels. @param failure why a level could not be solved, or empty. */
+/**
+ * certificate.json, all levels.
+ * @param finished whether no level follows; until then the verdict is "unfinished".
+ * @param failure why a level could not be solved, or empty.
+ */
 void write_certificate(std::ostream &stream,
                        const std::vector<LevelRecord> &levels,
                        double tolerance,
+                       bool finished,
                        const std::string &failure);
 } // namespace Signorini
