@@ -44,7 +44,11 @@ void write_certificate(std::ostream &stream,
                            return level.is_certified(tolerance);
                          });
   const char *const verdict = !finished ? "unfinished" : certified ? "certified" : "not certified";
-  Json certificate = {{"verdict", verdict}, {"tolerance", tolerance}, {"levels", rows}};
+  double bound = LevelRecord().residual_bound(tolerance);
+  for (const LevelRecord &level : levels)
+    bound = std::max(bound, level.residual_bound(tolerance));
+  Json certificate = {
+    {"verdict", verdict}, {"tolerance", tolerance}, {"residual_bound", bound}, {"levels", rows}};
   if (!failure.empty())
     certificate["failure"] = failure;
   stream << certificate.dump(2) << "\n";

@@ -16,10 +16,26 @@ std::optional<double> LevelRecord::effectivity() const
   return *estimated_h1 / *u_h1;
 }
 
+namespace
+{
+/** What rounding makes of U, and of its forces. */
+double rounding(const LevelRecord &level)
+{
+  return std::max(level.rounding_error, level.certificate.rounding);
+}
+
+constexpr const char *causes_of_rounding = "the stiffness matrix is ill-conditioned: Poisson's "
+                                           "ratio near 1/2, moduli of very different size, "
+                                           "or a very slender body.";
+} // namespace
+
 double LevelRecord::residual_bound(const double tolerance) const
 {
+  // A residual is a difference of terms that are larger than itself; five digits are asked for.
+  constexpr double largest_bound = 1e-5;
+  const double of_rounding = std::min(100. * rounding(*this), largest_bound);
   // Direct solves and sums over all cells lose some digits of their own.
-  return std::max({1e-8, 100. * tolerance, 10. * rounding_error, 10. * certificate.rounding});
+  return std::max({1e-8, 100. * tolerance, of_rounding});
 }
 
 std::string LevelRecord::doubt(const double tolerance) const
@@ -30,18 +46,22 @@ std::string LevelRecord::doubt(const double tolerance) const
   std::ostringstream text;
   if (!std::isfinite(residual) || !std::isfinite(kkt))
     text << "numbers overflow: choose units in which moduli, lengths and loads are of size one.";
-  else if (!(std::max(rounding_error, certificate.rounding) <= largest_rounding_error))
-    text << "rounding spoils displacements or forces by the part "
-         << std::max(rounding_error, certificate.rounding)
-         << " (allowed: 1e-6), because the stiffness matrix is ill-conditioned: Poisson's ratio "
-            "near 1/2, moduli of very different size, or a very slender body.";
+  else if (!(rounding(*this) <= largest_rounding_error))
+    text << "rounding spoils displacements or forces by the part " << rounding(*this)
+         << " (allowed: 1e-6), because " << causes_of_rounding;
   else if (!(converged && kkt <= tolerance))
     text << "the contact solver stopped after " << qp_iterations
          << " iterations with the KKT residual " << kkt << ", above the tolerance " << tolerance
          << ": raise Maximum iterations, take a Relaxation between 1 and 1.2, or the active set.";
   else if (!(residual <= residual_bound(tolerance)))
+  {
     text << "the largest residual of the certificate is " << residual << ", above "
-         << residual_bound(tolerance) << ".";
+         << residual_bound(tolerance);
+    if (rounding(*this) > 1e-10)
+      text << "; rounding leaves no more, because " << causes_of_rounding;
+    else
+      text << ".";
+  }
   return text.str();
 }
 } // namespace Signorini

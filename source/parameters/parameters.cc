@@ -21,11 +21,6 @@ void check(const Parameters &parameters)
                      std::to_string(discretization.finest_level) +
                      "', allowed: an integer not below Discretization/Coarsest level = " +
                      std::to_string(discretization.coarsest_level) + ".");
-  if (parameters.changed("Discretization/Patches") && discretization.patches > 0 &&
-      parameters.changed("Discretization/Patch ratio"))
-    throw InputError(parameters.where("Discretization/Patches") + ": found '" +
-                     std::to_string(discretization.patches) + "' beside Patch ratio = " +
-                     std::to_string(discretization.patch_ratio) + ", allowed: one of them.");
   if (parameters.output.lemmas && !parameters.output.errors)
     throw InputError(parameters.where("Output/Lemmas") +
                      ": found 'true' beside Output/Errors = false, allowed: both, or false.");

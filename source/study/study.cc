@@ -9,6 +9,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <cmath>
 #include <sstream>
 #include <sys/resource.h>
 
@@ -100,8 +101,48 @@ void print_warnings(const LevelRecord &record, const double tolerance, std::ostr
     screen << "Warning: level " << record.level << " is not certified: " << doubt << "\n";
 }
 
-/** Why the study as a whole cannot be trusted: a level's residuals, or what the finest level cannot
- * resolve. */
+/** Whether two refinements have left the estimated error where it was: the mesh does not resolve
+ * the solution, and the estimate cannot know how far away it is. */
+bool estimate_does_not_fall(const std::vector<LevelRecord> &levels)
+{
+  constexpr std::size_t n = 3;
+  // Solutions in V^h have estimates that are nothing but rounding.
+  const double negligible = std::max(1e-8, 100. * levels.back().rounding_error);
+  const double slowest = std::pow(2., -0.1);
+  if (levels.size() < n)
+    return false;
+  for (std::size_t k = levels.size() - n; k < levels.size(); ++k)
+    if (!levels[k].estimated_relative || *levels[k].estimated_relative < negligible ||
+        (k + n > levels.size() && *levels[k].estimated_h1 < slowest * *levels[k - 1].estimated_h1))
+      return false;
+  return true;
+}
+
+/** Why the finest level cannot be trusted although its equations are solved; empty if it can. */
+std::string find_unresolved(const std::vector<LevelRecord> &levels)
+{
+  std::ostringstream text;
+  const LevelRecord &finest = levels.back();
+  if (!finest.unique)
+    text
+      << "Level " << finest.level
+      << ": the contact pressure is not unique, because contact patches are finer than the mesh; "
+         "take a Patch ratio of 2 or more, or fewer Patches.";
+  else if (finest.locking_number.value_or(0.) > largest_locking_number)
+    text << "The body is nearly incompressible, and bilinear elements lock on a mesh as coarse as "
+            "level "
+         << finest.level << ": K/mu (h/l)^2 = " << *finest.locking_number << ", allowed: at most "
+         << largest_locking_number << "; set Discretization/Element = Q1 B-bar, or refine.";
+  else if (estimate_does_not_fall(levels))
+    text
+      << "The estimated error does not fall from level to level, so that the mesh does not resolve "
+         "the solution: refine, or take cells that are as wide as high (long cells are too stiff "
+         "in bending).";
+  return text.str();
+}
+
+/** Why the study cannot be trusted: a level's residuals, or what the finest level does not resolve.
+ */
 std::string find_failure(const std::vector<LevelRecord> &levels, const double tolerance)
 {
   for (const LevelRecord &record : levels)
@@ -110,19 +151,7 @@ std::string find_failure(const std::vector<LevelRecord> &levels, const double to
     if (!doubt.empty())
       return "Level " + std::to_string(record.level) + ": " + doubt;
   }
-  std::ostringstream text;
-  if (!levels.empty() && !levels.back().unique)
-    text
-      << "Level " << levels.back().level
-      << ": the contact pressure is not unique, because contact patches are finer than the mesh; "
-         "take a Patch ratio of 2 or more, or fewer Patches.";
-  else if (!levels.empty() && levels.back().locking_number.value_or(0.) > largest_locking_number)
-    text << "The body is nearly incompressible, and bilinear elements lock on a mesh as coarse as "
-            "level "
-         << levels.back().level << ": K/mu (h/l)^2 = " << *levels.back().locking_number
-         << ", allowed: at most " << largest_locking_number
-         << "; set Discretization/Element = Q1 B-bar, or refine.";
-  return text.str();
+  return find_unresolved(levels);
 }
 
 /** What a ComputationError leaves behind. A full disk may not even take that: then the certificate

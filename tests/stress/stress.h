@@ -171,9 +171,13 @@ private:
     file_ << " | ";
   }
 
+  /** For answers that are withheld, the first half sentence of the cause. */
   static std::string verdict(const Measured &measured)
   {
-    return measured.is_certified() ? "certified" : "exit code 2: " + measured.study.failure;
+    const std::string &failure = measured.study.failure;
+    return measured.is_certified()
+             ? "certified"
+             : "**exit code 2**: " + failure.substr(0, failure.find_first_of("(,;", 12)) + " …";
   }
 
   std::ofstream file_;
