@@ -42,18 +42,22 @@ StrainOperator strain_operator(const std::string &element)
                                : StrainOperator::symmetric_gradient;
 }
 
-/** C is singular anyway where patches are finer than faces; far finer ones only cost time. */
-constexpr unsigned int most_patches_per_face = 16;
+/** C is singular anyway where patches are finer than faces; those that are far finer even on the
+ * finest level only cost time. */
+constexpr unsigned int most_patches_per_face = 4;
 
 template <int dim>
-void refuse_needless_patches(const Parameters &parameters, const MultiplierSpace<dim> &multipliers)
+void refuse_needless_patches(const Parameters &parameters,
+                             const unsigned int level,
+                             const MultiplierSpace<dim> &multipliers)
 {
-  const std::size_t n_faces = multipliers.faces().size();
+  const unsigned int finer = std::max(parameters.discretization.finest_level, level) - level;
+  const std::size_t n_faces = multipliers.faces().size() << ((dim - 1) * finer);
   const std::size_t n_patches = multipliers.partition().patches.size();
   if (n_patches > most_patches_per_face * n_faces)
     throw InputError(parameters.where("Discretization/Patches") + ": found " +
                      std::to_string(n_patches) + " patches on the " + std::to_string(n_faces) +
-                     " contact faces of the coarsest level, allowed: at most " +
+                     " contact faces of the finest level, allowed: at most " +
                      std::to_string(most_patches_per_face) + " per face.");
 }
 
@@ -246,7 +250,7 @@ Discretization<dim>::Discretization(const Parameters &parameters,
   , setup_seconds(clock_.lap())
 {
   refuse_blind_patches(parameters, condensed_D);
-  refuse_needless_patches(parameters, multipliers);
+  refuse_needless_patches(parameters, level, multipliers);
   if (parameters.solver.require_stability && multipliers.partition().has_unstable_patch())
     throw InputError(parameters.where("Solver/Require stability") +
                      ": a contact patch is no longer than a face (H = h), which is not inf-sup "
