@@ -6,9 +6,9 @@
 #include <signorini/parameters/agreement.h>
 #include <signorini/parameters/exceptions.h>
 #include <signorini/postprocess/error_estimate.h>
+#include <signorini/postprocess/mean_dilatation.h>
 #include <signorini/postprocess/patch_interpolation.h>
 
-#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/numerics/data_out.h>
@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <sstream>
 
@@ -106,47 +105,6 @@ private:
   const Material<dim> &material_;
   std::vector<double> dilatation_;
 };
-
-/**
- * The mean of tr eps(u_h) over the parent of each cell, where there are parents: means over cells
- * may alternate between neighbours, as the pressure of Q1-P0 does. Empty for the full strain.
- */
-template <int dim>
-std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const NodalVector &U)
-{
-  std::vector<double> means;
-  if (space.strain_operator() == StrainOperator::symmetric_gradient)
-    return means;
-  const dealii::QGauss<dim> gauss(2);
-  dealii::FEValues<dim> values(space.mesh().mapping(),
-                               space.element(),
-                               gauss,
-                               dealii::update_gradients | dealii::update_JxW_values);
-  std::vector<double> divergences(gauss.size());
-  using CellId = std::pair<int, int>;
-  const auto group = [&](const auto &cell) {
-    return space.mesh().has_parents() ? CellId(cell->level() - 1, cell->parent_index())
-                                      : CellId(cell->level(), cell->index());
-  };
-  std::map<CellId, std::pair<double, double>> integral_and_volume;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-  {
-    values.reinit(cell);
-    values[dealii::FEValuesExtractors::Vector(0)].get_function_divergences(U, divergences);
-    auto &sums = integral_and_volume[group(cell)];
-    for (const unsigned int q : values.quadrature_point_indices())
-    {
-      sums.first += divergences[q] * values.JxW(q);
-      sums.second += values.JxW(q);
-    }
-  }
-  for (const auto &cell : space.dofs().active_cell_iterators())
-  {
-    const auto &sums = integral_and_volume[group(cell)];
-    means.push_back(sums.first / sums.second);
-  }
-  return means;
-}
 
 /** The patch interpolation of u_h that comes closest to u, as a function of degree two on T^h, for
  * output only. Collective. */
@@ -253,7 +211,10 @@ void write_solution_vtu(const std::filesystem::path &path,
 {
   using namespace dealii::DataComponentInterpretation;
   const std::vector<DataComponentInterpretation> vector(dim, component_is_part_of_vector);
-  const StressPostprocessor<dim> stress(*scene.material, mean_dilatations(space, U));
+  const StressPostprocessor<dim> stress(*scene.material,
+                                        space.strain_operator() == StrainOperator::mean_dilatation
+                                          ? mean_dilatations(space, U)
+                                          : std::vector<double>());
   const dealii::DataOutBase::VtkFlags flags(
     space.mesh().level(), space.mesh().level(), false, dealii::DataOutBase::VtkFlags::best_speed);
   FieldPieces<dim> data_out;

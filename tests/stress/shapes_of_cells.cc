@@ -40,6 +40,27 @@ void distortion(Checks &checks)
   }
 }
 
+/** A cantilever of 100 x 1 under a load at its end, not touching. */
+void bending(Checks &checks)
+{
+  const std::string cantilever = "subsection Boundary\nset Clamped = left\nset Contact = bottom\n"
+                                 "set Traction = right: 0; -1e-6\nend\n" +
+                                 entry("Contact", "Gap", "10") +
+                                 entry("Geometry", "Upper right", "100, 1");
+  checks.that("bending of long cells: not certified",
+              measure(cantilever, levels(2, 5)).names("does not fall"));
+  std::vector<std::string> overrides = levels(1, 3);
+  overrides.emplace_back("Geometry/Cells=100, 1");
+  const Measured square = measure(cantilever, overrides);
+  checks.that("bending of square cells: certified", square.is_certified());
+  // Beam in plane strain, E' = E/(1 - nu^2), I = 1/12: the energy is -F^2 L^3/(6 E' I), and shear
+  // and the square cells' own stiffness change it by less than five per cent.
+  checks.near("bending of square cells: the beam's energy",
+              square.finest().certificate.energy / (-1e-12 * 1e6 * 2. * (1. - 0.09)),
+              1.,
+              0.05);
+}
+
 void smallest(Checks &checks)
 {
   StabilityTable table("smallest", "smallest meshes");
@@ -64,6 +85,7 @@ int main(int argc, char **argv)
   Checks checks;
   aspect(checks);
   distortion(checks);
+  bending(checks);
   smallest(checks);
   return checks.exit_code();
 }
