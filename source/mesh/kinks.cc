@@ -129,12 +129,13 @@ private:
   {
     constexpr double sliver = 1e-6;
     const double length_s = piece.length_s(), length_t = piece.length_t();
-    if (std::min(length_s, length_t) < sliver * std::max(length_s, length_t))
-      quarter(piece, depth);
-    else if (length_s > 2. * length_t)
+    const double longest = std::max(length_s, length_t);
+    const bool is_long = longest > 2. * std::min(length_s, length_t) &&
+                         std::min(length_s, length_t) > sliver * longest;
+    if (is_long && length_s == longest)
       for (const double s : {0., 0.5})
         add(piece.part(s, 0., 0.5, 1.), depth);
-    else if (length_t > 2. * length_s)
+    else if (is_long)
       for (const double t : {0., 0.5})
         add(piece.part(0., t, 1., 0.5), depth);
     else

@@ -10,7 +10,7 @@
 
 namespace Signorini
 {
-BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, Vector F_)
+BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, const Vector &F_)
   : BoundConstrainedQP(std::move(C_), F_, Vector(F_.size()))
 {
 }

@@ -14,7 +14,7 @@ void aspect(Checks &checks)
   {
     Family family;
     family.height = height;
-    const Measured measured = measure(text_of(family), levels(3, 5));
+    const Measured measured = measure(text_of(family), levels(3, 4));
     table.add(height, measured);
     const std::string name = std::string("aspect ratio ") + height;
     checks.that(name + ": certified, or rounding is named",

@@ -17,7 +17,7 @@ struct BoundConstrainedQP
 
   /** For the contact problem the bound is zero. @throws std::invalid_argument
    * if the sizes do not fit or a diagonal entry of C is not positive. */
-  BoundConstrainedQP(dealii::FullMatrix<double> C, Vector F);
+  BoundConstrainedQP(dealii::FullMatrix<double> C, const Vector &F);
   BoundConstrainedQP(dealii::FullMatrix<double> C, Vector F, Vector bound);
 
   dealii::FullMatrix<double> C;
