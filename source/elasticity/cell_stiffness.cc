@@ -119,63 +119,50 @@ const dealii::FullMatrix<double> &CellStiffness<dim>::operator()(const CellItera
 
 namespace
 {
-/** Sums up cell_product(K, U_K) over the cells, K being the cell's matrix in units of stiffness. */
-template <int dim, typename CellProduct>
-DistributedVector sum_over_cells(const DisplacementSpace<dim> &space,
-                                 const Scene<dim> &scene,
-                                 const NodalVector &U,
-                                 const CellProduct &cell_product)
+/** sum_j |K_ij x_j|. */
+void add_magnitudes(const dealii::FullMatrix<double> &K,
+                    const dealii::Vector<double> &x,
+                    dealii::Vector<double> &magnitudes)
+{
+  for (unsigned int i = 0; i < x.size(); ++i)
+    for (unsigned int j = 0; j < x.size(); ++j)
+      magnitudes[i] += std::abs(K(i, j) * x[j]);
+}
+} // namespace
+
+template <int dim>
+InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
+                                    const Scene<dim> &scene,
+                                    const NodalVector &U)
 {
   const Kinks<dim> kinks = Kinks<dim>::of_scene(scene);
   CellStiffness<dim> stiffness(space, *scene.material, kinks);
-  DistributedVector sum = space.make_vector();
+  InternalForces<dim> result = {space.make_vector(), space.make_vector()};
   const unsigned int n = space.element().n_dofs_per_cell();
-  dealii::Vector<double> cell_U(n), product(n);
+  dealii::Vector<double> cell_U(n), forces(n), magnitudes(n);
   std::vector<dealii::types::global_dof_index> indices(n);
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->is_locally_owned())
     {
       cell->get_dof_indices(indices);
       cell->get_dof_values(U, cell_U);
-      cell_product(stiffness(cell), cell_U, product);
-      sum.add(indices, product);
+      const dealii::FullMatrix<double> &K = stiffness(cell);
+      K.vmult(forces, cell_U);
+      magnitudes = 0.;
+      add_magnitudes(K, cell_U, magnitudes);
+      result.forces.add(indices, forces);
+      result.magnitudes.add(indices, magnitudes);
     }
-  sum.compress(dealii::VectorOperation::add);
-  sum *= stiffness_unit(space, *scene.material);
-  return sum;
-}
-} // namespace
-
-template <int dim>
-DistributedVector internal_forces(const DisplacementSpace<dim> &space,
-                                  const Scene<dim> &scene,
-                                  const NodalVector &U)
-{
-  return sum_over_cells(space, scene, U, [](const auto &K, const auto &cell_U, auto &forces) {
-    K.vmult(forces, cell_U);
-  });
-}
-
-template <int dim>
-DistributedVector force_magnitudes(const DisplacementSpace<dim> &space,
-                                   const Scene<dim> &scene,
-                                   const NodalVector &U)
-{
-  return sum_over_cells(space, scene, U, [](const auto &K, const auto &cell_U, auto &magnitudes) {
-    for (unsigned int i = 0; i < cell_U.size(); ++i)
-    {
-      magnitudes[i] = 0.;
-      for (unsigned int j = 0; j < cell_U.size(); ++j)
-        magnitudes[i] += std::abs(K(i, j) * cell_U[j]);
-    }
-  });
+  for (DistributedVector *const vector : {&result.forces, &result.magnitudes})
+  {
+    vector->compress(dealii::VectorOperation::add);
+    *vector *= stiffness_unit(space, *scene.material);
+  }
+  return result;
 }
 
 template class CellStiffness<2>;
-template DistributedVector internal_forces(const DisplacementSpace<2> &,
+template InternalForces<2> internal_forces(const DisplacementSpace<2> &,
                                            const Scene<2> &,
                                            const NodalVector &);
-template DistributedVector force_magnitudes(const DisplacementSpace<2> &,
-                                            const Scene<2> &,
-                                            const NodalVector &);
 } // namespace Signorini

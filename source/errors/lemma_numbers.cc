@@ -186,7 +186,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
   // a(u, phi_j) = f(phi_j) + [p, B phi_j].
   DistributedVector defect = test_on_contact(space, multipliers, n_points, exact_p);
   defect += loads;
-  defect -= internal_forces(space, scene, interpolant);
+  defect -= internal_forces(space, scene, interpolant).forces;
   numbers.consistency = dual_norm(space, *inverse, defect);
   numbers.bound_26 =
     dual_norm(space,

@@ -50,7 +50,8 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
                          const ContactSolution<dim> &solution)
 {
   NodalForces forces;
-  forces.internal = NodalVector(internal_forces(space, scene, solution.U));
+  const InternalForces<dim> internal = internal_forces(space, scene, solution.U);
+  forces.internal = NodalVector(internal.forces);
   forces.loads = NodalVector(system.loads);
   DistributedVector contact = space.make_vector();
   D.add_product(solution.P, contact);
@@ -59,7 +60,7 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
   forces.residual = forces.internal;
   forces.residual -= forces.loads;
   forces.residual -= forces.contact;
-  forces.magnitude = force_magnitudes(space, scene, solution.U).l2_norm();
+  forces.magnitude = internal.magnitudes.l2_norm();
   return forces;
 }
 

@@ -56,16 +56,20 @@ double stiffness_unit(const DisplacementSpace<dim> &space, const Material<dim> &
   return material.modulus() * std::pow(space.mesh().size(), dim - 2);
 }
 
-/** (a(phi_j, phi_i))_ij U for all i, constrained or not: the internal forces. Collective. */
+/** What the stress of a displacement does to the nodes. */
 template <int dim>
-DistributedVector internal_forces(const DisplacementSpace<dim> &space,
-                                  const Scene<dim> &scene,
-                                  const NodalVector &U);
+struct InternalForces
+{
+  /** (a(phi_j, phi_i))_ij U for all i, constrained or not (force per thickness). */
+  DistributedVector forces;
+  /** |A| |U|, summed up cell by cell: times the unit roundoff, what the rounding of U and of sums
+   * makes of the forces. */
+  DistributedVector magnitudes;
+};
 
-/** |A| |U|, summed up cell by cell: times the unit roundoff, what the rounding of U and of sums
- * makes of internal_forces(). Collective. */
+/** Collective. */
 template <int dim>
-DistributedVector force_magnitudes(const DisplacementSpace<dim> &space,
-                                   const Scene<dim> &scene,
-                                   const NodalVector &U);
+InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
+                                    const Scene<dim> &scene,
+                                    const NodalVector &U);
 } // namespace Signorini
