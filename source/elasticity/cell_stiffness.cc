@@ -45,6 +45,17 @@ bool is_parallelogram(const std::vector<dealii::Tensor<1, dim>> &shape)
   static_assert(dim == 2, "the vertices of a hexahedron satisfy more conditions");
   return (shape[3] - shape[2] - shape[1]).norm() < 1e-12 * shape[3].norm();
 }
+
+/** magnitudes_i = sum_j |K_ij x_j|. */
+void multiply_magnitudes(const dealii::FullMatrix<double> &K,
+                         const dealii::Vector<double> &x,
+                         dealii::Vector<double> &magnitudes)
+{
+  magnitudes = 0.;
+  for (unsigned int i = 0; i < x.size(); ++i)
+    for (unsigned int j = 0; j < x.size(); ++j)
+      magnitudes[i] += std::abs(K(i, j) * x[j]);
+}
 } // namespace
 
 template <int dim>
@@ -117,19 +128,6 @@ const dealii::FullMatrix<double> &CellStiffness<dim>::operator()(const CellItera
   return matrix_;
 }
 
-namespace
-{
-/** sum_j |K_ij x_j|. */
-void add_magnitudes(const dealii::FullMatrix<double> &K,
-                    const dealii::Vector<double> &x,
-                    dealii::Vector<double> &magnitudes)
-{
-  for (unsigned int i = 0; i < x.size(); ++i)
-    for (unsigned int j = 0; j < x.size(); ++j)
-      magnitudes[i] += std::abs(K(i, j) * x[j]);
-}
-} // namespace
-
 template <int dim>
 InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
                                     const Scene<dim> &scene,
@@ -148,8 +146,7 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
       cell->get_dof_values(U, cell_U);
       const dealii::FullMatrix<double> &K = stiffness(cell);
       K.vmult(forces, cell_U);
-      magnitudes = 0.;
-      add_magnitudes(K, cell_U, magnitudes);
+      multiply_magnitudes(K, cell_U, magnitudes);
       result.forces.add(indices, forces);
       result.magnitudes.add(indices, magnitudes);
     }

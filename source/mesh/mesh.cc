@@ -85,15 +85,6 @@ private:
   double size_;
 };
 
-template <int dim>
-double longest_extent(const Geometry<dim> &geometry)
-{
-  double longest = 0.;
-  for (unsigned int d = 0; d < dim; ++d)
-    longest = std::max(longest, geometry.upper[d] - geometry.lower[d]);
-  return longest;
-}
-
 /** With bilinear maps, pi^{2h} would lose an order on curved bodies: the map of a cell of T^{2h}
  * must be that of its children up to higher order. */
 template <int dim>
@@ -120,7 +111,7 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
                    dealii::parallel::shared::Triangulation<dim>::partition_metis)
   , curved_(geometry.curved)
   , lower_(geometry.lower)
-  , size_(longest_extent(geometry))
+  , size_(geometry.longest_extent())
   , n_nested_ancestors_(geometry.distortion == 0. ? level : level - std::min(coarsest_level, level))
 {
   const unsigned int first = std::min(coarsest_level, level);

@@ -34,7 +34,7 @@ void write_certificate(std::ostream &stream,
                     {"kkt", level.kkt},
                     {"linear_solves", level.linear_solves},
                     {"linear_residual", level.linear_residual},
-                    {"rounding_error", std::max(level.rounding_error, c.rounding)},
+                    {"rounding_error", level.rounding()},
                     {"residual_bound", level.residual_bound(tolerance)},
                     {"unique", level.unique},
                     {"certified", level.is_certified(tolerance)}});
@@ -44,11 +44,10 @@ void write_certificate(std::ostream &stream,
                            return level.is_certified(tolerance);
                          });
   const char *const verdict = !finished ? "unfinished" : certified ? "certified" : "not certified";
-  double bound = LevelRecord().residual_bound(tolerance);
-  for (const LevelRecord &level : levels)
-    bound = std::max(bound, level.residual_bound(tolerance));
-  Json certificate = {
-    {"verdict", verdict}, {"tolerance", tolerance}, {"residual_bound", bound}, {"levels", rows}};
+  Json certificate = {{"verdict", verdict},
+                      {"tolerance", tolerance},
+                      {"residual_bound", largest_residual_bound(levels, tolerance)},
+                      {"levels", rows}};
   if (!failure.empty())
     certificate["failure"] = failure;
   stream << certificate.dump(2) << "\n";

@@ -18,22 +18,21 @@ std::optional<double> LevelRecord::effectivity() const
 
 namespace
 {
-/** What rounding makes of U, and of its forces. */
-double rounding(const LevelRecord &level)
-{
-  return std::max(level.rounding_error, level.certificate.rounding);
-}
-
 constexpr const char *causes_of_rounding = "the stiffness matrix is ill-conditioned: Poisson's "
                                            "ratio near 1/2, moduli of very different size, "
                                            "or a very slender body.";
 } // namespace
 
+double LevelRecord::rounding() const
+{
+  return std::max(rounding_error, certificate.rounding);
+}
+
 double LevelRecord::residual_bound(const double tolerance) const
 {
   // A residual is a difference of terms that are larger than itself; five digits are asked for.
   constexpr double largest_bound = 1e-5;
-  const double of_rounding = std::min(100. * rounding(*this), largest_bound);
+  const double of_rounding = std::min(100. * rounding(), largest_bound);
   // Direct solves and sums over all cells lose some digits of their own.
   return std::max({1e-8, 100. * tolerance, of_rounding});
 }
@@ -46,8 +45,8 @@ std::string LevelRecord::doubt(const double tolerance) const
   std::ostringstream text;
   if (!std::isfinite(residual) || !std::isfinite(kkt))
     text << "numbers overflow: choose units in which moduli, lengths and loads are of size one.";
-  else if (!(rounding(*this) <= largest_rounding_error))
-    text << "rounding spoils displacements or forces by the part " << rounding(*this)
+  else if (!(rounding() <= largest_rounding_error))
+    text << "rounding spoils displacements or forces by the part " << rounding()
          << " (allowed: 1e-6), because " << causes_of_rounding;
   else if (!(converged && kkt <= tolerance))
     text << "the contact solver stopped after " << qp_iterations
@@ -57,11 +56,19 @@ std::string LevelRecord::doubt(const double tolerance) const
   {
     text << "the largest residual of the certificate is " << residual << ", above "
          << residual_bound(tolerance);
-    if (rounding(*this) > 1e-10)
+    if (rounding() > 1e-10)
       text << "; rounding leaves no more, because " << causes_of_rounding;
     else
       text << ".";
   }
   return text.str();
+}
+
+double largest_residual_bound(const std::vector<LevelRecord> &levels, const double tolerance)
+{
+  double bound = LevelRecord().residual_bound(tolerance);
+  for (const LevelRecord &level : levels)
+    bound = std::max(bound, level.residual_bound(tolerance));
+  return bound;
 }
 } // namespace Signorini

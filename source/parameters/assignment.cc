@@ -84,6 +84,15 @@ bool Declarations::assign(const std::string &path,
   return !value.empty() && !is_same_value(value, defaults_[path]);
 }
 
+std::set<std::string> Declarations::sections() const
+{
+  std::set<std::string> names;
+  for (const auto &entry : allowed_)
+    if (entry.first.find('/') != std::string::npos)
+      names.insert(entry.first.substr(0, entry.first.find('/')));
+  return names;
+}
+
 std::string Declarations::print(const bool with_help) const
 {
   std::ostringstream text;

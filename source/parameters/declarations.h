@@ -6,6 +6,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <map>
+#include <set>
 #include <string>
 
 namespace Signorini
@@ -27,6 +28,9 @@ public:
    * @return whether the value differs from the default.
    */
   bool assign(const std::string &path, const std::string &value, const std::string &where);
+
+  /** The names of all subsections. */
+  std::set<std::string> sections() const;
 
   /** Every entry with its present value, with help and units (@p with_help) or without. */
   std::string print(bool with_help) const;

@@ -25,16 +25,6 @@ void check(const Parameters &parameters)
     throw InputError(parameters.where("Output/Lemmas") +
                      ": found 'true' beside Output/Errors = false, allowed: both, or false.");
 }
-
-/** The subsections that are declared. */
-std::set<std::string> known_sections(const Declarations &declarations)
-{
-  std::set<std::string> sections;
-  for (const Assignment &entry : scan_parameter_text(declarations.print(false), ""))
-    if (entry.path.find('/') != std::string::npos)
-      sections.insert(entry.path.substr(0, entry.path.find('/')));
-  return sections;
-}
 } // namespace
 
 std::string Parameters::where(const std::string &path) const
@@ -56,7 +46,7 @@ Parameters parse_parameters(const std::string &text,
   parameters.file_name = file_name;
   Declarations declarations(parameters);
   std::vector<Assignment> assignments =
-    scan_parameter_text(text, file_name, known_sections(declarations));
+    scan_parameter_text(text, file_name, declarations.sections());
   for (const std::string &argument : overrides)
     assignments.push_back(scan_override(argument));
   for (const Assignment &assignment : assignments)

@@ -193,6 +193,7 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
       ++certificate.degenerate_patches;
   }
 }
+
 /**
  * Without contact the body has the energy Pi(U_0). With V = U - U_0, primal: Pi(U) - Pi(U_0) =
  * a(V,V)/2 and a(V,V) = a(U,V) - f(V); dual: P^T F - P^T C P/2.

@@ -66,17 +66,18 @@ double BoundConstrainedQP::kkt_residual(const Vector &P) const
 bool BoundConstrainedQP::has_unique_solution(const Vector &P) const
 {
   const Vector W = gradient(P);
+  const double zero = size() > 0 ? 1e-9 * F.linfty_norm() : 0.;
   std::vector<unsigned int> touching;
   for (unsigned int i = 0; i < size(); ++i)
-    if (P[i] < bound[i] || W[i] > -1e-9 * F.linfty_norm())
+    if (P[i] < bound[i] || W[i] > -zero)
       touching.push_back(i);
   const auto n = static_cast<unsigned int>(touching.size());
   if (n == 0)
     return true;
+  dealii::FullMatrix<double> C_TT(n, n);
+  C_TT.extract_submatrix_from(C, touching, touching);
   dealii::LAPACKFullMatrix<double> L(n, n);
-  for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int j = 0; j < n; ++j)
-      L(i, j) = C(touching[i], touching[j]);
+  L = C_TT;
   L.set_property(dealii::LAPACKSupport::symmetric);
   try
   {
@@ -89,7 +90,7 @@ bool BoundConstrainedQP::has_unique_solution(const Vector &P) const
   // What is left of a diagonal entry when all before it are eliminated.
   constexpr double rounding = 1e-12;
   for (unsigned int i = 0; i < n; ++i)
-    if (!(L(i, i) * L(i, i) > rounding * C(touching[i], touching[i])))
+    if (!(L(i, i) * L(i, i) > rounding * C_TT(i, i)))
       return false;
   return true;
 }

@@ -226,6 +226,15 @@ double Geometry<dim>::shortest_extent() const
 }
 
 template <int dim>
+double Geometry<dim>::longest_extent() const
+{
+  double longest = 0.;
+  for (unsigned int d = 0; d < dim; ++d)
+    longest = std::max(longest, upper[d] - lower[d]);
+  return longest;
+}
+
+template <int dim>
 std::size_t Geometry<dim>::find_side(const std::string &name) const
 {
   std::size_t i = 0;

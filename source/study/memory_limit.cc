@@ -108,25 +108,38 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
 }
 
 template <int dim>
+double MemoryLimit<dim>::n_cells(const unsigned int level) const
+{
+  return n_coarse_cells_ * std::pow(2., double(dim) * level);
+}
+
+template <int dim>
+double MemoryLimit<dim>::n_contact_faces(const unsigned int level) const
+{
+  return n_coarse_contact_faces_ * std::pow(2., (dim - 1.) * level);
+}
+
+template <int dim>
+double MemoryLimit<dim>::n_patches(const unsigned int level) const
+{
+  return given_.patches > 0 ? n_contact_sides_ * given_.patches
+                            : std::floor(n_contact_faces(level) / given_.patch_ratio);
+}
+
+template <int dim>
 double MemoryLimit<dim>::needed(const unsigned int level) const
 {
-  const double faces = n_coarse_contact_faces_ * std::pow(2., (dim - 1.) * level);
-  const double patches =
-    given_.patches > 0 ? n_contact_sides_ * given_.patches : std::floor(faces / given_.patch_ratio);
-  return sparse_bytes(n_coarse_cells_ * std::pow(2., double(dim) * level)) +
-         dense_bytes(patches, dim * faces, condensed_);
+  return sparse_bytes(n_cells(level)) +
+         dense_bytes(n_patches(level), dim * n_contact_faces(level), condensed_);
 }
 
 template <int dim>
 std::string MemoryLimit<dim>::describe(const unsigned int level) const
 {
-  const std::string cells = number_text(n_coarse_cells_ * std::pow(2., double(dim) * level));
-  const double faces = n_coarse_contact_faces_ * std::pow(2., (dim - 1.) * level);
-  const std::string patches =
-    given_.patches > 0 ? " and " + number_text(n_contact_sides_ * given_.patches) + " patches"
-    : faces > 0.       ? " and " + number_text(std::floor(faces / given_.patch_ratio)) + " patches"
-                       : "";
-  return "level " + std::to_string(level) + " has " + cells + " cells" + patches +
+  // Before the coarse mesh is made its contact faces are not known.
+  const bool knows_patches = given_.patches > 0 || n_coarse_contact_faces_ > 0.;
+  return "level " + std::to_string(level) + " has " + number_text(n_cells(level)) + " cells" +
+         (knows_patches ? " and " + number_text(n_patches(level)) + " patches" : "") +
          ", which need more than " + gibibytes(needed(level));
 }
 

@@ -37,6 +37,9 @@ private:
   bool condensed_;
   double available_;
 
+  double n_cells(unsigned int level) const;
+  double n_contact_faces(unsigned int level) const;
+  double n_patches(unsigned int level) const;
   double needed(unsigned int level) const;
   /** "level 14 makes 1e9 cells and 16384 contact patches, which need more than 12 GiB". */
   std::string describe(unsigned int level) const;

@@ -5,8 +5,6 @@
 
 #include <signorini/parameters/lists.h>
 
-#include <algorithm>
-
 namespace Signorini
 {
 namespace
@@ -75,13 +73,11 @@ void print_verdict(const Parameters &parameters,
              << " sweeps, the increment alone was small after " << *finest.increment_iterations
              << ".\n";
   }
-  double bound = 0.;
-  for (const LevelRecord &level : levels)
-    bound = std::max(bound, level.residual_bound(parameters.solver.tolerance));
   screen << (certified ? "Certified: KKT residuals below "
                        : "NOT certified: not all KKT residuals are below ")
          << parameters.solver.tolerance << (certified ? " and " : " or not all ")
-         << "balances below " << bound << ".\n";
+         << "balances below " << largest_residual_bound(levels, parameters.solver.tolerance)
+         << ".\n";
 }
 
 template void print_scene(const Parameters &, const Scene<2> &, std::ostream &);

@@ -76,13 +76,12 @@ LevelRecord run_level(const StudyContext<dim> &context,
                 progress);
   progress("errors");
   add_errors(parameters, context.scene, discretization, context.exact_pressure.get(), solution);
-  if (is_last(parameters.discretization, solution.record) &&
-      discretization.space.strain_operator() == StrainOperator::symmetric_gradient)
+  const bool last = is_last(parameters.discretization, solution.record);
+  if (last && discretization.space.strain_operator() == StrainOperator::symmetric_gradient)
     solution.record.locking_number = locking_number(discretization.mesh, *context.scene.material);
   progress("output");
   StageClock clock;
-  writer.write_fields(
-    discretization, context.scene, solution, is_last(parameters.discretization, solution.record));
+  writer.write_fields(discretization, context.scene, solution, last);
   clock.add_to(solution.record.times.output);
   solution.record.cpu_total = cpu_seconds();
   solution.record.peak_memory_mb = peak_memory_mb();

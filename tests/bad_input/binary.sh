@@ -8,13 +8,10 @@ program=$(realpath "$1")
 table=$(realpath "$2")
 . "$(dirname "$0")/../command_line/checks.sh"
 
-is_empty() { [ ! -s "$1" ]; }
 # Where something was set is the business of wrong_files.cc.
 without_place() {
   sed -E -e 's/[0-9.]+ GiB of memory/{memory} of memory/' -e 's/^signorini: (--set|good\.prm(:[0-9]+)?): /signorini: /' "$1"
 }
-one_line() { [ "$(wc -l <stderr)" -eq 1 ] && grep -q '^signorini: .*[.)]$' stderr; }
-only_the_inputs() { [ "$(ls -A)" = "$inputs" ]; }
 
 # refuse LATE MESSAGE ARGUMENTS...: MESSAGE is all that is said.
 refuse() {
@@ -23,7 +20,7 @@ refuse() {
   timeout 60 "$program" "$@" >stdout 2>stderr </dev/null
   local code=$?
   check "exit code 1: $message" [ "$code" -eq 1 ]
-  check "  one line" one_line
+  check "  one line" one_line_of_complaint
   check "  that sentence" [ "$(without_place stderr)" = "signorini: $message" ]
   if [ "$late" = no ]; then check "  and prints nothing else" is_empty stdout; fi
   check "  and leaves nothing behind" only_the_inputs

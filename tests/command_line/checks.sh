@@ -18,3 +18,11 @@ check() {
     failures=$((failures + 1))
   fi
 }
+
+is_empty() { [ ! -s "$1" ]; }
+# What the program has to say about wrong input, in the file stderr.
+one_line_of_complaint() {
+  [ "$(wc -l <stderr)" -eq 1 ] && grep -q '^signorini: .*[.)]$' stderr
+}
+# Whether the directory holds what it held when "inputs=$(ls -A)" was set.
+only_the_inputs() { [ "$(ls -A)" = "$inputs" ]; }

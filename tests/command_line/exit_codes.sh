@@ -16,11 +16,6 @@ run() {
 }
 
 says() { grep -qF -- "$1" stdout; }
-is_empty() { [ ! -s "$1" ]; }
-one_line_of_complaint() {
-  [ "$(wc -l <stderr)" -eq 1 ] && grep -q '^signorini: .*[.)]$' stderr
-}
-only_the_inputs() { [ "$(ls -A)" = "$inputs" ]; }
 
 # refuse_late FRAGMENT ARGUMENTS...: exit code 1, one line that holds the fragment, nothing left
 # behind. What was wrong shows on a level only, after the scene has been printed.

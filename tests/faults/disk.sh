@@ -15,19 +15,7 @@ program=$(realpath "$1")
 mpirun=$2
 . "$(dirname "$0")/results.sh"
 
-cat >scene.prm <<'PRM'
-subsection Scene
-  set Name = A1
-end
-subsection Discretization
-  set Coarsest level = 1
-  set Finest level   = 5
-end
-subsection Output
-  set VTU = all
-  set Compliance = true
-end
-PRM
+write_scene 5
 run() {
   timeout 600 "$program" scene.prm "$@" >stdout 2>stderr
   code=$?

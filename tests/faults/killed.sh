@@ -7,18 +7,7 @@ program=$(realpath "$1")
 mpirun=$2
 . "$(dirname "$0")/results.sh"
 
-cat >scene.prm <<'PRM'
-subsection Scene
-  set Name = A1
-end
-subsection Discretization
-  set Coarsest level = 1
-end
-subsection Output
-  set VTU = all
-  set Compliance = true
-end
-PRM
+write_scene 6
 run() { "$program" scene.prm --set "Discretization/Finest level=$1" --output "$2" >stdout 2>stderr; }
 
 # kill_run SIGNAL FILE SECONDS COMMAND...: kills the command SECONDS after the file has appeared; returns its exit code.

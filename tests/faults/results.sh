@@ -4,6 +4,23 @@
 . "$(dirname "${BASH_SOURCE[0]}")/../command_line/checks.sh"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 
+# write_scene LEVEL: scene.prm, A1 up to that level with all files that a run can write.
+write_scene() {
+  cat >scene.prm <<PRM
+subsection Scene
+  set Name = A1
+end
+subsection Discretization
+  set Coarsest level = 1
+  set Finest level   = $1
+end
+subsection Output
+  set VTU = all
+  set Compliance = true
+end
+PRM
+}
+
 verdict() { sed -n 's/^  "verdict": "\(.*\)",$/\1/p' "$1/certificate.json"; }
 verdict_is() { [ "$(verdict "$1")" = "$2" ]; }
 no_temporary_files() { [ -z "$(find "$1" -name '*.part')" ]; }

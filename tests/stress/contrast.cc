@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Moduli of very different size: smooth along and across the contact side, and in two layers.
 
+#include <signorini/parameters/lists.h>
+
 #include "stress.h"
 
 using namespace Signorini;
@@ -31,9 +33,9 @@ void layers(Checks &checks, StabilityTable &table)
     text << "subsection Material\nset Young's modulus = y < 0.25 ? " << modulus
          << " : 1\nset Poisson's ratio = 0\nend\nsubsection Boundary\nset Contact = bottom\n"
          << "set Displacement = top: 0; -0.01\nend\n"
-         << entry("Exact solution", "Pressure", "-0.01/(0.25/" + brief(modulus) + " + 0.75)");
+         << entry("Exact solution", "Pressure", "-0.01/(0.25/" + number_text(modulus) + " + 0.75)");
     const Measured measured = measure(text.str(), levels(3, 5));
-    const std::string name = "layer of " + brief(modulus);
+    const std::string name = "layer of " + number_text(modulus);
     table.add(name, measured);
     checks.that(name + ": certified, or rounding is named",
                 measured.is_certified() || measured.names("rounding"));

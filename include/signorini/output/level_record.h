@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace Signorini
 {
@@ -80,6 +81,8 @@ struct LevelRecord
 
   /** estimated_h1 / u_h1. */
   std::optional<double> effectivity() const;
+  /** What rounding makes of U or of its forces, the larger of both. */
+  double rounding() const;
   /** The bound on the certificate's residuals that belongs to a tolerance of the dual problem: not
    * below what rounding makes of U. */
   double residual_bound(double tolerance) const;
@@ -91,4 +94,7 @@ struct LevelRecord
     return doubt(tolerance).empty();
   }
 };
+
+/** The largest residual_bound() of a study; that of a level without rounding if there is none. */
+double largest_residual_bound(const std::vector<LevelRecord> &levels, double tolerance);
 } // namespace Signorini

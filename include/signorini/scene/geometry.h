@@ -43,6 +43,8 @@ struct Geometry
   dealii::Point<dim> inner_point() const;
   /** The shortest edge of the box around the body (length). */
   double shortest_extent() const;
+  /** The longest one. */
+  double longest_extent() const;
   /** @return the number of the side, or sides.size() if there is none of this name. */
   std::size_t find_side(const std::string &name) const;
   /** All names, for messages. */
