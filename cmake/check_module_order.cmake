@@ -5,10 +5,11 @@
 cmake_minimum_required(VERSION 3.25)
 
 # Every module with what it may include. qp is algebra only and includes nothing of the others.
-set(order parameters scene mesh elasticity stiffness_inverse multiplier compliance qp recovery
-          postprocess errors output study)
-set(allowed_qp qp)
-set(allowed_stiffness_inverse parameters stiffness_inverse)
+set(order base parameters scene catalogue scene_input mesh elasticity stiffness_inverse multiplier norms compliance
+          qp recovery postprocess errors output study)
+set(allowed_qp base qp)
+set(allowed_stiffness_inverse base parameters stiffness_inverse)
+set(allowed_scene base scene)
 set(above "")
 foreach(module ${order})
   list(APPEND above ${module})

@@ -3,9 +3,9 @@
 
 #include "command_line.h"
 
-#include <signorini/parameters/exceptions.h>
+#include <signorini/base/exceptions.h>
+#include <signorini/catalogue/catalogue.h>
 #include <signorini/parameters/parameters.h>
-#include <signorini/scene/catalogue.h>
 
 #include <deal.II/base/config.h>
 

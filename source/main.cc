@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // From the command line to an exit code: 0 certified, 1 wrong input, 2 not certified, 3 other.
 
+#include <signorini/base/agreement.h>
+#include <signorini/base/exceptions.h>
 #include <signorini/output/files.h>
 #include <signorini/output/interruption.h>
-#include <signorini/parameters/agreement.h>
-#include <signorini/parameters/exceptions.h>
+#include <signorini/scene_input/make_scene.h>
 #include <signorini/study/study.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/scene_input/make_scene.h>
 #include <signorini/study/level.h>
 
 #include <deal.II/base/mpi.h>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/parameters/parameters.h>
+#include <signorini/scene_input/make_scene.h>
 #include <signorini/study/study.h>
 
 #include <deal.II/base/mpi.h>

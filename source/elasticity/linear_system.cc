@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A and f of (22): one pass over the cells, in chunks that threads share.
 
+#include <signorini/base/agreement.h>
+#include <signorini/base/exceptions.h>
 #include <signorini/elasticity/cell_chunks.h>
 #include <signorini/elasticity/cell_stiffness.h>
-#include <signorini/elasticity/h1_gram_matrix.h>
 #include <signorini/elasticity/linear_system.h>
 #include <signorini/elasticity/matrix_scatter.h>
-#include <signorini/parameters/agreement.h>
-#include <signorini/parameters/exceptions.h>
 
 #include <cmath>
 #include <sstream>

@@ -3,12 +3,32 @@
 
 #include <signorini/elasticity/matrix_scatter.h>
 
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+
 #include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
 
 namespace Signorini
 {
+template <int dim>
+dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space)
+{
+  const MPI_Comm communicator = space.mesh().communicator();
+  const dealii::IndexSet &owned = space.locally_owned();
+  dealii::TrilinosWrappers::SparsityPattern sparsity(owned, owned, communicator);
+  dealii::DoFTools::make_sparsity_pattern(space.dofs(),
+                                          sparsity,
+                                          space.constraints(),
+                                          false,
+                                          dealii::Utilities::MPI::this_mpi_process(communicator));
+  sparsity.compress();
+  dealii::TrilinosWrappers::SparseMatrix matrix;
+  matrix.reinit(sparsity);
+  return matrix;
+}
+
 template <int dim>
 MatrixScatter<dim>::MatrixScatter(const DisplacementSpace<dim> &space,
                                   dealii::TrilinosWrappers::SparseMatrix &matrix)
@@ -76,5 +96,6 @@ void MatrixScatter<dim>::add(const dealii::FullMatrix<double> &cell_matrix,
     constraints_.distribute_local_to_global(cell_matrix, cell_vector, indices, matrix_, vector);
 }
 
+template dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<2> &);
 template class MatrixScatter<2>;
 } // namespace Signorini

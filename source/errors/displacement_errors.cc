@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The left-hand sides of (13), (24) and (31), in one pass over the cells.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/elasticity/cell_chunks.h>
 #include <signorini/elasticity/integration.h>
 #include <signorini/errors/displacement_errors.h>
-#include <signorini/parameters/exceptions.h>
 #include <signorini/postprocess/nodal_interpolation.h>
 #include <signorini/postprocess/patch_interpolation.h>
 

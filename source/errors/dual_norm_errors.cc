@@ -2,7 +2,7 @@
 // The left-hand sides of (15), (25) and (32).
 
 #include <signorini/errors/dual_norm_errors.h>
-#include <signorini/multiplier/slobodeckij_norm.h>
+#include <signorini/norms/slobodeckij_norm.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The left-hand side of (14) and (33).
 
+#include <signorini/base/exceptions.h>
 #include <signorini/errors/pressure_errors.h>
-#include <signorini/parameters/exceptions.h>
 #include <signorini/postprocess/contact_pressure.h>
 
 #include <cmath>

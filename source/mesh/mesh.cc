@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // T^h by nested refinement, partitioned by METIS.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/mesh/mesh.h>
-#include <signorini/parameters/exceptions.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/fe/mapping_q.h>

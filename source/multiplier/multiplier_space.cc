@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Q^H, and G of (22).
 
+#include <signorini/base/exceptions.h>
 #include <signorini/multiplier/multiplier_space.h>
-#include <signorini/parameters/exceptions.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Files appear complete or not at all.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/output/files.h>
 #include <signorini/output/interruption.h>
-#include <signorini/parameters/exceptions.h>
 
 #include <cerrno>
 #include <fcntl.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The body for ParaView: displacement, its recovery, stresses.
 
+#include <signorini/base/agreement.h>
+#include <signorini/base/exceptions.h>
 #include <signorini/output/files.h>
 #include <signorini/output/solution_vtu.h>
-#include <signorini/parameters/agreement.h>
-#include <signorini/parameters/exceptions.h>
 #include <signorini/postprocess/error_estimate.h>
 #include <signorini/postprocess/mean_dilatation.h>
 #include <signorini/postprocess/patch_interpolation.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // From the text of a parameter file and overrides to checked plain values.
 
-#include <signorini/parameters/exceptions.h>
-#include <signorini/parameters/lists.h>
+#include <signorini/base/exceptions.h>
+#include <signorini/base/text.h>
 #include <signorini/parameters/parameter_text.h>
 #include <signorini/parameters/parameters.h>
 

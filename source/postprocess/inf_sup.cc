@@ -2,8 +2,8 @@
 // Lemma 1 as a number: a generalised eigenvalue problem on the contact boundary.
 
 #include <signorini/compliance/compliance.h>
-#include <signorini/elasticity/h1_gram_matrix.h>
-#include <signorini/multiplier/spectral_norm.h>
+#include <signorini/norms/h1_gram_matrix.h>
+#include <signorini/norms/spectral_norm.h>
 #include <signorini/postprocess/inf_sup.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // E_ijkl: isotropic, orthotropic and general, by expressions.
 
-#include <signorini/parameters/exceptions.h>
-#include <signorini/parameters/lists.h>
+#include <signorini/base/exceptions.h>
+#include <signorini/base/text.h>
 #include <signorini/scene/material.h>
 
 #include <deal.II/base/numbers.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A = L L^T by CHOLMOD, chosen unknowns last.
 
-#include <signorini/parameters/exceptions.h>
+#include <signorini/base/exceptions.h>
 #include <signorini/stiffness_inverse/condensed_inverse.h>
 
 #include <Epetra_CrsMatrix.h>

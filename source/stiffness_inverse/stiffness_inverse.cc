@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A^{-1} by the sparse direct solvers of Trilinos (Amesos), and the choice of a solver.
 
-#include <signorini/parameters/exceptions.h>
-#include <signorini/parameters/threads.h>
+#include <signorini/base/exceptions.h>
+#include <signorini/base/threads.h>
 #include <signorini/stiffness_inverse/condensed_inverse.h>
 #include <signorini/stiffness_inverse/library_threads.h>
 #include <signorini/stiffness_inverse/stiffness_inverse.h>

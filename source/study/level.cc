@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // One level, from the mesh to the certified answer.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/compliance/compliance.h>
-#include <signorini/parameters/exceptions.h>
 #include <signorini/postprocess/contact_pressure.h>
 #include <signorini/postprocess/error_estimate.h>
 #include <signorini/postprocess/inf_sup.h>

@@ -3,8 +3,8 @@
 
 #include "memory_limit.h"
 
-#include <signorini/parameters/exceptions.h>
-#include <signorini/parameters/lists.h>
+#include <signorini/base/exceptions.h>
+#include <signorini/base/text.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -3,13 +3,13 @@
 
 #include "results_writer.h"
 
+#include <signorini/base/agreement.h>
+#include <signorini/base/exceptions.h>
 #include <signorini/output/contact_line.h>
 #include <signorini/output/files.h>
 #include <signorini/output/matrix_market.h>
 #include <signorini/output/solution_vtu.h>
 #include <signorini/output/tables.h>
-#include <signorini/parameters/agreement.h>
-#include <signorini/parameters/exceptions.h>
 
 #include <deal.II/base/mpi.h>
 

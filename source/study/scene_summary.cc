@@ -3,7 +3,7 @@
 
 #include "scene_summary.h"
 
-#include <signorini/parameters/lists.h>
+#include <signorini/base/text.h>
 
 namespace Signorini
 {

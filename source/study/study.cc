@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Nested levels, coarsest to finest, each started from the one before.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/output/tables.h>
-#include <signorini/parameters/exceptions.h>
 #include <signorini/postprocess/locking.h>
 #include <signorini/stiffness_inverse/library_threads.h>
 #include <signorini/study/study.h>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Every block of wrong_files.txt is refused, with the message that stands there.
 
-#include <signorini/parameters/exceptions.h>
-#include <signorini/parameters/lists.h>
+#include <signorini/base/exceptions.h>
+#include <signorini/base/text.h>
 #include <signorini/parameters/parameter_text.h>
+#include <signorini/scene_input/make_scene.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -2,7 +2,7 @@
 // C = D^T S^{-1} D read from the factor is C = D^T A^{-1} D by one solve per column.
 
 #include <signorini/compliance/compliance.h>
-#include <signorini/elasticity/h1_gram_matrix.h>
+#include <signorini/norms/h1_gram_matrix.h>
 #include <signorini/recovery/recovery.h>
 #include <signorini/stiffness_inverse/condensed_inverse.h>
 

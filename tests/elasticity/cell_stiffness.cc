@@ -2,6 +2,7 @@
 // The stiffness matrix of one cell against exact integrals of products of linear functions.
 
 #include <signorini/elasticity/cell_stiffness.h>
+#include <signorini/scene_input/make_scene.h>
 
 #include "one_level.h"
 #include "tests.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A, f and the essential conditions: resultants in closed form, symmetry, linear fields, rollers.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/elasticity/linear_system.h>
-#include <signorini/parameters/exceptions.h>
+#include <signorini/scene_input/make_scene.h>
 #include <signorini/stiffness_inverse/stiffness_inverse.h>
 
 #include <cmath>

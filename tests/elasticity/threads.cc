@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The assembly has the same digits on any number of threads.
 
+#include <signorini/base/exceptions.h>
+#include <signorini/base/threads.h>
 #include <signorini/elasticity/linear_system.h>
-#include <signorini/parameters/exceptions.h>
-#include <signorini/parameters/threads.h>
 
 #include <cstdlib>
 #include <numeric>

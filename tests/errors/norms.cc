@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Error norms of functions whose norms are known in closed form, kinks and square roots included.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/errors/displacement_errors.h>
 #include <signorini/errors/pressure_errors.h>
-#include <signorini/parameters/exceptions.h>
 #include <signorini/postprocess/error_estimate.h>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // Any text as a formula: it is refused by an InputError, or has the value that muParser alone gives
 // it, with operators of our own for its squares and cubes or without.
 
-#include <signorini/parameters/exceptions.h>
+#include <signorini/base/exceptions.h>
 #include <signorini/scene/expression.h>
 
 #include <deal.II/base/numbers.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Any text as a parameter file: it is a scene, or an InputError of one short line says why not.
 
-#include <signorini/parameters/exceptions.h>
+#include <signorini/base/exceptions.h>
 #include <signorini/parameters/parameters.h>
-#include <signorini/scene/scene.h>
+#include <signorini/scene_input/make_scene.h>
 
 #include <cstdint>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Meshes by nested refinement: counts, lengths, distortion, boundary ids.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/mesh/mesh.h>
-#include <signorini/parameters/exceptions.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>

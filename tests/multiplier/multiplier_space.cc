@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Integrals over patches against closed forms: lengths, gaps with kinks, square roots.
 
-#include <signorini/parameters/exceptions.h>
+#include <signorini/base/exceptions.h>
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Matrices, contact line and VTU read back, and how files appear on disk.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/output/contact_line.h>
 #include <signorini/output/files.h>
 #include <signorini/output/matrix_market.h>
 #include <signorini/output/solution_vtu.h>
-#include <signorini/parameters/exceptions.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // What is said about the levels of a run, read back: convergence.csv, the table on the screen and
 // certificate.json.
 
+#include <signorini/base/text.h>
 #include <signorini/output/tables.h>
-#include <signorini/parameters/lists.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What one rank throws, every rank throws: the same kind of error with the same message.
 
-#include <signorini/parameters/agreement.h>
-#include <signorini/parameters/exceptions.h>
+#include <signorini/base/agreement.h>
+#include <signorini/base/exceptions.h>
 
 #include <deal.II/base/mpi.h>
 

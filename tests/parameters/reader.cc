@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The syntax of parameter files, the values they allow, overrides, and the echo.
 
-#include <signorini/parameters/exceptions.h>
-#include <signorini/parameters/lists.h>
+#include <signorini/base/exceptions.h>
+#include <signorini/base/text.h>
 #include <signorini/parameters/parameter_text.h>
 #include <signorini/parameters/parameters.h>
 

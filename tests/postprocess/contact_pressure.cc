@@ -2,6 +2,7 @@
 // Resultants, recovery and transfer of piecewise constant pressures, on hand-made patches.
 
 #include <signorini/postprocess/contact_pressure.h>
+#include <signorini/scene_input/make_scene.h>
 
 #include <cmath>
 

@@ -2,8 +2,9 @@
 // Every catalogue scene with an exact solution: values from an independent program, and the
 // equations of (1) by differences.
 
+#include <signorini/catalogue/catalogue.h>
 #include <signorini/parameters/parameters.h>
-#include <signorini/scene/catalogue.h>
+#include <signorini/scene_input/make_scene.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Formulas of the parameter file: values, refusals, constants, copies, gradients.
 
-#include <signorini/parameters/exceptions.h>
+#include <signorini/base/exceptions.h>
 #include <signorini/scene/expression.h>
 #include <signorini/scene/functions.h>
 

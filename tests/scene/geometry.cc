@@ -2,9 +2,9 @@
 // Sides of rectangles and polygons, and the rigid motions that roles leave free.
 
 #include <signorini/parameters/parameters.h>
-#include <signorini/scene/described.h>
 #include <signorini/scene/geometry.h>
 #include <signorini/scene/rigid_motions.h>
+#include <signorini/scene_input/described.h>
 
 #include <cmath>
 

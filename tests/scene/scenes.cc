@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Catalogue scenes and materials against numbers found elsewhere.
 
+#include <signorini/catalogue/catalogue.h>
 #include <signorini/parameters/parameters.h>
-#include <signorini/scene/catalogue.h>
-#include <signorini/scene/scene.h>
+#include <signorini/scene_input/make_scene.h>
 
 #include <cmath>
 

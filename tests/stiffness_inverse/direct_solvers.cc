@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The direct solvers: known answers, counted solves, singular matrices, and numbers of ranks.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/elasticity/linear_system.h>
-#include <signorini/parameters/exceptions.h>
+#include <signorini/scene_input/make_scene.h>
 #include <signorini/stiffness_inverse/condensed_inverse.h>
 
 #include "one_level.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Moduli of very different size: smooth along and across the contact side, and in two layers.
 
-#include <signorini/parameters/lists.h>
+#include <signorini/base/text.h>
 
 #include "stress.h"
 

@@ -3,6 +3,7 @@
 
 #include <signorini/qp/active_set.h>
 #include <signorini/qp/psor.h>
+#include <signorini/scene_input/make_scene.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 

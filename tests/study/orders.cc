@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Orders of convergence, agreement of the solvers, warm start, and what a scene does not need.
 
-#include <signorini/parameters/exceptions.h>
+#include <signorini/base/exceptions.h>
 #include <signorini/study/study.h>
 
 #include <deal.II/base/mpi.h>

@@ -2,6 +2,7 @@
 // Whole studies against numbers of an independent implementation in another language (double
 // precision, integrals to rounding), on one, two and three processes.
 
+#include <signorini/scene_input/make_scene.h>
 #include <signorini/study/study.h>
 
 #include <deal.II/base/mpi.h>

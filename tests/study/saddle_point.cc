@@ -3,8 +3,8 @@
 // which is solved here as a whole, without C: in every scene of the catalogue and in some described
 // ones. Every sweep of projected SOR lowers the dual objective.
 
+#include <signorini/catalogue/catalogue.h>
 #include <signorini/qp/psor.h>
-#include <signorini/scene/catalogue.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_direct.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/threads.h>
 #include <signorini/elasticity/displacement_space.h>
-#include <signorini/parameters/threads.h>
 
 #include <functional>
 #include <vector>

@@ -7,6 +7,10 @@
 
 namespace Signorini
 {
+/** A matrix of V^h with the couplings of A, rows distributed, entries zero. Collective. */
+template <int dim>
+dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space);
+
 /**
  * Adds matrices of cells to a matrix of V^h that make_matrix() made, condensing the constraints.
  *

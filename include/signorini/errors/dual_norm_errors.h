@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/multiplier/multiplier_space.h>
-#include <signorini/multiplier/spectral_norm.h>
+#include <signorini/norms/spectral_norm.h>
 
 #include <map>
 #include <optional>

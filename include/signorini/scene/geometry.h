@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/parameters/parameters.h>
 #include <signorini/scene/side.h>
 
 #include <deal.II/grid/tria.h>
@@ -79,7 +78,4 @@ Geometry<2> make_ring(double inner_radius, double outer_radius);
  * their edges.
  */
 Geometry<2> make_half_disc(double radius);
-
-/** The geometry that a parameter file describes. @throws InputError */
-Geometry<2> make_geometry(const Parameters &parameters);
 } // namespace Signorini

@@ -85,7 +85,4 @@ struct Scene
   /** Whether p is known on every contact side. */
   bool has_exact_pressure() const;
 };
-
-/** The scene that the parameters name or describe. @throws InputError */
-Scene<2> make_scene(const Parameters &parameters);
 } // namespace Signorini

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // One sentence, on one line.
 
-#include <signorini/parameters/exceptions.h>
+#include <signorini/base/exceptions.h>
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // |||.|||_{-1/2,Gamma_c} by cosine or Fourier series, side by side.
 
-#include <signorini/multiplier/spectral_norm.h>
+#include <signorini/norms/spectral_norm.h>
 
 #include <deal.II/base/numbers.h>
 

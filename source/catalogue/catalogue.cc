@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The list of scenes known by name.
 
-#include <signorini/scene/catalogue.h>
+#include <signorini/catalogue/catalogue.h>
 
 #include <iomanip>
 #include <sstream>

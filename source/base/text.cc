@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Texts of a parameter file taken apart: words, lists, numbers.
 
-#include <signorini/parameters/lists.h>
+#include <signorini/base/text.h>
 
 #include <cmath>
 #include <cstdlib>

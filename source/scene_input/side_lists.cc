@@ -3,8 +3,8 @@
 
 #include "side_lists.h"
 
-#include <signorini/parameters/exceptions.h>
-#include <signorini/parameters/lists.h>
+#include <signorini/base/exceptions.h>
+#include <signorini/base/text.h>
 
 #include <algorithm>
 #include <cctype>

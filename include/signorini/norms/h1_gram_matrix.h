@@ -7,10 +7,6 @@
 
 namespace Signorini
 {
-/** A matrix of V^h with the couplings of A, rows distributed, entries zero. Collective. */
-template <int dim>
-dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space);
-
 /** (A_1)_ij = (phi_j, phi_i)_{1,Omega} = int phi_j.phi_i + grad phi_j : grad phi_i, condensed like
  * A. Collective. */
 template <int dim>

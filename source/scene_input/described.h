@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/parameters/parameters.h>
 #include <signorini/scene/scene.h>
 
 namespace Signorini

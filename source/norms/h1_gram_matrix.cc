@@ -1,33 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The norm of V^h as a matrix.
 
-#include <signorini/elasticity/h1_gram_matrix.h>
 #include <signorini/elasticity/matrix_scatter.h>
+#include <signorini/norms/h1_gram_matrix.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 namespace Signorini
 {
-template <int dim>
-dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space)
-{
-  const MPI_Comm communicator = space.mesh().communicator();
-  const dealii::IndexSet &owned = space.locally_owned();
-  dealii::TrilinosWrappers::SparsityPattern sparsity(owned, owned, communicator);
-  dealii::DoFTools::make_sparsity_pattern(space.dofs(),
-                                          sparsity,
-                                          space.constraints(),
-                                          false,
-                                          dealii::Utilities::MPI::this_mpi_process(communicator));
-  sparsity.compress();
-  dealii::TrilinosWrappers::SparseMatrix matrix;
-  matrix.reinit(sparsity);
-  return matrix;
-}
-
 template <int dim>
 dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space)
 {
@@ -72,7 +53,6 @@ dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const Displacemen
   return A_1;
 }
 
-template dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<2> &);
 template dealii::TrilinosWrappers::SparseMatrix
 assemble_h1_gram_matrix(const DisplacementSpace<2> &);
 } // namespace Signorini

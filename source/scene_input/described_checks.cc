@@ -3,8 +3,8 @@
 
 #include "described_checks.h"
 
-#include <signorini/parameters/exceptions.h>
-#include <signorini/parameters/lists.h>
+#include <signorini/base/exceptions.h>
+#include <signorini/base/text.h>
 #include <signorini/scene/magnitudes.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // An error on one rank becomes the same error on all.
 
-#include <signorini/parameters/agreement.h>
-#include <signorini/parameters/exceptions.h>
+#include <signorini/base/agreement.h>
+#include <signorini/base/exceptions.h>
 
 #include <deal.II/base/mpi.h>
 

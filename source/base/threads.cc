@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Threads of one process.
 
-#include <signorini/parameters/threads.h>
+#include <signorini/base/threads.h>
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/parameters/parameters.h>
+#include <signorini/scene/scene.h>
+
+namespace Signorini
+{
+/** The scene that the parameters name or describe. @throws InputError */
+Scene<2> make_scene(const Parameters &parameters);
+} // namespace Signorini
