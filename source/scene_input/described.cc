@@ -6,9 +6,9 @@
 #include <signorini/base/exceptions.h>
 #include <signorini/base/text.h>
 #include <signorini/scene/functions.h>
+#include <signorini/scene_input/geometry_input.h>
 
 #include "described_checks.h"
-#include "geometry_input.h"
 #include "side_lists.h"
 
 namespace Signorini
