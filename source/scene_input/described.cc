@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Scene/Name = described: every piece of problem (1) from the expressions of the parameter file.
 
-#include "described.h"
-
 #include <signorini/base/exceptions.h>
 #include <signorini/base/text.h>
 #include <signorini/scene/functions.h>
-#include <signorini/scene_input/geometry_input.h>
+#include <signorini/scene_input/described.h>
 
 #include "described_checks.h"
+#include "geometry_input.h"
 #include "side_lists.h"
 
 namespace Signorini

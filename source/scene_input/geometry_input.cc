@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The subsection Geometry: rectangles and convex polygons, checked before they are made.
 
+#include "geometry_input.h"
+
 #include <signorini/base/exceptions.h>
 #include <signorini/base/text.h>
 #include <signorini/scene/magnitudes.h>
-#include <signorini/scene_input/geometry_input.h>
 
 #include <deal.II/base/numbers.h>
 

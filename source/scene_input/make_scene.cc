@@ -5,9 +5,8 @@
 #include <signorini/base/text.h>
 #include <signorini/catalogue/catalogue.h>
 #include <signorini/scene/rigid_motions.h>
+#include <signorini/scene_input/described.h>
 #include <signorini/scene_input/make_scene.h>
-
-#include "described.h"
 
 namespace Signorini
 {

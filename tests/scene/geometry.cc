@@ -4,7 +4,7 @@
 #include <signorini/parameters/parameters.h>
 #include <signorini/scene/geometry.h>
 #include <signorini/scene/rigid_motions.h>
-#include <signorini/scene_input/geometry_input.h>
+#include <signorini/scene_input/described.h>
 
 #include <cmath>
 
