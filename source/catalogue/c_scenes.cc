@@ -83,9 +83,11 @@ Scene<2> make_c4()
   std::vector<Side<2>> &sides = scene.geometry.sides;
   const std::size_t left = scene.geometry.find_side("left");
   const dealii::Point<2> division(0., 0.75), normal(-1., 0.);
-  sides.emplace_back("upper left", division, sides[left].end(), normal);
-  sides[left] = Side<2>("left", sides[left].start(), division, normal);
-  scene.geometry.classify_after_refinement = true;
+  sides.emplace_back("upper left", Curve(division, sides[left].end(), normal));
+  sides[left] = Side<2>("left", Curve(sides[left].start(), division, normal));
+  scene.geometry.number_after_refinement = [sides](dealii::Triangulation<2> &triangulation) {
+    number_boundary(sides, triangulation);
+  };
 
   scene.boundary.resize(sides.size());
   const auto condition = [&](const char *name) -> BoundaryCondition<2> & {

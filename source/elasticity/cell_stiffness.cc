@@ -39,11 +39,21 @@ std::vector<double> mean_divergences(const dealii::FEValues<dim> &values)
   return means;
 }
 
+/** Whether every vertex is the sum of the edges along its coordinates: a parallelogram, in space a
+ * parallelepiped. */
 template <int dim>
-bool is_parallelogram(const std::vector<dealii::Tensor<1, dim>> &shape)
+bool is_affine(const std::vector<dealii::Tensor<1, dim>> &shape)
 {
-  static_assert(dim == 2, "the vertices of a hexahedron satisfy more conditions");
-  return (shape[3] - shape[2] - shape[1]).norm() < 1e-12 * shape[3].norm();
+  for (unsigned int v = 0; v < shape.size(); ++v)
+  {
+    dealii::Tensor<1, dim> difference = shape[v];
+    for (unsigned int d = 0; d < dim; ++d)
+      if (((v >> d) & 1U) != 0)
+        difference -= shape[1U << d];
+    if (!(difference.norm() < 1e-12 * shape.back().norm()))
+      return false;
+  }
+  return true;
 }
 
 /** magnitudes_i = sum_j |K_ij x_j|. */
@@ -59,15 +69,13 @@ void multiply_magnitudes(const dealii::FullMatrix<double> &K,
 } // namespace
 
 template <int dim>
-CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space,
-                                  const Material<dim> &material,
-                                  const Kinks<dim> &kinks)
+CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Scene<dim> &scene)
   : mesh_(space.mesh())
-  , material_(material)
+  , material_(*scene.material)
   , strain_operator_(space.strain_operator())
-  , constant_(material.is_constant())
+  , constant_(material_.is_constant())
   , curved_(mesh_.is_curved())
-  , kinks_(constant_ ? Kinks<dim>({}) : kinks)
+  , kinks_(constant_ ? Kinks<dim>() : scene.kinks)
   , affine_values_(mesh_.unit_mapping(), space.element(), kinks_, 2, stiffness_flags)
   , general_values_(mesh_.unit_mapping(), space.element(), kinks_, 4, stiffness_flags)
   , matrix_(space.element().n_dofs_per_cell())
@@ -123,7 +131,7 @@ const dealii::FullMatrix<double> &CellStiffness<dim>::operator()(const CellItera
   if (is_congruent(cell))
     return matrix_;
   shape_ = shape_of<dim>(cell);
-  const bool exact_with_two_points = constant_ && !curved_ && is_parallelogram<dim>(shape_);
+  const bool exact_with_two_points = constant_ && !curved_ && is_affine<dim>(shape_);
   integrate((exact_with_two_points ? affine_values_ : general_values_).reinit(cell));
   return matrix_;
 }
@@ -133,8 +141,7 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
                                     const Scene<dim> &scene,
                                     const NodalVector &U)
 {
-  const Kinks<dim> kinks = Kinks<dim>::of_scene(scene);
-  CellStiffness<dim> stiffness(space, *scene.material, kinks);
+  CellStiffness<dim> stiffness(space, scene);
   InternalForces<dim> result = {space.make_vector(), space.make_vector()};
   const unsigned int n = space.element().n_dofs_per_cell();
   dealii::Vector<double> cell_U(n), forces(n), magnitudes(n);
@@ -159,7 +166,11 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
 }
 
 template class CellStiffness<2>;
+template class CellStiffness<3>;
 template InternalForces<2> internal_forces(const DisplacementSpace<2> &,
                                            const Scene<2> &,
+                                           const NodalVector &);
+template InternalForces<3> internal_forces(const DisplacementSpace<3> &,
+                                           const Scene<3> &,
                                            const NodalVector &);
 } // namespace Signorini

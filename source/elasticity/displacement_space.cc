@@ -3,6 +3,7 @@
 
 #include <signorini/elasticity/displacement_space.h>
 
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
 #include <deal.II/numerics/vector_tools_constraints.h>
@@ -11,10 +12,11 @@ namespace Signorini
 {
 namespace
 {
+/** What clamped, prescribed and roller sides say about u_h. */
 template <int dim>
-dealii::AffineConstraints<double> make_constraints(const Mesh<dim> &mesh,
-                                                   const dealii::DoFHandler<dim> &dofs,
-                                                   const Scene<dim> &scene)
+dealii::AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh,
+                                                       const dealii::DoFHandler<dim> &dofs,
+                                                       const Scene<dim> &scene)
 {
   const dealii::Functions::ZeroFunction<dim> zero(dim);
   std::map<dealii::types::boundary_id, const dealii::Function<dim> *> displacements;
@@ -29,13 +31,43 @@ dealii::AffineConstraints<double> make_constraints(const Mesh<dim> &mesh,
     else if (condition.role == Role::roller)
       rollers.insert(i);
   }
-  dealii::AffineConstraints<double> constraints;
+  dealii::AffineConstraints<double> conditions;
   dealii::VectorTools::interpolate_boundary_values(
-    mesh.mapping(), dofs, displacements, constraints);
+    mesh.mapping(), dofs, displacements, conditions);
   // Where a roller meets a clamped or prescribed side, the entries above stay.
   if (!rollers.empty())
     dealii::VectorTools::compute_no_normal_flux_constraints(
-      dofs, 0, rollers, constraints, mesh.mapping());
+      dofs, 0, rollers, conditions, mesh.mapping());
+  conditions.close();
+  return conditions;
+}
+
+/** Constrained degrees of freedom and those that they follow: on an oblique roller both components
+ * of a node carry the reaction. */
+dealii::IndexSet held_dofs(const dealii::AffineConstraints<double> &conditions,
+                           const dealii::types::global_dof_index n_dofs)
+{
+  dealii::IndexSet held(n_dofs);
+  for (const auto &line : conditions.get_lines())
+  {
+    held.add_index(line.index);
+    for (const auto &entry : line.entries)
+      held.add_index(entry.first);
+  }
+  held.compress();
+  return held;
+}
+
+/** The essential conditions with the constraints that make u_h continuous at hanging nodes. */
+template <int dim>
+dealii::AffineConstraints<double> all_constraints(const dealii::DoFHandler<dim> &dofs,
+                                                  const dealii::AffineConstraints<double> &essential)
+{
+  if (!dofs.get_triangulation().has_hanging_nodes())
+    return essential;
+  dealii::AffineConstraints<double> constraints;
+  dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
+  constraints.merge(essential, dealii::AffineConstraints<double>::right_object_wins);
   constraints.close();
   return constraints;
 }
@@ -51,7 +83,9 @@ DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
   , dofs_(mesh.triangulation())
 {
   dofs_.distribute_dofs(element_);
-  constraints_ = make_constraints(mesh, dofs_, scene);
+  const auto essential = essential_conditions(mesh, dofs_, scene);
+  supports_ = held_dofs(essential, dofs_.n_dofs());
+  constraints_ = all_constraints(dofs_, essential);
 }
 
 template <int dim>
@@ -99,4 +133,5 @@ std::vector<dealii::types::global_dof_index> DisplacementSpace<dim>::cell_dofs(
 }
 
 template class DisplacementSpace<2>;
+template class DisplacementSpace<3>;
 } // namespace Signorini

@@ -22,12 +22,10 @@ class CellLoads
 public:
   CellLoads(const DisplacementSpace<dim> &space,
             const Scene<dim> &scene,
-            const Kinks<dim> &kinks,
             const unsigned int n_points)
     : scene_(scene)
-    , kinks_(kinks)
-    , cell_values_(space.mesh().mapping(), space.element(), kinks, n_points, flags())
-    , face_values_(space.mesh().mapping(), space.element(), n_points, flags())
+    , cell_values_(space.mesh().mapping(), space.element(), scene.kinks, n_points, flags())
+    , face_values_(space.mesh().mapping(), space.element(), scene.kinks, n_points, flags())
   {
   }
 
@@ -48,12 +46,8 @@ public:
       const BoundaryCondition<dim> &condition = scene_.boundary[cell->face(f)->boundary_id()];
       if (condition.role != Role::traction)
         continue;
-      const auto cuts = kinks_.cut(cell->face(f)->vertex(0), cell->face(f)->vertex(1));
-      add_force(face_values_.reinit(cell, f, cuts),
-                *condition.data,
-                "Boundary/Traction",
-                vector,
-                resultant);
+      add_force(
+        face_values_.reinit(cell, f), *condition.data, "Boundary/Traction", vector, resultant);
     }
   }
 
@@ -103,7 +97,6 @@ private:
   }
 
   const Scene<dim> &scene_;
-  const Kinks<dim> &kinks_;
   CellValues<dim> cell_values_;
   FaceValues<dim> face_values_;
   /** At the quadrature points. */
@@ -124,11 +117,10 @@ template <int dim>
 ChunkIntegrals<dim> integrate(const Cells<dim> &cells,
                               const DisplacementSpace<dim> &space,
                               const Scene<dim> &scene,
-                              const Kinks<dim> &kinks,
                               const unsigned int n_points)
 {
-  CellStiffness<dim> cell_stiffness(space, *scene.material, kinks);
-  CellLoads<dim> cell_loads(space, scene, kinks, n_points);
+  CellStiffness<dim> cell_stiffness(space, scene);
+  CellLoads<dim> cell_loads(space, scene, n_points);
   ChunkIntegrals<dim> integrals;
   integrals.cells = &cells;
   integrals.stiffness.reserve(cells.size());
@@ -148,13 +140,12 @@ void add_cells(const DisplacementSpace<dim> &space,
                const unsigned int n_points,
                LinearSystem<dim> &system)
 {
-  const Kinks<dim> kinks = Kinks<dim>::of_scene(scene);
-  MatrixScatter<dim> scatter(space, system.A);
+  MatrixScatter<dim> scatter(space, system.matrix);
   std::vector<dealii::types::global_dof_index> indices(space.element().n_dofs_per_cell());
   dealii::Vector<double> in_units;
   integrate_by_chunks<ChunkIntegrals<dim>, dim>(
     space,
-    [&](const Cells<dim> &cells) { return integrate(cells, space, scene, kinks, n_points); },
+    [&](const Cells<dim> &cells) { return integrate(cells, space, scene, n_points); },
     [&](const ChunkIntegrals<dim> &integrals) {
       for (std::size_t k = 0; k < integrals.cells->size(); ++k)
       {
@@ -164,19 +155,10 @@ void add_cells(const DisplacementSpace<dim> &space,
         in_units /= system.unit;
         scatter.add(integrals.stiffness[k], in_units, indices, system.f);
       }
-      system.applied.force += integrals.resultant.force;
-      system.applied.moment += integrals.resultant.moment;
+      system.applied += integrals.resultant;
     });
 }
 
-template <int dim>
-Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator)
-{
-  Resultant<dim> sum;
-  sum.force = dealii::Utilities::MPI::sum(part.force, communicator);
-  sum.moment = dealii::Utilities::MPI::sum(part.moment, communicator);
-  return sum;
-}
 } // namespace
 
 template <int dim>
@@ -186,13 +168,15 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
 {
   const MPI_Comm communicator = space.mesh().communicator();
   LinearSystem<dim> system = {make_matrix(space),
+                              stiffness_unit(space, *scene.material),
                               space.make_vector(),
                               space.make_vector(),
-                              {},
-                              stiffness_unit(space, *scene.material)};
+                              {}};
   agree(communicator, [&]() { add_cells(space, scene, n_points, system); });
-  system.A.compress(dealii::VectorOperation::add);
+  system.matrix.compress(dealii::VectorOperation::add);
   system.f.compress(dealii::VectorOperation::add);
+  // Prescribed displacements were eliminated in units of the matrix.
+  system.f *= system.unit;
   system.loads.compress(dealii::VectorOperation::add);
   system.applied = sum_over_ranks(system.applied, communicator);
   return system;
@@ -200,5 +184,8 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
 
 template LinearSystem<2> assemble_linear_system(const DisplacementSpace<2> &,
                                                 const Scene<2> &,
+                                                unsigned int);
+template LinearSystem<3> assemble_linear_system(const DisplacementSpace<3> &,
+                                                const Scene<3> &,
                                                 unsigned int);
 } // namespace Signorini

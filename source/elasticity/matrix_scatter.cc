@@ -97,5 +97,7 @@ void MatrixScatter<dim>::add(const dealii::FullMatrix<double> &cell_matrix,
 }
 
 template dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<2> &);
+template dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<3> &);
 template class MatrixScatter<2>;
+template class MatrixScatter<3>;
 } // namespace Signorini

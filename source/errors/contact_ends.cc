@@ -12,12 +12,11 @@ namespace Signorini
 namespace
 {
 /** Arc lengths at which the sign of the exact pressure changes from 0 to negative or back. */
-template <int dim>
-std::vector<double> exact_ends(const Scene<dim> &scene, const unsigned int number)
+std::vector<double> exact_ends(const Scene<2> &scene, const unsigned int number)
 {
-  const Side<dim> &side = scene.geometry.sides[number];
-  const dealii::Function<dim> &p = *scene.boundary[number].exact_pressure;
-  const std::vector<double> cuts = Kinks<dim>(scene.kinks).cut(side, 0., side.length());
+  const Side<2> &side = scene.geometry.sides[number];
+  const dealii::Function<2> &p = *scene.boundary[number].exact_pressure;
+  const std::vector<double> cuts = scene.kinks.cut(side, 0., side.length());
   std::vector<double> ends;
   for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
   {
@@ -31,7 +30,7 @@ std::vector<double> exact_ends(const Scene<dim> &scene, const unsigned int numbe
 }
 
 /** Arc lengths between a pressing patch and one that does not press. */
-std::vector<double> discrete_ends(const std::vector<Patch> &patches,
+std::vector<double> discrete_ends(const std::vector<Patch<2>> &patches,
                                   const unsigned int number,
                                   const dealii::Vector<double> &P)
 {
@@ -40,7 +39,7 @@ std::vector<double> discrete_ends(const std::vector<Patch> &patches,
   for (std::size_t tau = 0; tau + 1 < patches.size(); ++tau)
     if (patches[tau].side == number && patches[tau + 1].side == number &&
         (P[tau] < threshold) != (P[tau + 1] < threshold))
-      ends.push_back(patches[tau].end);
+      ends.push_back(patches[tau].upper[0]);
   return ends;
 }
 
@@ -59,16 +58,15 @@ double one_sided_distance(const std::vector<double> &from, const std::vector<dou
 }
 } // namespace
 
-template <int dim>
-std::optional<double> contact_end_error(const MultiplierSpace<dim> &space,
-                                        const Scene<dim> &scene,
+std::optional<double> contact_end_error(const MultiplierSpace<2> &space,
+                                        const Scene<2> &scene,
                                         const dealii::Vector<double> &P)
 {
   std::optional<double> largest;
   for (const unsigned int number : scene.contact_sides())
   {
     const std::vector<double> exact = exact_ends(scene, number);
-    const std::vector<double> discrete = discrete_ends(space.partition().patches, number, P);
+    const std::vector<double> discrete = discrete_ends(space.surface().patches(), number, P);
     if (exact.empty() != discrete.empty())
       return {};
     if (!exact.empty())
@@ -78,8 +76,4 @@ std::optional<double> contact_end_error(const MultiplierSpace<dim> &space,
   }
   return largest;
 }
-
-template std::optional<double> contact_end_error(const MultiplierSpace<2> &,
-                                                 const Scene<2> &,
-                                                 const dealii::Vector<double> &);
 } // namespace Signorini

@@ -172,11 +172,10 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
                                                const unsigned int n_points)
 {
   const MPI_Comm communicator = space.mesh().communicator();
-  const Kinks<dim> kinks = Kinks<dim>::of_scene(scene);
   NodalVector interpolant_minus_U = interpolate_at_nodes(space, *scene.exact_displacement);
   interpolant_minus_U -= U;
   const Squares squares = integrate_errors<dim>(
-    {space, kinks, *scene.exact_displacement, U, interpolant_minus_U, n_points});
+    {space, scene.kinks, *scene.exact_displacement, U, interpolant_minus_U, n_points});
   const auto root_of_sum = [&](const double square) {
     return std::sqrt(dealii::Utilities::MPI::sum(square, communicator));
   };
@@ -197,6 +196,10 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
 
 template DisplacementErrors compute_displacement_errors(const DisplacementSpace<2> &,
                                                         const Scene<2> &,
+                                                        const NodalVector &,
+                                                        unsigned int);
+template DisplacementErrors compute_displacement_errors(const DisplacementSpace<3> &,
+                                                        const Scene<3> &,
                                                         const NodalVector &,
                                                         unsigned int);
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // The left-hand sides of (15), (25) and (32).
 
 #include <signorini/errors/dual_norm_errors.h>
+#include <signorini/mesh/cut_quadrature.h>
 #include <signorini/norms/slobodeckij_norm.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -22,15 +23,14 @@ struct SampledFunction
 };
 
 /** p between consecutive @p cuts, sorted arc lengths, with n points on each interval. */
-template <int dim>
-SampledFunction sample(const dealii::Function<dim> &p,
-                       const Side<dim> &side,
+SampledFunction sample(const dealii::Function<2> &p,
+                       const Side<2> &side,
                        const std::vector<double> &cuts,
                        const unsigned int n_points)
 {
   const dealii::Quadrature<1> rule = split_quadrature(dealii::QGauss<1>(n_points), cuts);
   SampledFunction samples;
-  std::vector<dealii::Point<dim>> points;
+  std::vector<dealii::Point<2>> points;
   for (const dealii::Point<1> &s : rule.get_points())
   {
     samples.arc_lengths.push_back(s[0]);
@@ -44,9 +44,8 @@ SampledFunction sample(const dealii::Function<dim> &p,
 }
 
 /** Ends of n equal intervals of a side, with the kinks and intervals that shrink towards them. */
-template <int dim>
-std::vector<double> cut_side(const Side<dim> &side,
-                             const Kinks<dim> &kinks,
+std::vector<double> cut_side(const Side<2> &side,
+                             const Kinks<2> &kinks,
                              const unsigned int n_intervals)
 {
   std::vector<double> cuts;
@@ -55,13 +54,10 @@ std::vector<double> cut_side(const Side<dim> &side,
   for (const double s : kinks.cut(side, 0., side.length()))
   {
     cuts.push_back(s);
-    for (unsigned int k = 0; k < 14; ++k)
-      for (const double sign : {-1., 1.})
-      {
-        const double near = s + sign * side.length() / n_intervals * std::pow(0.25, k);
+    for (const double sign : {-1., 1.})
+      for (const double near : graded_positions(s, sign * side.length() / n_intervals))
         if (near > 0. && near < side.length())
           cuts.push_back(near);
-      }
   }
   std::sort(cuts.begin(), cuts.end());
   return cuts;
@@ -69,30 +65,30 @@ std::vector<double> cut_side(const Side<dim> &side,
 
 /** p - p_H (or R^H p - p_H) on the patches [first, last) of a side, at points of every patch and of
  * every cell of the grid. */
-template <int dim>
-SampledFunction sample_difference(const MultiplierSpace<dim> &space,
-                                  const Kinks<dim> &kinks,
+SampledFunction sample_difference(const MultiplierSpace<2> &space,
+                                  const dealii::Function<2> &p,
+                                  const Kinks<2> &kinks,
                                   const dealii::Vector<double> &P,
                                   const dealii::Vector<double> *projected_p,
                                   const unsigned int first,
                                   const unsigned int last,
                                   const unsigned int n_cells)
 {
-  const std::vector<Patch> &patches = space.partition().patches;
-  const Side<dim> &side = space.side(patches[first]);
+  const std::vector<Patch<2>> &patches = space.surface().patches();
+  const Side<2> &side = space.surface().side(patches[first]);
   std::vector<double> cuts = cut_side(side, kinks, n_cells);
   for (unsigned int tau = first; tau < last; ++tau)
-    cuts.push_back(patches[tau].end);
+    cuts.push_back(patches[tau].upper[0]);
   std::sort(cuts.begin(), cuts.end());
   SampledFunction samples =
-    projected_p == nullptr ? sample(*space.condition(patches[first]).exact_pressure, side, cuts, 6)
-                           : sample(dealii::Functions::ZeroFunction<dim>(), side, cuts, 2);
+    projected_p == nullptr ? sample(p, side, cuts, 6)
+                           : sample(dealii::Functions::ZeroFunction<2>(), side, cuts, 2);
   const SampledFunction ones = sample(
-    dealii::Functions::ConstantFunction<dim>(1.), side, cuts, projected_p == nullptr ? 6 : 2);
+    dealii::Functions::ConstantFunction<2>(1.), side, cuts, projected_p == nullptr ? 6 : 2);
   unsigned int tau = first;
   for (std::size_t q = 0; q < samples.arc_lengths.size(); ++q)
   {
-    while (tau + 1 < last && samples.arc_lengths[q] > patches[tau].end)
+    while (tau + 1 < last && samples.arc_lengths[q] > patches[tau].upper[0])
       ++tau;
     const double constant = (projected_p == nullptr ? 0. : (*projected_p)[tau]) - P[tau];
     samples.weighted_values[q] += constant * ones.weighted_values[q];
@@ -116,47 +112,39 @@ double extrapolate(const std::array<double, 2> &norms)
 }
 } // namespace
 
-template <int dim>
-ExactPressure<dim>::ExactPressure(const Scene<dim> &scene)
+ExactPressure::ExactPressure(const Scene<2> &scene)
   : scene_(scene)
 {
-  const Kinks<dim> kinks(scene.kinks);
   for (const unsigned int number : scene.contact_sides())
   {
-    const Side<dim> &side = scene.geometry.sides[number];
+    const Side<2> &side = scene.geometry.sides[number];
     const SampledFunction p =
-      sample(*scene.boundary[number].exact_pressure, side, cut_side(side, kinks, 4096), 8);
+      sample(*scene.boundary[number].exact_pressure, side, cut_side(side, scene.kinks, 4096), 8);
     coefficients_[number] = spectral_norm_on(side).coefficients(p.arc_lengths, p.weighted_values);
   }
 }
 
-template <int dim>
-dealii::Vector<double> ExactPressure<dim>::project(const MultiplierSpace<dim> &space) const
+dealii::Vector<double> ExactPressure::project(const MultiplierSpace<2> &space) const
 {
-  dealii::Vector<double> means(space.n_multipliers());
-  std::vector<double> p;
-  for (const Piece &piece : space.partition().pieces)
-  {
-    const Patch &patch = space.partition().patches[piece.patch];
-    const auto rule = space.rule(piece, 10, true);
-    p.resize(rule.points.size());
-    space.condition(patch).exact_pressure->value_list(rule.points, p);
-    for (std::size_t q = 0; q < rule.points.size(); ++q)
-      means[piece.patch] += p[q] * rule.weights[q] / patch.length();
-  }
-  return means;
+  constexpr unsigned int n_points = 10;
+  const auto p_on = [&](const Piece<2> &piece, const SurfaceRule<2> &rule) {
+    std::vector<double> p(rule.size());
+    space.surface().condition(piece).exact_pressure->value_list(rule.points, p);
+    return p;
+  };
+  return space.project(
+    integrate_against_multipliers(space, n_points, Grading::towards_kinks, p_on));
 }
 
-template <int dim>
-DualNormErrors ExactPressure<dim>::errors_on_side(const MultiplierSpace<dim> &space,
+DualNormErrors ExactPressure::errors_on_side(const MultiplierSpace<2> &space,
                                                   const dealii::Vector<double> &P,
                                                   const dealii::Vector<double> &projected_p,
                                                   const unsigned int first,
                                                   const unsigned int last) const
 {
-  const std::vector<Patch> &patches = space.partition().patches;
+  const std::vector<Patch<2>> &patches = space.surface().patches();
   const unsigned int number = patches[first].side, m = last - first;
-  const Side<dim> &side = scene_.geometry.sides[number];
+  const Side<2> &side = scene_.geometry.sides[number];
   const std::vector<double> ends = patch_ends(patches, first, last);
   dealii::Vector<double> P_side(m), difference(m);
   for (unsigned int i = 0; i < m; ++i)
@@ -169,17 +157,23 @@ DualNormErrors ExactPressure<dim>::errors_on_side(const MultiplierSpace<dim> &sp
   DualNormErrors errors;
   errors.spectral = norm.distance(p, ends, P_side);
   errors.superclose_spectral = norm.distance(dealii::Vector<double>(p.size()), ends, difference);
-  if (m > largest_slobodeckij || !side.is_straight())
+  if (m > largest_slobodeckij || !side.is_flat())
     return errors;
 
-  const Kinks<dim> kinks(scene_.kinks);
   std::array<double, 2> norms, superclose_norms;
   for (unsigned int g = 0; g < 2; ++g)
   {
     const SlobodeckijNorm grid(side.length(), (g + 1) * 8 * m);
     const auto dual_norm = [&](const dealii::Vector<double> *projection) {
       const SampledFunction q =
-        sample_difference(space, kinks, P, projection, first, last, grid.n_cells());
+        sample_difference(space,
+                                                  *scene_.boundary[number].exact_pressure,
+                                                  scene_.kinks,
+                                                  P,
+                                                  projection,
+                                                  first,
+                                                  last,
+                                                  grid.n_cells());
       return grid.dual_norm(q.arc_lengths, q.weighted_values);
     };
     norms[g] = dual_norm(nullptr);
@@ -190,13 +184,12 @@ DualNormErrors ExactPressure<dim>::errors_on_side(const MultiplierSpace<dim> &sp
   return errors;
 }
 
-template <int dim>
-DualNormErrors ExactPressure<dim>::errors(const MultiplierSpace<dim> &space,
+DualNormErrors ExactPressure::errors(const MultiplierSpace<2> &space,
                                           const dealii::Vector<double> &P) const
 {
   const dealii::Vector<double> projected_p = project(space);
   DualNormErrors sum = {0., 0., 0., 0.};
-  for_each_side(space.partition().patches, [&](const unsigned int first, const unsigned int last) {
+  for_each_side(space.surface().patches(), [&](const unsigned int first, const unsigned int last) {
     const DualNormErrors side = errors_on_side(space, P, projected_p, first, last);
     sum.spectral = std::hypot(sum.spectral, side.spectral);
     sum.superclose_spectral = std::hypot(sum.superclose_spectral, side.superclose_spectral);
@@ -206,5 +199,4 @@ DualNormErrors ExactPressure<dim>::errors(const MultiplierSpace<dim> &space,
   return sum;
 }
 
-template class ExactPressure<2>;
 } // namespace Signorini

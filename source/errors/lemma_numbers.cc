@@ -2,11 +2,12 @@
 // Lemmas 2, 3 and 5 and the bounds (26), (27) and (30) as numbers.
 
 #include <signorini/elasticity/cell_stiffness.h>
-#include <signorini/elasticity/integration.h>
+#include <signorini/elasticity/trace_values.h>
 #include <signorini/errors/displacement_errors.h>
 #include <signorini/errors/lemma_numbers.h>
 #include <signorini/errors/pressure_errors.h>
 #include <signorini/norms/h1_gram_matrix.h>
+#include <signorini/norms/spectral_norm.h>
 #include <signorini/postprocess/nodal_interpolation.h>
 #include <signorini/stiffness_inverse/stiffness_inverse.h>
 
@@ -20,41 +21,46 @@ namespace Signorini
 {
 namespace
 {
-/** int_{Gamma_c} q phi_j.n for all j and a function q of piece and arc length. */
-template <int dim, typename Function>
-DistributedVector test_on_contact(const DisplacementSpace<dim> &space,
-                                  const MultiplierSpace<dim> &multipliers,
+/** int_{Gamma_c} q phi_j.n for all j; @p values_on (piece, rule) is q at the points of a rule. */
+template <typename Function>
+DistributedVector test_on_contact(const DisplacementSpace<2> &space,
+                                  const MultiplierSpace<2> &multipliers,
                                   const unsigned int n_points,
-                                  const Function &q)
+                                  const Function &values_on)
 {
+  const ContactSurface<2> &surface = multipliers.surface();
+  const dealii::FEValuesExtractors::Vector displacement(0);
+  TraceValues<2> traces(space);
   DistributedVector b = space.make_vector();
-  for (const Piece &piece : multipliers.partition().pieces)
+  for (const Piece<2> &piece : surface.pieces())
   {
-    const ContactFace<dim> &face = multipliers.faces()[piece.face];
-    const Side<dim> &side = multipliers.side(multipliers.partition().patches[piece.patch]);
-    const auto mesh_face = space.dof_cell(face.cell)->face(face.face_no);
-    const auto rule = multipliers.rule(piece, n_points, true);
-    for (std::size_t k = 0; k < rule.points.size(); ++k)
-    {
-      const double t = face.parameter(rule.arc_lengths[k]);
-      const double weighted = q(piece, rule.points[k]) * rule.weights[k];
-      const dealii::Tensor<1, dim> n = side.normal(rule.arc_lengths[k]);
-      for (unsigned int v = 0; v < 2; ++v)
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          const auto dof = mesh_face->vertex_dof_index(v, d);
-          if (b.in_local_range(dof))
-            b(dof) += weighted * (v == 0 ? 1. - t : t) * n[d];
-        }
-    }
+    const ContactFace<2> &face = surface.faces()[piece.face];
+    const SurfaceRule<2> rule = surface.rule(piece, n_points, Grading::towards_kinks);
+    const std::vector<double> q = values_on(piece, rule);
+    const auto &values = traces.reinit(face, rule.on_face);
+    const auto indices = space.cell_dofs(face.cell);
+    for (unsigned int j = 0; j < indices.size(); ++j)
+      if (b.in_local_range(indices[j]))
+        for (std::size_t k = 0; k < rule.size(); ++k)
+          b(indices[j]) +=
+            q[k] * rule.weights[k] * (values[displacement].value(j, k) * rule.normals[k]);
   }
   b.compress(dealii::VectorOperation::add);
   return b;
 }
 
+/** u.n of the exact displacement at the points of a rule. */
+std::vector<double> exact_normal_displacement(const Scene<2> &scene, const SurfaceRule<2> &rule)
+{
+  std::vector<double> u_n(rule.size(), 0.);
+  for (std::size_t k = 0; k < rule.size(); ++k)
+    for (unsigned int d = 0; d < 2; ++d)
+      u_n[k] += scene.exact_displacement->value(rule.points[k], d) * rule.normals[k][d];
+  return u_n;
+}
+
 /** sup_v b(v)/‖v‖_1 over V^h: the functional is condensed like a right-hand side. */
-template <int dim>
-double dual_norm(const DisplacementSpace<dim> &space,
+double dual_norm(const DisplacementSpace<2> &space,
                  const StiffnessInverse &inverse,
                  const DistributedVector &b)
 {
@@ -72,10 +78,9 @@ double dual_norm(const DisplacementSpace<dim> &space,
  * |||(u - I^h u).n|||_{1/2,Gamma_c}, the root of the sum of squares over the sides. The difference
  * is smooth on every face and vanishes at the nodes.
  */
-template <int dim>
-double interpolation_trace(const DisplacementSpace<dim> &space,
-                           const Scene<dim> &scene,
-                           const MultiplierSpace<dim> &multipliers,
+double interpolation_trace(const DisplacementSpace<2> &space,
+                           const Scene<2> &scene,
+                           const ContactSurface<2> &surface,
                            const NodalVector &interpolant)
 {
   // 8 points on the length of one period of the highest of 8192 modes.
@@ -86,30 +91,25 @@ double interpolation_trace(const DisplacementSpace<dim> &space,
     std::set<unsigned int> faces;
   };
   std::map<unsigned int, SideSamples> sides;
-  for (const Piece &piece : multipliers.partition().pieces)
+  TraceValues<2> traces(space);
+  for (const Piece<2> &piece : surface.pieces())
   {
-    const unsigned int number = multipliers.partition().patches[piece.patch].side;
-    const Side<dim> &side = scene.geometry.sides[number];
-    const ContactFace<dim> &face = multipliers.faces()[piece.face];
-    SideSamples &samples = sides[number];
+    const Patch<2> &patch = surface.patches()[piece.patch];
+    SideSamples &samples = sides[patch.side];
     samples.faces.insert(piece.face);
-    const double length = piece.end - piece.start;
-    const auto n_parts = static_cast<unsigned int>(std::ceil(n_intervals * length / side.length()));
+    const double share = (piece.upper[0] - piece.lower[0]) / surface.side(patch).length();
+    const auto n_parts = static_cast<unsigned int>(std::ceil(n_intervals * share));
     for (unsigned int i = 0; i < n_parts; ++i)
     {
-      const Piece part = {piece.face,
-                          piece.patch,
-                          piece.start + i * length / n_parts,
-                          piece.start + (i + 1) * length / n_parts};
-      const auto rule = multipliers.rule(part, n_points, true);
-      for (std::size_t k = 0; k < rule.points.size(); ++k)
+      const SurfaceRule<2> rule = surface.rule(
+        surface.part(piece, i, n_parts), n_points, Grading::towards_kinks);
+      const auto u_n = exact_normal_displacement(scene, rule);
+      const auto interpolated =
+        traces.normal_displacement(surface.faces()[piece.face], rule, interpolant);
+      for (std::size_t k = 0; k < rule.size(); ++k)
       {
-        const dealii::Tensor<1, dim> n = side.normal(rule.arc_lengths[k]);
-        double w = -normal_displacement(space, face, n, interpolant, rule.arc_lengths[k]);
-        for (unsigned int d = 0; d < dim; ++d)
-          w += scene.exact_displacement->value(rule.points[k], d) * n[d];
-        samples.arc_lengths.push_back(rule.arc_lengths[k]);
-        samples.weighted_values.push_back(w * rule.weights[k]);
+        samples.arc_lengths.push_back(rule.on_side[k][0]);
+        samples.weighted_values.push_back((u_n[k] - interpolated[k]) * rule.weights[k]);
       }
     }
   }
@@ -124,27 +124,21 @@ double interpolation_trace(const DisplacementSpace<dim> &space,
 }
 
 /** (b^T S^{-1} b)^{1/2}, b_tau = int_tau (I^h u - u).n. */
-template <int dim>
-double trace_defect(const Scene<dim> &scene,
-                    const MultiplierSpace<dim> &multipliers,
+double trace_defect(const Scene<2> &scene,
+                    const MultiplierSpace<2> &multipliers,
                     const Coupling &D,
                     const NodalVector &interpolant,
                     const unsigned int n_points)
 {
   dealii::Vector<double> b = D.transpose_product(interpolant);
-  for (const Piece &piece : multipliers.partition().pieces)
-  {
-    const Side<dim> &side = multipliers.side(multipliers.partition().patches[piece.patch]);
-    const auto rule = multipliers.rule(piece, n_points, true);
-    for (std::size_t k = 0; k < rule.points.size(); ++k)
-    {
-      const dealii::Tensor<1, dim> n = side.normal(rule.arc_lengths[k]);
-      for (unsigned int d = 0; d < dim; ++d)
-        b[piece.patch] -=
-          scene.exact_displacement->value(rule.points[k], d) * n[d] * rule.weights[k];
-    }
-  }
-  const auto gram = dual_gram_matrix(multipliers.partition().patches, scene.geometry);
+  b -= integrate_against_multipliers(
+    multipliers,
+    n_points,
+    Grading::towards_kinks,
+    [&](const Piece<2> & /*piece*/, const SurfaceRule<2> &rule) {
+      return exact_normal_displacement(scene, rule);
+    });
+  const auto gram = dual_gram_matrix(multipliers.surface());
   dealii::LAPACKFullMatrix<double> S(gram.m(), gram.n());
   S = gram;
   S.set_property(dealii::LAPACKSupport::symmetric);
@@ -155,21 +149,27 @@ double trace_defect(const Scene<dim> &scene,
 }
 } // namespace
 
-template <int dim>
-LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
-                                   const Scene<dim> &scene,
-                                   const MultiplierSpace<dim> &multipliers,
+LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
+                                   const Scene<2> &scene,
+                                   const MultiplierSpace<2> &multipliers,
                                    const Coupling &D,
-                                   const ExactPressure<dim> &pressure,
+                                   const ExactPressure &pressure,
                                    const DistributedVector &loads,
                                    const std::string &linear_solver,
                                    const unsigned int n_points)
 {
   const dealii::Vector<double> projected_p = pressure.project(multipliers);
   const NodalVector interpolant = interpolate_at_nodes(space, *scene.exact_displacement);
-  const auto exact_p = [&](const Piece &piece, const dealii::Point<dim> &x) {
-    return multipliers.condition(multipliers.partition().patches[piece.patch])
-      .exact_pressure->value(x);
+  const auto exact_p = [&](const Piece<2> &piece, const SurfaceRule<2> &rule) {
+    std::vector<double> p(rule.size());
+    multipliers.surface().condition(piece).exact_pressure->value_list(rule.points, p);
+    return p;
+  };
+  const auto projection_error = [&](const Piece<2> &piece, const SurfaceRule<2> &rule) {
+    std::vector<double> difference = exact_p(piece, rule);
+    for (std::size_t k = 0; k < rule.size(); ++k)
+      difference[k] -= multipliers.value(projected_p, piece.patch, rule.on_side[k]);
+    return difference;
   };
 
   LemmaNumbers numbers;
@@ -178,7 +178,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
   const DisplacementErrors errors =
     compute_displacement_errors(space, scene, interpolant, n_points);
   numbers.interpolation_h1 = errors.h1;
-  numbers.interpolation_trace = interpolation_trace(space, scene, multipliers, interpolant);
+  numbers.interpolation_trace = interpolation_trace(space, scene, multipliers.surface(), interpolant);
   numbers.bound_30 = errors.post_h1;
 
   const dealii::TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
@@ -189,22 +189,8 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
   defect -= internal_forces(space, scene, interpolant).forces;
   numbers.consistency = dual_norm(space, *inverse, defect);
   numbers.bound_26 =
-    dual_norm(space,
-              *inverse,
-              test_on_contact(
-                space, multipliers, n_points, [&](const Piece &piece, const dealii::Point<dim> &x) {
-                  return exact_p(piece, x) - projected_p[piece.patch];
-                }));
+    dual_norm(space, *inverse, test_on_contact(space, multipliers, n_points, projection_error));
   numbers.bound_27 = trace_defect(scene, multipliers, D, interpolant, n_points);
   return numbers;
 }
-
-template LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &,
-                                            const Scene<2> &,
-                                            const MultiplierSpace<2> &,
-                                            const Coupling &,
-                                            const ExactPressure<2> &,
-                                            const DistributedVector &,
-                                            const std::string &,
-                                            unsigned int);
 } // namespace Signorini

@@ -9,25 +9,23 @@
 
 namespace Signorini
 {
-template <int dim>
-PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
+PressureErrors compute_pressure_errors(const MultiplierSpace<2> &space,
                                        const dealii::Vector<double> &P,
                                        const unsigned int n_points)
 {
-  const RecoveredPressure<dim> recovered(space, P);
+  const RecoveredPressure recovered(space, P);
   double l2 = 0.;
   double post_l2 = 0.;
   std::vector<double> p;
-  for (const Piece &piece : space.partition().pieces)
+  for (const Piece<2> &piece : space.surface().pieces())
   {
-    const auto &condition = space.condition(space.partition().patches[piece.patch]);
-    const auto rule = space.rule(piece, n_points, true);
-    p.resize(rule.points.size());
-    condition.exact_pressure->value_list(rule.points, p);
-    for (std::size_t q = 0; q < rule.points.size(); ++q)
+    const SurfaceRule<2> rule = space.surface().rule(piece, n_points, Grading::towards_kinks);
+    p.resize(rule.size());
+    space.surface().condition(piece).exact_pressure->value_list(rule.points, p);
+    for (std::size_t q = 0; q < rule.size(); ++q)
     {
-      const double difference = p[q] - P[piece.patch];
-      const double post = p[q] - recovered(piece.patch, rule.arc_lengths[q]);
+      const double difference = p[q] - space.value(P, piece.patch, rule.on_side[q]);
+      const double post = p[q] - recovered(piece.patch, rule.on_side[q]);
       l2 += difference * difference * rule.weights[q];
       post_l2 += post * post * rule.weights[q];
     }
@@ -37,8 +35,4 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
                      "allowed: finite values inside the contact sides.");
   return {std::sqrt(l2), std::sqrt(post_l2)};
 }
-
-template PressureErrors compute_pressure_errors(const MultiplierSpace<2> &,
-                                                const dealii::Vector<double> &,
-                                                unsigned int);
 } // namespace Signorini

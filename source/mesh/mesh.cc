@@ -41,13 +41,13 @@ void distort(const Geometry<dim> &geometry, dealii::Triangulation<dim> &triangul
   }
 }
 
-/** The bilinear map onto (x - lower)/size. */
+/** A map of the given degree, followed by x -> (x - lower)/size. */
 template <int dim>
 class UnitMapping : public dealii::MappingQ<dim>
 {
 public:
-  UnitMapping(const dealii::Point<dim> &lower, const double size)
-    : dealii::MappingQ<dim>(1)
+  UnitMapping(const unsigned int degree, const dealii::Point<dim> &lower, const double size)
+    : dealii::MappingQ<dim>(degree)
     , lower_(lower)
     , size_(size)
   {
@@ -55,7 +55,7 @@ public:
 
   std::unique_ptr<dealii::Mapping<dim>> clone() const override
   {
-    return std::make_unique<UnitMapping<dim>>(lower_, size_);
+    return std::make_unique<UnitMapping<dim>>(this->get_degree(), lower_, size_);
   }
 
   bool preserves_vertex_locations() const override
@@ -66,37 +66,42 @@ public:
   boost::container::small_vector<dealii::Point<dim>, dealii::GeometryInfo<dim>::vertices_per_cell>
   get_vertices(const typename dealii::Triangulation<dim>::cell_iterator &cell) const override
   {
-    const auto points = compute_mapping_support_points(cell);
-    return {points.begin(), points.end()};
+    auto vertices = dealii::MappingQ<dim>::get_vertices(cell);
+    for (dealii::Point<dim> &x : vertices)
+      x = to_unit_body(x);
+    return vertices;
   }
 
 protected:
   std::vector<dealii::Point<dim>> compute_mapping_support_points(
     const typename dealii::Triangulation<dim>::cell_iterator &cell) const override
   {
-    std::vector<dealii::Point<dim>> points;
-    for (const unsigned int v : cell->vertex_indices())
-      points.emplace_back((cell->vertex(v) - lower_) / size_);
+    auto points = dealii::MappingQ<dim>::compute_mapping_support_points(cell);
+    for (dealii::Point<dim> &x : points)
+      x = to_unit_body(x);
     return points;
   }
 
 private:
+  dealii::Point<dim> to_unit_body(const dealii::Point<dim> &x) const
+  {
+    return dealii::Point<dim>((x - lower_) / size_);
+  }
+
   dealii::Point<dim> lower_;
   double size_;
 };
 
-/** With bilinear maps, pi^{2h} would lose an order on curved bodies: the map of a cell of T^{2h}
- * must be that of its children up to higher order. */
+/** The maps of degree two that curved bodies need, asked from the manifolds once per cell and not in
+ * every integral. With bilinear maps, pi^{2h} would lose an order: the map of a cell of T^{2h} must
+ * be that of its children up to higher order. */
 template <int dim>
-std::unique_ptr<const dealii::Mapping<dim>>
-make_mapping(const dealii::Triangulation<dim> &triangulation, const bool curved)
+std::unique_ptr<const dealii::Mapping<dim>> cache(const dealii::Mapping<dim> &mapping,
+                                                  const dealii::Triangulation<dim> &triangulation)
 {
-  if (!curved)
-    return std::make_unique<dealii::MappingQ1<dim>>();
-  // The cache asks the manifolds once per cell, not in every integral.
-  auto mapping = std::make_unique<dealii::MappingQCache<dim>>(2);
-  mapping->initialize(dealii::MappingQ<dim>(2), triangulation);
-  return mapping;
+  auto cached = std::make_unique<dealii::MappingQCache<dim>>(2);
+  cached->initialize(mapping, triangulation);
+  return cached;
 }
 } // namespace
 
@@ -120,11 +125,18 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
   if (geometry.distortion > 0.)
     distort(geometry, triangulation_);
   triangulation_.refine_global(level - first);
-  if (geometry.classify_after_refinement)
-    number_boundary(geometry.sides, triangulation_);
-  mapping_ = make_mapping(triangulation_, curved_);
-  if (!curved_)
-    unit_mapping_ = std::make_unique<UnitMapping<dim>>(lower_, size_);
+  if (geometry.number_after_refinement)
+    geometry.number_after_refinement(triangulation_);
+  if (curved_)
+  {
+    mapping_ = cache(dealii::MappingQ<dim>(2), triangulation_);
+    unit_mapping_ = cache(UnitMapping<dim>(2, lower_, size_), triangulation_);
+  }
+  else
+  {
+    mapping_ = std::make_unique<dealii::MappingQ1<dim>>();
+    unit_mapping_ = std::make_unique<UnitMapping<dim>>(1, lower_, size_);
+  }
 }
 
 template <int dim>
@@ -138,4 +150,5 @@ double Mesh<dim>::longest_edge() const
 }
 
 template class Mesh<2>;
+template class Mesh<3>;
 } // namespace Signorini

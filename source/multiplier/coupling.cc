@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // D of (22): the normal trace B tested with the basis of Q^H.
 
-#include <signorini/elasticity/integration.h>
+#include <signorini/elasticity/trace_values.h>
 #include <signorini/multiplier/coupling.h>
 
+#include <cmath>
 #include <map>
+#include <numeric>
 
 namespace Signorini
 {
@@ -59,50 +61,32 @@ dealii::Vector<double> Coupling::local_transpose_product(const DistributedVector
 
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,
-                           const std::vector<ContactFace<dim>> &faces,
-                           const ContactPartition &partition)
+                           const MultiplierSpace<dim> &multipliers)
 {
-  // phi_j.n dS is linear on a straight face and of degree two on one that is a parabola: two Gauss
-  // points are exact.
-  FaceValues<dim> face_values(space.mesh().mapping(),
-                              space.element(),
-                              2,
-                              dealii::update_values | dealii::update_normal_vectors |
-                                dealii::update_JxW_values);
+  const ContactSurface<dim> &surface = multipliers.surface();
   const dealii::FEValuesExtractors::Vector displacement(0);
-  std::vector<Sums> columns(partition.patches.size());
-  for (const Piece &piece : partition.pieces)
+  TraceValues<dim> traces(space);
+  std::vector<Sums> columns(multipliers.n_multipliers());
+  for (const Piece<dim> &piece : surface.pieces())
   {
-    const ContactFace<dim> &face = faces[piece.face];
-    const auto &values =
-      face_values.reinit(face.cell, face.face_no, face.parameters_between(piece.start, piece.end));
+    const ContactFace<dim> &face = surface.faces()[piece.face];
+    const SurfaceRule<dim> &rule = piece.on_mesh;
+    const auto &values = traces.reinit(face, rule.on_face);
     const auto indices = space.cell_dofs(face.cell);
-    for (unsigned int j = 0; j < indices.size(); ++j)
-    {
-      double integral = 0.;
-      for (const unsigned int q : values.quadrature_point_indices())
-        integral += values[displacement].value(j, q) * values.normal_vector(q) * values.JxW(q);
-      if (std::abs(integral) > 1e-15 * (piece.end - piece.start))
-        columns[piece.patch][indices[j]] += integral;
-    }
+    const double measure = std::accumulate(rule.weights.begin(), rule.weights.end(), 0.);
+    const unsigned int first = multipliers.first_of(piece.patch);
+    for (unsigned int k = first; k < first + multipliers.n_per_patch; ++k)
+      for (unsigned int j = 0; j < indices.size(); ++j)
+      {
+        double integral = 0.;
+        for (std::size_t q = 0; q < rule.size(); ++q)
+          integral += values[displacement].value(j, q) * rule.normals[q] *
+                      multipliers.shape_value(k, rule.on_side[q]) * rule.weights[q];
+        if (std::abs(integral) > 1e-15 * measure)
+          columns[k][indices[j]] += integral;
+      }
   }
   return to_coupling(columns);
-}
-
-template <int dim>
-double normal_displacement(const DisplacementSpace<dim> &space,
-                           const ContactFace<dim> &face,
-                           const dealii::Tensor<1, dim> &normal,
-                           const NodalVector &U,
-                           const double s)
-{
-  const auto mesh_face = space.dof_cell(face.cell)->face(face.face_no);
-  const double t = face.parameter(s);
-  double u_n = 0.;
-  for (unsigned int d = 0; d < dim; ++d)
-    u_n += normal[d] * ((1. - t) * U[mesh_face->vertex_dof_index(0, d)] +
-                        t * U[mesh_face->vertex_dof_index(1, d)]);
-  return u_n;
 }
 
 Coupling condense(const Coupling &D, const dealii::AffineConstraints<double> &constraints)
@@ -120,12 +104,6 @@ Coupling condense(const Coupling &D, const dealii::AffineConstraints<double> &co
   return to_coupling(columns);
 }
 
-template Coupling assemble_coupling(const DisplacementSpace<2> &,
-                                    const std::vector<ContactFace<2>> &,
-                                    const ContactPartition &);
-template double normal_displacement(const DisplacementSpace<2> &,
-                                    const ContactFace<2> &,
-                                    const dealii::Tensor<1, 2> &,
-                                    const NodalVector &,
-                                    double);
+template Coupling assemble_coupling(const DisplacementSpace<2> &, const MultiplierSpace<2> &);
+template Coupling assemble_coupling(const DisplacementSpace<3> &, const MultiplierSpace<3> &);
 } // namespace Signorini

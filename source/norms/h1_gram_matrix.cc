@@ -15,7 +15,7 @@ dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const Displacemen
   dealii::TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
   dealii::FEValues<dim> values(space.mesh().mapping(),
                                space.element(),
-                               dealii::QGauss<dim>(3),
+                               dealii::QGauss<dim>(space.element().degree + 2),
                                dealii::update_values | dealii::update_gradients |
                                  dealii::update_JxW_values);
   const dealii::FiniteElement<dim> &element = space.element();
@@ -29,7 +29,7 @@ dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const Displacemen
       continue;
     values.reinit(cell);
     // The same block for every component.
-    for (unsigned int v = 0; v < cell->n_vertices(); ++v)
+    for (unsigned int v = 0; v < n / dim; ++v)
       for (unsigned int w = 0; w <= v; ++w)
       {
         const unsigned int i = element.component_to_system_index(0, v);
@@ -55,4 +55,6 @@ dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const Displacemen
 
 template dealii::TrilinosWrappers::SparseMatrix
 assemble_h1_gram_matrix(const DisplacementSpace<2> &);
+template dealii::TrilinosWrappers::SparseMatrix
+assemble_h1_gram_matrix(const DisplacementSpace<3> &);
 } // namespace Signorini

@@ -25,30 +25,26 @@ template <bool sine>
 class Harmonics
 {
 public:
-  /** Mode k adds to sums[first + k - 1]. */
-  Harmonics(dealii::Vector<double> &sums, const unsigned int first, const unsigned int n_modes)
-    : sums_(sums)
-    , first_(first)
-    , n_modes_(n_modes)
+  explicit Harmonics(const unsigned int n_modes)
+    : n_modes_(n_modes)
     , n_blocks_(n_modes / block + 1)
     , products_(n_blocks_, block)
   {
   }
-  ~Harmonics()
-  {
-    flush();
-    for (unsigned int k = 1; k <= n_modes_ && used_; ++k)
-      sums_[first_ + k - 1] += products_(k / block, k % block);
-  }
-  Harmonics(const Harmonics &) = delete;
-  Harmonics &operator=(const Harmonics &) = delete;
-
   void add(const double theta, const double amount)
   {
     theta_.push_back(theta);
     amount_.push_back(amount);
     if (theta_.size() == 256)
       flush();
+  }
+
+  /** sums[first + k - 1] += the sum of mode k, for all modes. */
+  void add_to(dealii::Vector<double> &sums, const unsigned int first)
+  {
+    flush();
+    for (unsigned int k = 1; k <= n_modes_ && used_; ++k)
+      sums[first + k - 1] += products_(k / block, k % block);
   }
 
 private:
@@ -98,8 +94,6 @@ private:
     amount_.clear();
   }
 
-  dealii::Vector<double> &sums_;
-  unsigned int first_;
   unsigned int n_modes_;
   /** The number of b. */
   unsigned int n_blocks_;
@@ -146,17 +140,17 @@ SpectralNorm::Vector SpectralNorm::coefficients(const std::vector<double> &arc_l
                                                 const std::vector<double> &weighted_values) const
 {
   Vector sums(1 + (closed_ ? 2 : 1) * n_modes_);
+  Harmonics<false> cosines(n_modes_);
+  Harmonics<true> sines(n_modes_);
+  for (std::size_t q = 0; q < arc_lengths.size(); ++q)
   {
-    Harmonics<false> cosines(sums, 1, n_modes_);
-    Harmonics<true> sines(sums, 1 + n_modes_, n_modes_);
-    for (std::size_t q = 0; q < arc_lengths.size(); ++q)
-    {
-      sums[0] += weighted_values[q];
-      cosines.add(omega_ * arc_lengths[q], weighted_values[q]);
-      if (closed_)
-        sines.add(omega_ * arc_lengths[q], weighted_values[q]);
-    }
+    sums[0] += weighted_values[q];
+    cosines.add(omega_ * arc_lengths[q], weighted_values[q]);
+    if (closed_)
+      sines.add(omega_ * arc_lengths[q], weighted_values[q]);
   }
+  cosines.add_to(sums, 1);
+  sines.add_to(sums, 1 + n_modes_);
   sums *= std::sqrt(2. / length_);
   sums[0] /= std::sqrt(2.);
   return sums;
@@ -168,19 +162,19 @@ SpectralNorm::Vector SpectralNorm::coefficients_of_constants(const std::vector<d
   // int q cos(k omega s) = -sum of jumps times sin / (k omega): on an open side the sines vanish at
   // both ends. int q sin = +sum of jumps times cos / (k omega).
   Vector sums(1 + (closed_ ? 2 : 1) * n_modes_);
+  Harmonics<true> sines(n_modes_);
+  Harmonics<false> cosines(n_modes_);
+  for (unsigned int i = closed_ ? 0 : 1; i < values.size(); ++i)
   {
-    Harmonics<true> sines(sums, 1, n_modes_);
-    Harmonics<false> cosines(sums, 1 + n_modes_, n_modes_);
-    for (unsigned int i = closed_ ? 0 : 1; i < values.size(); ++i)
-    {
-      const double jump = values[i] - (i > 0 ? values[i - 1] : values[values.size() - 1]);
-      if (jump == 0.)
-        continue;
-      sines.add(omega_ * ends[i], -jump);
-      if (closed_)
-        cosines.add(omega_ * ends[i], jump);
-    }
+    const double jump = values[i] - (i > 0 ? values[i - 1] : values[values.size() - 1]);
+    if (jump == 0.)
+      continue;
+    sines.add(omega_ * ends[i], -jump);
+    if (closed_)
+      cosines.add(omega_ * ends[i], jump);
   }
+  sines.add_to(sums, 1);
+  cosines.add_to(sums, 1 + n_modes_);
   for (unsigned int c = 1; c < sums.size(); ++c)
     sums[c] *= std::sqrt(2. / length_) / (mode(c) * omega_);
   for (unsigned int i = 0; i < values.size(); ++i)
@@ -247,28 +241,24 @@ dealii::FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &
   return gram;
 }
 
-std::vector<double> patch_ends(const std::vector<Patch> &patches,
+std::vector<double> patch_ends(const std::vector<Patch<2>> &patches,
                                const unsigned int first,
                                const unsigned int last)
 {
-  std::vector<double> ends = {patches[first].start};
+  std::vector<double> ends = {patches[first].lower[0]};
   for (unsigned int t = first; t < last; ++t)
-    ends.push_back(patches[t].end);
+    ends.push_back(patches[t].upper[0]);
   return ends;
 }
 
-template <int dim>
-dealii::FullMatrix<double> dual_gram_matrix(const std::vector<Patch> &patches,
-                                            const Geometry<dim> &geometry)
+dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface)
 {
+  const std::vector<Patch<2>> &patches = surface.patches();
   dealii::FullMatrix<double> gram(patches.size(), patches.size());
   for_each_side(patches, [&](const unsigned int first, const unsigned int last) {
-    const SpectralNorm norm = spectral_norm_on(geometry.sides[patches[first].side]);
+    const SpectralNorm norm = spectral_norm_on(surface.side(patches[first]));
     gram.fill(norm.gram_matrix(patch_ends(patches, first, last)), first, first, 0, 0);
   });
   return gram;
 }
-
-template dealii::FullMatrix<double> dual_gram_matrix(const std::vector<Patch> &,
-                                                     const Geometry<2> &);
 } // namespace Signorini

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressure, gap and opening along the contact boundary.
 
-#include <signorini/multiplier/coupling.h>
+#include <signorini/elasticity/trace_values.h>
 #include <signorini/output/contact_line.h>
 #include <signorini/postprocess/contact_pressure.h>
 
@@ -12,47 +12,49 @@
 
 namespace Signorini
 {
-template <int dim>
-std::vector<ContactSegment<dim>> trace_contact_line(const DisplacementSpace<dim> &space,
-                                                    const MultiplierSpace<dim> &multipliers,
-                                                    const NodalVector &U,
-                                                    const dealii::Vector<double> &P)
+std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
+                                               const MultiplierSpace<2> &multipliers,
+                                               const NodalVector &U,
+                                               const dealii::Vector<double> &P)
 {
-  const RecoveredPressure<dim> recovered(multipliers, P);
-  std::vector<ContactSegment<dim>> line;
-  for (const Piece &piece : multipliers.partition().pieces)
+  const ContactSurface<2> &surface = multipliers.surface();
+  const RecoveredPressure recovered(multipliers, P);
+  TraceValues<2> traces(space);
+  std::vector<ContactSegment> line;
+  for (const Piece<2> &piece : surface.pieces())
   {
-    const Patch &patch = multipliers.partition().patches[piece.patch];
-    const Side<dim> &side = multipliers.side(patch);
-    const BoundaryCondition<dim> &condition = multipliers.condition(patch);
-    const ContactFace<dim> &face = multipliers.faces()[piece.face];
-    const auto point = [&](const double s) {
-      ContactPoint<dim> point;
-      point.side = side.name();
-      point.s = s;
-      point.x = side.point(s);
-      point.p_H = P[piece.patch];
+    const BoundaryCondition<2> &condition = surface.condition(piece);
+    const SurfaceRule<2> ends_and_middle =
+      surface.at(piece, {dealii::Point<1>(0.), dealii::Point<1>(0.5), dealii::Point<1>(1.)});
+    const std::vector<double> u_n =
+      traces.normal_displacement(surface.faces()[piece.face], ends_and_middle, U);
+    const auto point = [&](const std::size_t q) {
+      const dealii::Point<1> &s = ends_and_middle.on_side[q];
+      ContactPoint point;
+      point.side = surface.side(surface.patches()[piece.patch]).name();
+      point.s = s[0];
+      point.x = ends_and_middle.points[q];
+      point.p_H = multipliers.value(P, piece.patch, s);
       point.p_recovered = recovered(piece.patch, s);
-      point.u_n = normal_displacement(space, face, side.normal(s), U, s);
+      point.u_n = u_n[q];
       point.g = condition.data->value(point.x);
       if (condition.exact_pressure != nullptr)
         point.p_exact = condition.exact_pressure->value(point.x);
       return point;
     };
-    line.push_back({point(piece.start), point(0.5 * (piece.start + piece.end)), point(piece.end)});
+    line.push_back({point(0), point(1), point(2)});
   }
   return line;
 }
 
-template <int dim>
-void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment<dim>> &line)
+void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment> &line)
 {
   stream << "side,s,x,y,p_H,p_recovered,u_n,g,p_exact\n" << std::setprecision(16);
-  for (const ContactSegment<dim> &segment : line)
+  for (const ContactSegment &segment : line)
   {
-    const ContactPoint<dim> &point = segment.middle;
+    const ContactPoint &point = segment.middle;
     stream << point.side << "," << point.s;
-    for (unsigned int d = 0; d < dim; ++d)
+    for (unsigned int d = 0; d < 2; ++d)
       stream << "," << point.x[d];
     stream << "," << point.p_H << "," << point.p_recovered << "," << point.u_n << "," << point.g
            << ",";
@@ -62,21 +64,20 @@ void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment<di
   }
 }
 
-template <int dim>
-void write_contact_vtu(std::ostream &stream, const std::vector<ContactSegment<dim>> &line)
+void write_contact_vtu(std::ostream &stream, const std::vector<ContactSegment> &line)
 {
   const std::vector<std::string> names = {
     "pressure", "recovered_pressure", "normal_displacement", "gap", "opening"};
-  std::vector<dealii::DataOutBase::Patch<dim - 1, dim>> patches(line.size());
+  std::vector<dealii::DataOutBase::Patch<1, 2>> patches(line.size());
   for (std::size_t k = 0; k < line.size(); ++k)
   {
     patches[k].patch_index = k;
-    patches[k].reference_cell = dealii::ReferenceCells::get_hypercube<dim - 1>();
+    patches[k].reference_cell = dealii::ReferenceCells::get_hypercube<1>();
     patches[k].n_subdivisions = 1;
     patches[k].data.reinit(names.size(), 2);
     for (unsigned int v = 0; v < 2; ++v)
     {
-      const ContactPoint<dim> &point = v == 0 ? line[k].start : line[k].end;
+      const ContactPoint &point = v == 0 ? line[k].start : line[k].end;
       patches[k].vertices[v] = point.x;
       const double values[] = {
         point.p_H, point.p_recovered, point.u_n, point.g, point.g - point.u_n};
@@ -93,11 +94,4 @@ void write_contact_vtu(std::ostream &stream, const std::vector<ContactSegment<di
   flags.print_date_and_time = false;
   dealii::DataOutBase::write_vtu(patches, names, std::vector<Range>(), flags, stream);
 }
-
-template std::vector<ContactSegment<2>> trace_contact_line(const DisplacementSpace<2> &,
-                                                           const MultiplierSpace<2> &,
-                                                           const NodalVector &,
-                                                           const dealii::Vector<double> &);
-template void write_contact_csv(std::ostream &, const std::vector<ContactSegment<2>> &);
-template void write_contact_vtu(std::ostream &, const std::vector<ContactSegment<2>> &);
 } // namespace Signorini

@@ -4,6 +4,8 @@
 #include <signorini/elasticity/cell_stiffness.h>
 #include <signorini/postprocess/certificate.h>
 
+#include <deal.II/fe/fe_values.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -72,62 +74,47 @@ double stationarity(const DisplacementSpace<dim> &space, const NodalForces &forc
                   forces.vanish() ? forces.magnitude : forces.largest());
 }
 
-/** Nodes that hold the body: where degrees of freedom are constrained, or constrain others. */
+/** The nodes whose degrees of freedom hold the body: number, position, component. */
 template <int dim>
 std::map<dealii::types::global_dof_index, std::pair<dealii::Point<dim>, unsigned int>>
-supported_dofs(const DisplacementSpace<dim> &space)
+support_points(const DisplacementSpace<dim> &space)
 {
-  std::vector<bool> supported(space.dofs().n_dofs(), false);
-  for (const auto &line : space.constraints().get_lines())
-  {
-    supported[line.index] = true;
-    for (const auto &entry : line.entries)
-      supported[entry.first] = true;
-  }
-  std::map<dealii::types::global_dof_index, std::pair<dealii::Point<dim>, unsigned int>> dofs;
+  const dealii::FESystem<dim> &element = space.element();
+  dealii::FEValues<dim> at_nodes(
+    space.mesh().mapping(),
+    element,
+    dealii::Quadrature<dim>(element.base_element(0).get_unit_support_points()),
+    dealii::update_quadrature_points);
+  std::map<dealii::types::global_dof_index, std::pair<dealii::Point<dim>, unsigned int>> points;
+  std::vector<dealii::types::global_dof_index> indices(element.n_dofs_per_cell());
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->at_boundary())
-      for (const unsigned int v : cell->vertex_indices())
-        for (unsigned int d = 0; d < dim; ++d)
-          if (supported[cell->vertex_dof_index(v, d)])
-            dofs[cell->vertex_dof_index(v, d)] = {cell->vertex(v), d};
-  return dofs;
+    {
+      cell->get_dof_indices(indices);
+      at_nodes.reinit(cell);
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        if (space.supports().is_element(indices[i]))
+        {
+          const auto [component, node] = element.system_to_component_index(i);
+          points[indices[i]] = {at_nodes.quadrature_point(node), component};
+        }
+    }
+  return points;
 }
 
-/** The point of the mesh's boundary that stands for the arc length @p s of a face. */
+/** int p_H n and int p_H x × n. */
 template <int dim>
-dealii::Point<dim> point_on_face(const Mesh<dim> &mesh,
-                                 const ContactFace<dim> &face,
-                                 const double s)
-{
-  static_assert(dim == 2, "a face has one parameter");
-  dealii::Point<dim> unit;
-  unit[face.face_no / 2] = face.face_no % 2;
-  unit[1 - face.face_no / 2] = face.parameter(s);
-  return mesh.mapping().transform_unit_to_real_cell(face.cell, unit);
-}
-
-/**
- * sum_tau P_tau int_tau n and its moment. In the plane n ds is the tangent turned by a right angle,
- * so that both integrals depend on the ends a, b of a piece only, however it is curved: +-(b2 - a2,
- * a1 - b1) and -+(|b|^2 - |a|^2)/2.
- */
-template <int dim>
-Resultant<dim> contact_resultant(const Mesh<dim> &mesh,
-                                 const MultiplierSpace<dim> &multipliers,
+Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
                                  const dealii::Vector<double> &P)
 {
   Resultant<dim> resultant;
-  for (const Piece &piece : multipliers.partition().pieces)
+  for (const Piece<dim> &piece : multipliers.surface().pieces())
   {
-    const ContactFace<dim> &face = multipliers.faces()[piece.face];
-    const dealii::Point<dim> a = point_on_face(mesh, face, piece.start);
-    const dealii::Point<dim> b = point_on_face(mesh, face, piece.end);
-    dealii::Tensor<1, dim> turned({b[1] - a[1], a[0] - b[0]});
-    const auto &side = multipliers.side(multipliers.partition().patches[piece.patch]);
-    const double sign = turned * side.normal(0.5 * (piece.start + piece.end)) > 0. ? 1. : -1.;
-    resultant.force += sign * P[piece.patch] * turned;
-    resultant.moment -= sign * P[piece.patch] * 0.5 * (b.square() - a.square());
+    const SurfaceRule<dim> &rule = piece.on_mesh;
+    for (std::size_t q = 0; q < rule.size(); ++q)
+      resultant.add(multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q] *
+                      rule.normals[q],
+                    rule.points[q]);
   }
   return resultant;
 }
@@ -141,26 +128,24 @@ void balance(const DisplacementSpace<dim> &space,
              const NodalForces &forces,
              Certificate &certificate)
 {
-  Resultant<dim> reactions;
+  Resultant<dim> sum = applied;
+  sum += contact;
   double sum_of_sizes = 0.;
-  for (const auto &dof : supported_dofs(space))
+  for (const auto &[dof, place] : support_points(space))
   {
     dealii::Tensor<1, dim> reaction;
-    reaction[dof.second.second] = forces.residual[dof.first];
+    reaction[place.second] = forces.residual[dof];
     sum_of_sizes += reaction.norm();
-    reactions.add(reaction, dof.second.first);
+    sum.add(reaction, place.first);
   }
-  const dealii::Tensor<1, dim> force = reactions.force + applied.force + contact.force;
   // About the centre of the body: the origin may be far away.
-  const dealii::Tensor<1, dim> centre =
-    0.5 * (scene.geometry.lower + (scene.geometry.upper - dealii::Point<dim>()));
-  const double moment = reactions.moment + applied.moment + contact.moment -
-                        (centre[0] * force[1] - centre[1] * force[0]);
+  const dealii::Point<dim> centre =
+    scene.geometry.lower + 0.5 * (scene.geometry.upper - scene.geometry.lower);
   const double largest = std::max({sum_of_sizes, applied.force.norm(), contact.force.norm()});
   const double scale = forces.vanish() ? forces.magnitude : largest;
-  certificate.force_balance = relative(force.norm(), scale);
-  certificate.moment_balance =
-    relative(moment, scale * (scene.geometry.diameter() + centre.norm()));
+  certificate.force_balance = relative(sum.force.norm(), scale);
+  certificate.moment_balance = relative(sum.moment_about(centre).norm(),
+                                        scale * (scene.geometry.diameter() + centre.norm()));
 }
 
 /** Signs, penetration and complementarity of P and W = D^T U - G. */
@@ -172,12 +157,12 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
                    Certificate &certificate)
 {
   const unsigned int m = W.size();
+  const dealii::Vector<double> measures = multipliers.integrals();
   double deepest = 0., largest_P = 0., tensile = 0., length_scale = solution.U.linfty_norm();
   for (unsigned int tau = 0; tau < m; ++tau)
   {
-    const double length = multipliers.partition().patches[tau].length();
-    deepest = std::max(deepest, W[tau] / length);
-    length_scale = std::max(length_scale, std::abs(solution.G[tau]) / length);
+    deepest = std::max(deepest, W[tau] / measures[tau]);
+    length_scale = std::max(length_scale, std::abs(solution.G[tau]) / measures[tau]);
     largest_P = std::max(largest_P, std::abs(solution.P[tau]));
     tensile = std::max(tensile, solution.P[tau]);
   }
@@ -187,8 +172,8 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
   for (unsigned int tau = 0; tau < m; ++tau)
   {
     // Measured as lengths, so that they are known to be small where all pressures vanish.
-    const double pressed = solution.C.m() == m ? solution.C(tau, tau) * solution.P[tau] : 0.;
-    const double small = 1e-6 * length_scale * multipliers.partition().patches[tau].length();
+    const double pressed = solution.diagonal_P.size() == m ? solution.diagonal_P[tau] : 0.;
+    const double small = 1e-6 * length_scale * measures[tau];
     if (std::abs(pressed) < small && std::abs(W[tau]) < small)
       ++certificate.degenerate_patches;
   }
@@ -206,7 +191,7 @@ double duality_gap(const ContactSolution<dim> &solution,
   NodalVector V = solution.U;
   V -= solution.free_U;
   const double primal = 0.5 * (V * forces.internal - V * forces.loads);
-  const double dual = solution.P * solution.F - 0.5 * solution.C.matrix_norm_square(solution.P);
+  const double dual = solution.P * solution.F - 0.5 * (solution.P * solution.C_P);
   return relative(primal - dual, std::max(energy_scale, std::abs(dual)));
 }
 } // namespace
@@ -245,7 +230,7 @@ Certificate certify(const DisplacementSpace<dim> &space,
   balance(space,
           scene,
           system.applied,
-          contact_resultant(space.mesh(), multipliers, solution.P),
+          contact_resultant(multipliers, solution.P),
           forces,
           certificate);
 
@@ -260,7 +245,7 @@ Certificate certify(const DisplacementSpace<dim> &space,
   // J of (22); [p, Bu - g] is P^T W.
   certificate.energy = strain_energy - work_of_loads - solution.P * W;
 
-  if (solution.C.m() > 0)
+  if (solution.C_P.size() > 0)
     certificate.duality_gap = duality_gap(solution, forces, energy_scale);
   const double unit_roundoff = std::numeric_limits<double>::epsilon();
   certificate.rounding =
@@ -274,4 +259,10 @@ template Certificate certify(const DisplacementSpace<2> &,
                              const MultiplierSpace<2> &,
                              const Coupling &,
                              const ContactSolution<2> &);
+template Certificate certify(const DisplacementSpace<3> &,
+                             const Scene<3> &,
+                             const LinearSystem<3> &,
+                             const MultiplierSpace<3> &,
+                             const Coupling &,
+                             const ContactSolution<3> &);
 } // namespace Signorini

@@ -17,82 +17,85 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const dealii
 {
   ContactSummary summary;
   const double threshold = pressing_threshold(P);
-  for (unsigned int tau = 0; tau < P.size(); ++tau)
+  const dealii::Vector<double> integrals = space.integrals();
+  const std::vector<Patch<dim>> &patches = space.surface().patches();
+  std::vector<bool> presses(patches.size(), false);
+  for (unsigned int k = 0; k < P.size(); ++k)
   {
-    const double length = space.partition().patches[tau].length();
-    if (P[tau] < threshold)
+    if (P[k] < threshold)
+      presses[space.patch_of(k)] = true;
+    summary.normal_force -= P[k] * integrals[k];
+    summary.max_pressure = std::max(summary.max_pressure, -P[k]);
+  }
+  for (unsigned int tau = 0; tau < patches.size(); ++tau)
+    if (presses[tau])
     {
       ++summary.active;
-      summary.length += length;
+      summary.length += patches[tau].measure;
     }
-    summary.normal_force -= P[tau] * length;
-    summary.max_pressure = std::max(summary.max_pressure, -P[tau]);
-  }
   return summary;
 }
 
-template <int dim>
-RecoveredPressure<dim>::RecoveredPressure(const MultiplierSpace<dim> &space,
-                                          const dealii::Vector<double> &P)
-  : space_(space)
-  , P_(P)
+RecoveredPressure::RecoveredPressure(const MultiplierSpace<2> &space,
+                                     const dealii::Vector<double> &P)
+  : surface_(space.surface())
 {
+  for (unsigned int tau = 0; tau < surface_.patches().size(); ++tau)
+    means_.push_back(space.value(P, tau, surface_.patches()[tau].centre()));
 }
 
-template <int dim>
-typename RecoveredPressure<dim>::Neighbour
-RecoveredPressure<dim>::neighbour(const unsigned int patch, const int step) const
+RecoveredPressure::Neighbour RecoveredPressure::neighbour(const unsigned int patch,
+                                                          const int step) const
 {
-  const std::vector<Patch> &patches = space_.partition().patches;
+  const std::vector<Patch<2>> &patches = surface_.patches();
   const auto on_side = [&](const int t) {
     return t >= 0 && t < static_cast<int>(patches.size()) && patches[t].side == patches[patch].side;
   };
   int next = static_cast<int>(patch) + step;
   if (on_side(next))
-    return {static_cast<unsigned int>(next), patches[next].middle()};
-  const Side<dim> &side = space_.side(patches[patch]);
+    return {static_cast<unsigned int>(next), patches[next].centre()[0]};
+  const Side<2> &side = surface_.side(patches[patch]);
   if (!side.is_closed())
-    return {patch, patches[patch].middle()};
+    return {patch, patches[patch].centre()[0]};
   // The patch at the other end of the list.
   for (next = static_cast<int>(patch); on_side(next - step);)
     next -= step;
-  return {static_cast<unsigned int>(next), patches[next].middle() + step * side.length()};
+  return {static_cast<unsigned int>(next), patches[next].centre()[0] + step * side.length()};
 }
 
-template <int dim>
-double RecoveredPressure<dim>::operator()(const unsigned int patch, const double s) const
+double RecoveredPressure::operator()(const unsigned int patch, const dealii::Point<1> &s) const
 {
-  const double middle = space_.partition().patches[patch].middle();
-  const int step = s < middle ? -1 : 1;
+  const double middle = surface_.patches()[patch].centre()[0];
+  const int step = s[0] < middle ? -1 : 1;
   Neighbour next = neighbour(patch, step);
   if (next.patch == patch)
     next = neighbour(patch, -step);
   if (next.patch == patch)
-    return P_[patch];
-  const double slope = (P_[next.patch] - P_[patch]) / (next.middle - middle);
-  return std::min(0., P_[patch] + slope * (s - middle));
+    return means_[patch];
+  const double slope = (means_[next.patch] - means_[patch]) / (next.middle - middle);
+  return std::min(0., means_[patch] + slope * (s[0] - middle));
 }
 
-dealii::Vector<double> transfer_pressure(const std::vector<Patch> &from,
-                                         const dealii::Vector<double> &P,
-                                         const std::vector<Patch> &to)
+dealii::Vector<double> transfer_pressure(const PatchPressure &from, const std::vector<Patch<2>> &to)
 {
+  const std::vector<Patch<2>> &patches = from.patches;
   dealii::Vector<double> transferred(to.size());
   std::size_t first = 0;
   for (std::size_t t = 0; t < to.size(); ++t)
   {
-    const auto before = [&](const Patch &patch) {
-      return patch.side < to[t].side || (patch.side == to[t].side && patch.end <= to[t].start);
+    const double start = to[t].lower[0], end = to[t].upper[0];
+    const auto before = [&](const Patch<2> &patch) {
+      return patch.side < to[t].side || (patch.side == to[t].side && patch.upper[0] <= start);
     };
-    while (first < from.size() && before(from[first]))
+    while (first < patches.size() && before(patches[first]))
       ++first;
     for (std::size_t k = first;
-         k < from.size() && from[k].side == to[t].side && from[k].start < to[t].end;
+         k < patches.size() && patches[k].side == to[t].side && patches[k].lower[0] < end;
          ++k)
     {
       const double overlap =
-        std::min(from[k].end, to[t].end) - std::max(from[k].start, to[t].start);
-      transferred[t] += std::max(overlap, 0.) / to[t].length() * P[k];
+        std::min(patches[k].upper[0], end) - std::max(patches[k].lower[0], start);
+      transferred[t] += std::max(overlap, 0.) / to[t].measure * from.P[k];
     }
   }
   return transferred;
@@ -100,5 +103,6 @@ dealii::Vector<double> transfer_pressure(const std::vector<Patch> &from,
 
 template ContactSummary summarise_contact(const MultiplierSpace<2> &,
                                           const dealii::Vector<double> &);
-template class RecoveredPressure<2>;
+template ContactSummary summarise_contact(const MultiplierSpace<3> &,
+                                          const dealii::Vector<double> &);
 } // namespace Signorini

@@ -25,7 +25,6 @@ dealii::LAPACKFullMatrix<double> to_lapack(const dealii::FullMatrix<double> &mat
 
 template <int dim>
 double measure_inf_sup(const DisplacementSpace<dim> &space,
-                       const Scene<dim> &scene,
                        const MultiplierSpace<dim> &multipliers,
                        const Coupling &condensed_D,
                        const std::string &linear_solver)
@@ -33,7 +32,7 @@ double measure_inf_sup(const DisplacementSpace<dim> &space,
   const dealii::TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
   const auto inverse = factorise(A_1, linear_solver, contact_unknowns(condensed_D));
   auto DA_1D = to_lapack(compute_compliance(*inverse, space, condensed_D));
-  auto S = to_lapack(dual_gram_matrix(multipliers.partition().patches, scene.geometry));
+  auto S = to_lapack(dual_gram_matrix(multipliers.surface()));
   std::vector<dealii::Vector<double>> no_eigenvectors;
   DA_1D.compute_generalized_eigenvalues_symmetric(S, no_eigenvectors);
   double smallest = DA_1D.eigenvalue(0).real();
@@ -43,7 +42,6 @@ double measure_inf_sup(const DisplacementSpace<dim> &space,
 }
 
 template double measure_inf_sup(const DisplacementSpace<2> &,
-                                const Scene<2> &,
                                 const MultiplierSpace<2> &,
                                 const Coupling &,
                                 const std::string &);

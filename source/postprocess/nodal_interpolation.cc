@@ -3,27 +3,44 @@
 
 #include <signorini/postprocess/nodal_interpolation.h>
 
+#include <deal.II/fe/fe_values.h>
+
 namespace Signorini
 {
 template <int dim>
 NodalVector interpolate_at_nodes(const DisplacementSpace<dim> &space,
                                  const dealii::Function<dim> &u)
 {
+  const dealii::FESystem<dim> &element = space.element();
+  const dealii::Quadrature<dim> nodes(element.base_element(0).get_unit_support_points());
+  dealii::FEValues<dim> at_nodes(
+    space.mesh().mapping(), element, nodes, dealii::update_quadrature_points);
   NodalVector values(space.dofs().n_dofs());
-  std::vector<bool> visited(space.mesh().triangulation().n_vertices(), false);
-  dealii::Vector<double> u_at_vertex(dim);
+  std::vector<bool> visited(values.size(), false);
+  std::vector<dealii::types::global_dof_index> indices(element.n_dofs_per_cell());
+  dealii::Vector<double> u_at_node(dim);
   for (const auto &cell : space.dofs().active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-      if (!visited[cell->vertex_index(v)])
+  {
+    at_nodes.reinit(cell);
+    cell->get_dof_indices(indices);
+    for (unsigned int node = 0; node < nodes.size(); ++node)
+    {
+      if (visited[indices[element.component_to_system_index(0, node)]])
+        continue;
+      u.vector_value(at_nodes.quadrature_point(node), u_at_node);
+      for (unsigned int d = 0; d < dim; ++d)
       {
-        visited[cell->vertex_index(v)] = true;
-        u.vector_value(cell->vertex(v), u_at_vertex);
-        for (unsigned int d = 0; d < dim; ++d)
-          values[cell->vertex_dof_index(v, d)] = u_at_vertex[d];
+        const auto index = indices[element.component_to_system_index(d, node)];
+        values[index] = u_at_node[d];
+        visited[index] = true;
       }
+    }
+  }
   return values;
 }
 
 template NodalVector interpolate_at_nodes(const DisplacementSpace<2> &,
                                           const dealii::Function<2> &);
+template NodalVector interpolate_at_nodes(const DisplacementSpace<3> &,
+                                          const dealii::Function<3> &);
 } // namespace Signorini

@@ -21,8 +21,8 @@ Geometry<2> make_ring(const double inner_radius, const double outer_radius)
   geometry.lower = Point(-outer_radius, -outer_radius);
   geometry.upper = Point(outer_radius, outer_radius);
   // The order is that of colorize = true.
-  geometry.sides = {Side<2>::arc("inner", Point(), inner_radius, -PI, PI, Body::outside),
-                    Side<2>::arc("outer", Point(), outer_radius, -PI, PI, Body::inside)};
+  geometry.sides = {{"inner", Curve::arc(Point(), inner_radius, -PI, PI, Body::outside)},
+                    {"outer", Curve::arc(Point(), outer_radius, -PI, PI, Body::inside)}};
   geometry.make_coarse_mesh = [=](dealii::Triangulation<2> &triangulation) {
     dealii::GridGenerator::hyper_shell(
       triangulation, Point(), inner_radius, outer_radius, 8, /*colorize=*/true);
@@ -37,8 +37,8 @@ Geometry<2> make_half_disc(const double radius)
   geometry.n_coarse_cells = 4.;
   geometry.lower = Point(-radius, -radius);
   geometry.upper = Point(radius, 0.);
-  geometry.sides = {Side<2>("flat", Point(-radius, 0.), Point(radius, 0.), Point(0., 1.)),
-                    Side<2>::arc("arc", Point(), radius, -PI, 0., Body::inside)};
+  geometry.sides = {{"flat", Curve(Point(-radius, 0.), Point(radius, 0.), Point(0., 1.))},
+                    {"arc", Curve::arc(Point(), radius, -PI, 0., Body::inside)}};
   geometry.make_coarse_mesh = [=, sides = geometry.sides](dealii::Triangulation<2> &triangulation) {
     constexpr dealii::types::manifold_id circle = 0, interior = 1;
     // It lies to the right of the y-axis.

@@ -233,4 +233,5 @@ Constants read_constants(const std::string &text, const std::string &where)
 
 template class Expression<1>;
 template class Expression<2>;
+template class Expression<3>;
 } // namespace Signorini

@@ -161,4 +161,5 @@ void ExpressionFunction<dim>::vector_gradient_list(const Points &points,
 }
 
 template class ExpressionFunction<2>;
+template class ExpressionFunction<3>;
 } // namespace Signorini

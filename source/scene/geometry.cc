@@ -84,7 +84,7 @@ dealii::Point<dim> Geometry<dim>::inner_point() const
 {
   dealii::Point<dim> mean;
   for (const Side<dim> &side : sides)
-    mean += side.point(0.5 * side.length()) / static_cast<double>(sides.size());
+    mean += side.centre() / static_cast<double>(sides.size());
   return mean;
 }
 
@@ -136,10 +136,10 @@ Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
   geometry.lower = lower_left;
   geometry.upper = upper_right;
   // The arc length of every side grows with its coordinate; the order is that of colorize = true.
-  geometry.sides = {{"left", lower_left, upper_left, P(-1., 0.)},
-                    {"right", lower_right, upper_right, P(1., 0.)},
-                    {"bottom", lower_left, lower_right, P(0., -1.)},
-                    {"top", upper_left, upper_right, P(0., 1.)}};
+  geometry.sides = {{"left", Curve(lower_left, upper_left, P(-1., 0.))},
+                    {"right", Curve(lower_right, upper_right, P(1., 0.))},
+                    {"bottom", Curve(lower_left, lower_right, P(0., -1.))},
+                    {"top", Curve(upper_left, upper_right, P(0., 1.))}};
   geometry.make_coarse_mesh = [=](dealii::Triangulation<2> &triangulation) {
     dealii::GridGenerator::subdivided_hyper_rectangle(
       triangulation, cells, lower_left, upper_right, true);
@@ -156,8 +156,8 @@ Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
   for (std::size_t i = 0; i < n; ++i)
   {
     const dealii::Point<2> &next = vertices[(i + 1) % n];
-    geometry.sides.emplace_back(
-      "side" + std::to_string(i), vertices[i], next, normal_to_the_right(vertices[i], next));
+    geometry.sides.emplace_back("side" + std::to_string(i),
+                                Curve(vertices[i], next, normal_to_the_right(vertices[i], next)));
     for (unsigned int d = 0; d < 2; ++d)
     {
       geometry.lower[d] = std::min(geometry.lower[d], next[d]);
@@ -175,5 +175,35 @@ Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
   return geometry;
 }
 
+Geometry<3> make_box(const dealii::Point<3> &lower,
+                     const dealii::Point<3> &upper,
+                     const std::vector<unsigned int> &cells)
+{
+  const char *const names[] = {"left", "right", "front", "back", "bottom", "top"};
+  Geometry<3> geometry;
+  geometry.n_coarse_cells = double(cells[0]) * double(cells[1]) * double(cells[2]);
+  geometry.lower = lower;
+  geometry.upper = upper;
+  // The order is that of colorize = true.
+  for (unsigned int i = 0; i < 6; ++i)
+  {
+    const unsigned int d = i / 2, first = (d + 1) % 3, second = (d + 2) % 3;
+    const auto edge = [&](const unsigned int e) {
+      return (upper[e] - lower[e]) * dealii::Point<3>::unit_vector(e);
+    };
+    dealii::Point<3> corner = lower;
+    corner[d] = i % 2 == 0 ? lower[d] : upper[d];
+    const double sign = i % 2 == 0 ? -1. : 1.;
+    geometry.sides.emplace_back(
+      names[i],
+      Rectangle(corner, edge(first), edge(second), sign * dealii::Point<3>::unit_vector(d)));
+  }
+  geometry.make_coarse_mesh = [=](dealii::Triangulation<3> &triangulation) {
+    dealii::GridGenerator::subdivided_hyper_rectangle(triangulation, cells, lower, upper, true);
+  };
+  return geometry;
+}
+
 template struct Geometry<2>;
+template struct Geometry<3>;
 } // namespace Signorini

@@ -219,4 +219,6 @@ std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression
 
 template std::shared_ptr<const Material<2>>
 make_isotropic(const Expression<2> &, const Expression<2> &, PlaneState, const dealii::Point<2> &);
+template std::shared_ptr<const Material<3>>
+make_isotropic(const Expression<3> &, const Expression<3> &, PlaneState, const dealii::Point<3> &);
 } // namespace Signorini

@@ -24,16 +24,6 @@ bool Scene<dim>::has_exact_pressure() const
   return true;
 }
 
-template <int dim>
-std::vector<KinkLine<dim>> lines_at(const std::array<std::vector<double>, dim> &positions)
-{
-  std::vector<KinkLine<dim>> lines;
-  for (unsigned int d = 0; d < dim; ++d)
-    for (const double position : positions[d])
-      lines.push_back({dealii::Point<dim>::unit_vector(d), position});
-  return lines;
-}
-
 template struct Scene<2>;
-template std::vector<KinkLine<2>> lines_at<2>(const std::array<std::vector<double>, 2> &);
+template struct Scene<3>;
 } // namespace Signorini

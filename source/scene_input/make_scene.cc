@@ -86,9 +86,13 @@ Scene<2> make_scene(const Parameters &parameters)
   refuse_free_motions(scene, parameters);
   refuse_kinks_outside(scene, parameters);
   const DiscretizationParameters &discretization = parameters.discretization;
+  std::vector<KinkLine<2>> lines = scene.kinks.lines();
   const std::vector<KinkLine<2>> more =
     lines_at<2>({{discretization.kinks_at_x, discretization.kinks_at_y}});
-  scene.kinks.insert(scene.kinks.end(), more.begin(), more.end());
+  lines.insert(lines.end(), more.begin(), more.end());
+  scene.kinks = Kinks<2>(lines);
+  for (const unsigned int side : scene.contact_sides())
+    scene.kinks.add_ends_on(scene.geometry.sides[side]);
   return scene;
 }
 } // namespace Signorini

@@ -92,7 +92,7 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
     {
       all_faces += 1.;
       // Boundary numbers are not known where sides end inside coarse faces.
-      if (!scene.geometry.classify_after_refinement &&
+      if (!scene.geometry.number_after_refinement &&
           scene.boundary[face->boundary_id()].role == Role::contact)
         n_coarse_contact_faces_ += 1.;
     }
@@ -102,7 +102,7 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
     if (scene.boundary[i].role == Role::contact)
       contact_length += scene.geometry.sides[i].length();
   }
-  if (scene.geometry.classify_after_refinement)
+  if (scene.geometry.number_after_refinement)
     n_coarse_contact_faces_ = all_faces * contact_length / length;
   refuse_if_huge();
 }

@@ -11,8 +11,8 @@ namespace Signorini
 /**
  * a(phi_j, phi_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
  *
- * Two Gauss points per direction are exact for a constant tensor on a parallelogram; four are taken
- * otherwise. With a constant tensor, congruent cells share one matrix: on a mesh of squares it is
+ * Two Gauss points per direction are exact for a constant tensor on a parallelogram or
+ * parallelepiped; four are taken otherwise. With a constant tensor, congruent cells share one matrix: on a mesh of squares it is
  * integrated once.
  */
 template <int dim>
@@ -21,9 +21,7 @@ class CellStiffness
 public:
   using CellIterator = typename dealii::Triangulation<dim>::active_cell_iterator;
 
-  CellStiffness(const DisplacementSpace<dim> &space,
-                const Material<dim> &material,
-                const Kinks<dim> &kinks);
+  CellStiffness(const DisplacementSpace<dim> &space, const Scene<dim> &scene);
 
   /** The matrix of the cell; valid until the next call. */
   const dealii::FullMatrix<double> &operator()(const CellIterator &cell);
@@ -38,6 +36,7 @@ private:
   bool constant_;
   /** Whether vertices alone do not tell the shape of a cell. */
   bool curved_;
+  /** None for a constant tensor, which is smooth across all lines. */
   Kinks<dim> kinks_;
   CellValues<dim> affine_values_;
   CellValues<dim> general_values_;

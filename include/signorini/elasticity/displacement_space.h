@@ -4,6 +4,7 @@
 #include <signorini/mesh/mesh.h>
 #include <signorini/scene/scene.h>
 
+#include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/lac/affine_constraints.h>
@@ -74,6 +75,12 @@ public:
   {
     return constraints_;
   }
+  /** The degrees of freedom through which clamped, prescribed and roller sides hold the body: the
+   * only ones that carry reactions. (Other constraints keep u_h continuous.) */
+  const dealii::IndexSet &supports() const
+  {
+    return supports_;
+  }
   const dealii::IndexSet &locally_owned() const
   {
     return dofs_.locally_owned_dofs();
@@ -100,5 +107,6 @@ private:
   dealii::FESystem<dim> element_;
   dealii::DoFHandler<dim> dofs_;
   dealii::AffineConstraints<double> constraints_;
+  dealii::IndexSet supports_;
 };
 } // namespace Signorini

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/mesh/kinks.h>
+#include <signorini/mesh/cut_quadrature.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -34,11 +34,11 @@ public:
   const dealii::FEValues<dim> &reinit(const CellIterator &cell)
   {
     dealii::FEValues<dim> *values = &plain_;
-    if (kinks_.affect(cell))
+    if (needs_cuts<dim>(kinks_, cell))
     {
       cut_ = std::make_unique<dealii::FEValues<dim>>(plain_.get_mapping(),
                                                      plain_.get_fe(),
-                                                     kinks_.quadrature(cell, n_points_),
+                                                     cut_quadrature<dim>(kinks_, cell, n_points_),
                                                      plain_.get_update_flags());
       values = cut_.get();
     }
@@ -53,7 +53,8 @@ private:
   std::unique_ptr<dealii::FEValues<dim>> cut_;
 };
 
-/** Shape functions at Gauss points of a face, or of its parts. */
+/** Shape functions at the Gauss points of a face; where a kink cuts the face, at the Gauss points of
+ * its parts. */
 template <int dim>
 class FaceValues
 {
@@ -62,32 +63,38 @@ public:
 
   FaceValues(const dealii::Mapping<dim> &mapping,
              const dealii::FiniteElement<dim> &element,
+             const Kinks<dim> &kinks,
              const unsigned int n_points,
              const dealii::UpdateFlags flags)
-    : rule_(n_points)
+    : kinks_(kinks)
+    , rule_(n_points)
     , plain_(mapping, element, rule_, flags)
   {
   }
 
-  /** @param cuts the face's own parameters between which the rule is applied, sorted. */
-  const dealii::FEFaceValues<dim> &reinit(const CellIterator &cell,
-                                          const unsigned int face_no,
-                                          const std::vector<double> &cuts)
+  const dealii::FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no)
   {
     dealii::FEFaceValues<dim> *values = &plain_;
-    if (cuts.size() != 2 || cuts.front() != 0. || cuts.back() != 1.)
+    // In space, planes do not cut faces yet.
+    if constexpr (dim == 2)
     {
-      cut_ = std::make_unique<dealii::FEFaceValues<dim>>(plain_.get_mapping(),
-                                                         plain_.get_fe(),
-                                                         split_quadrature(rule_, cuts),
-                                                         plain_.get_update_flags());
-      values = cut_.get();
+      const auto face = cell->face(face_no);
+      const std::vector<double> cuts = kinks_.cut(face->vertex(0), face->vertex(1));
+      if (cuts.size() > 2)
+      {
+        cut_ = std::make_unique<dealii::FEFaceValues<dim>>(plain_.get_mapping(),
+                                                           plain_.get_fe(),
+                                                           split_quadrature(rule_, cuts),
+                                                           plain_.get_update_flags());
+        values = cut_.get();
+      }
     }
     values->reinit(cell, face_no);
     return *values;
   }
 
 private:
+  const Kinks<dim> &kinks_;
   dealii::QGauss<dim - 1> rule_;
   dealii::FEFaceValues<dim> plain_;
   std::unique_ptr<dealii::FEFaceValues<dim>> cut_;

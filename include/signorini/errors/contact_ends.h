@@ -14,8 +14,7 @@ namespace Signorini
  * Exact ends are looked for at the kinks: p vanishes on one side of them only. Empty if there are
  * none, or if a side has ends of one kind only. Needs Scene::has_exact_pressure().
  */
-template <int dim>
-std::optional<double> contact_end_error(const MultiplierSpace<dim> &space,
-                                        const Scene<dim> &scene,
+std::optional<double> contact_end_error(const MultiplierSpace<2> &space,
+                                        const Scene<2> &scene,
                                         const dealii::Vector<double> &P);
 } // namespace Signorini

@@ -24,32 +24,31 @@ struct DualNormErrors
 };
 
 /** The exact pressure on the contact sides, prepared for the norms of all levels. */
-template <int dim>
 class ExactPressure
 {
 public:
   /** Needs Scene::has_exact_pressure(). Computes 8192 cosine coefficients per side. */
-  explicit ExactPressure(const Scene<dim> &scene);
+  explicit ExactPressure(const Scene<2> &scene);
 
   /**
    * The paper's norm is Richardson's extrapolation of grids with 8 m and 16 m cells, m the patches
    * of the side. It is left out where a side has more than 128 of them (its cost grows like m³) and
    * on arcs (distances are not arc lengths there).
    */
-  DualNormErrors errors(const MultiplierSpace<dim> &space, const dealii::Vector<double> &P) const;
+  DualNormErrors errors(const MultiplierSpace<2> &space, const dealii::Vector<double> &P) const;
 
   /** R^H p: the mean of p on every patch. */
-  dealii::Vector<double> project(const MultiplierSpace<dim> &space) const;
+  dealii::Vector<double> project(const MultiplierSpace<2> &space) const;
 
 private:
   /** The same on the patches [first, last), which make up a side. */
-  DualNormErrors errors_on_side(const MultiplierSpace<dim> &space,
+  DualNormErrors errors_on_side(const MultiplierSpace<2> &space,
                                 const dealii::Vector<double> &P,
                                 const dealii::Vector<double> &projected_p,
                                 unsigned int first,
                                 unsigned int last) const;
 
-  const Scene<dim> &scene_;
+  const Scene<2> &scene_;
   std::map<unsigned int, dealii::Vector<double>> coefficients_;
 };
 } // namespace Signorini

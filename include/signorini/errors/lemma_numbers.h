@@ -35,12 +35,11 @@ struct LemmaNumbers
  * @param loads f_j = int f.phi_j + int t.phi_j, not condensed.
  * @param n_points Gauss points per direction for integrals of the exact solution.
  */
-template <int dim>
-LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
-                                   const Scene<dim> &scene,
-                                   const MultiplierSpace<dim> &multipliers,
+LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
+                                   const Scene<2> &scene,
+                                   const MultiplierSpace<2> &multipliers,
                                    const Coupling &D,
-                                   const ExactPressure<dim> &pressure,
+                                   const ExactPressure &pressure,
                                    const DistributedVector &loads,
                                    const std::string &linear_solver,
                                    unsigned int n_points);

@@ -11,7 +11,7 @@
 namespace Signorini
 {
 /**
- * The quadrilateral mesh T^h of one level, with T^{2h} as its parents.
+ * The mesh T^h of one level, quadrilaterals or hexahedra, with T^{2h} as its parents.
  *
  * Every rank knows the whole mesh; METIS decides who owns which cells, and with them rows of A.
  */
@@ -38,18 +38,18 @@ public:
     return *mapping_;
   }
   /**
-   * The map onto the body of size one, (x - lower)/l with the length l of size(). In the plane
-   * stiffness matrices depend neither on the unit of length nor on the place of the origin, and
-   * with this map they do so to the last digit. The same as mapping() for curved bodies.
+   * The map onto the body of size one, (x - lower)/l with the length l of size(). A stiffness matrix
+   * that is integrated with it depends neither on the unit of length nor on the place of the origin,
+   * to the last digit.
    */
   const dealii::Mapping<dim> &unit_mapping() const
   {
-    return unit_mapping_ != nullptr ? *unit_mapping_ : *mapping_;
+    return *unit_mapping_;
   }
   /** The point that unit_mapping() maps to @p x. */
   dealii::Point<dim> from_unit_body(const dealii::Point<dim> &x) const
   {
-    return unit_mapping_ != nullptr ? lower_ + size_ * (x - dealii::Point<dim>()) : x;
+    return lower_ + size_ * (x - dealii::Point<dim>());
   }
   /** The longest edge of the box around the body (length). */
   double size() const

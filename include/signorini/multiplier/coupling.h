@@ -2,8 +2,7 @@
 #pragma once
 
 #include <signorini/elasticity/displacement_space.h>
-#include <signorini/mesh/contact_partition.h>
-#include <signorini/mesh/kinks.h>
+#include <signorini/multiplier/multiplier_space.h>
 
 #include <utility>
 #include <vector>
@@ -11,8 +10,8 @@
 namespace Signorini
 {
 /**
- * D, n x m: one sparse column per patch, nonzero at the degrees of freedom next to it. Small, and
- * known to every rank as a whole.
+ * D, n x m: one sparse column per multiplier, nonzero at the degrees of freedom near its patch.
+ * Small, and known to every rank as a whole.
  */
 class Coupling
 {
@@ -25,9 +24,9 @@ public:
   {
     return columns_.size();
   }
-  const Column &column(const unsigned int patch) const
+  const Column &column(const unsigned int k) const
   {
-    return columns_[patch];
+    return columns_[k];
   }
   /** vector += D P, the locally owned rows. The caller compresses. */
   void add_product(const dealii::Vector<double> &P, DistributedVector &vector) const;
@@ -41,20 +40,11 @@ private:
 };
 
 /**
- * D_{j tau} = int_tau phi_j.n, integrated exactly on the pieces face ∩ tau.
+ * D_jk = int_{Gamma_c} phi_j.n psi_k, integrated exactly on the pieces face ∩ patch.
  */
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,
-                           const std::vector<ContactFace<dim>> &faces,
-                           const ContactPartition &partition);
-
-/** u_h.n at arc length @p s of a contact face, on which the trace of u_h is linear. */
-template <int dim>
-double normal_displacement(const DisplacementSpace<dim> &space,
-                           const ContactFace<dim> &face,
-                           const dealii::Tensor<1, dim> &normal,
-                           const NodalVector &U,
-                           double s);
+                           const MultiplierSpace<dim> &multipliers);
 
 /** T^T D: the coupling seen from the unconstrained degrees of freedom. */
 Coupling condense(const Coupling &D, const dealii::AffineConstraints<double> &constraints);

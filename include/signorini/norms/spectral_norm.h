@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/mesh/contact_partition.h>
+#include <signorini/mesh/contact_surface.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -70,20 +70,18 @@ private:
 };
 
 /** The norm on a side. */
-template <int dim>
-SpectralNorm spectral_norm_on(const Side<dim> &side)
+inline SpectralNorm spectral_norm_on(const Side<2> &side)
 {
   return SpectralNorm(side.length(), side.is_closed());
 }
 
 /** The arc lengths at which the patches [first, last) of one side begin and end. */
-std::vector<double> patch_ends(const std::vector<Patch> &patches,
-                               unsigned int first,
-                               unsigned int last);
+std::vector<double>
+patch_ends(const std::vector<Patch<2>> &patches, unsigned int first, unsigned int last);
 
 /** Calls visit(first, last) for the patches [first, last) of each side. */
 template <typename Visitor>
-void for_each_side(const std::vector<Patch> &patches, const Visitor &visit)
+void for_each_side(const std::vector<Patch<2>> &patches, const Visitor &visit)
 {
   unsigned int first = 0;
   while (first < patches.size())
@@ -96,8 +94,7 @@ void for_each_side(const std::vector<Patch> &patches, const Visitor &visit)
   }
 }
 
-/** Block diagonal Gram matrix of Q^H: the square of its norm is the sum over the sides. */
-template <int dim>
-dealii::FullMatrix<double> dual_gram_matrix(const std::vector<Patch> &patches,
-                                            const Geometry<dim> &geometry);
+/** Block diagonal Gram matrix of the constants on the patches: the square of its norm is the sum
+ * over the sides. */
+dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface);
 } // namespace Signorini

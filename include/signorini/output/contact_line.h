@@ -11,14 +11,13 @@
 
 namespace Signorini
 {
-/** What is known at one point of the contact boundary. */
-template <int dim>
+/** What is known at one point of the contact boundary of a plane body. */
 struct ContactPoint
 {
   std::string side;
   /** Arc length along the side. */
   double s;
-  dealii::Point<dim> x;
+  dealii::Point<2> x;
   double p_H;
   double p_recovered;
   double u_n;
@@ -27,24 +26,20 @@ struct ContactPoint
 };
 
 /** The ends and the middle of a piece face ∩ patch. */
-template <int dim>
 struct ContactSegment
 {
-  ContactPoint<dim> start, middle, end;
+  ContactPoint start, middle, end;
 };
 
 /** The contact boundary piece by piece, side after side, in the order of arc length. */
-template <int dim>
-std::vector<ContactSegment<dim>> trace_contact_line(const DisplacementSpace<dim> &space,
-                                                    const MultiplierSpace<dim> &multipliers,
+std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
+                                                    const MultiplierSpace<2> &multipliers,
                                                     const NodalVector &U,
                                                     const dealii::Vector<double> &P);
 
 /** contact-LL.csv: one row per middle of a piece. */
-template <int dim>
-void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment<dim>> &line);
+void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment> &line);
 
 /** contact-LL.vtu: pressure, gap and opening along the contact boundary. */
-template <int dim>
-void write_contact_vtu(std::ostream &stream, const std::vector<ContactSegment<dim>> &line);
+void write_contact_vtu(std::ostream &stream, const std::vector<ContactSegment> &line);
 } // namespace Signorini

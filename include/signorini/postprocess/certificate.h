@@ -5,8 +5,6 @@
 #include <signorini/multiplier/coupling.h>
 #include <signorini/multiplier/multiplier_space.h>
 
-#include <deal.II/lac/full_matrix.h>
-
 namespace Signorini
 {
 /** How well (U, P) satisfies (5): residuals relative to the scene's own scales. */
@@ -14,7 +12,7 @@ struct Certificate
 {
   /** |A U - D P - f|_2 on free degrees of freedom, relative to the largest of its terms. */
   double stationarity = 0.;
-  /** Largest mean penetration max(W_tau)_+ / |tau|, relative to displacement and gap. */
+  /** Largest mean penetration max(W_k)_+ / int psi_k, relative to displacement and gap. */
   double penetration = 0.;
   /** max(P)_+ / max|P|. */
   double sign = 0.;
@@ -30,7 +28,7 @@ struct Certificate
    */
   bool moments_are_exact = true;
   /**
-   * Patches on which pressure and opening vanish together: |W_tau| / |tau| and C_tautau |P_tau| /
+   * Multipliers for which pressure and opening vanish together: |W_k| / |tau| and C_kk |P_k| /
    * |tau|, the displacement that the pressure causes there, are below 1e-6 of displacement and gap.
    */
   unsigned int degenerate_patches = 0;
@@ -54,8 +52,9 @@ struct ContactSolution
   const dealii::Vector<double> &P;
   const dealii::Vector<double> &F;
   const dealii::Vector<double> &G;
-  /** Empty if nothing touches. */
-  const dealii::FullMatrix<double> &C;
+  /** C P, and C_kk P_k for all k; empty if nothing touches. */
+  const dealii::Vector<double> &C_P;
+  const dealii::Vector<double> &diagonal_P;
 };
 
 /**

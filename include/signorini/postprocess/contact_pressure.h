@@ -6,19 +6,19 @@
 namespace Signorini
 {
 /**
- * The value below which a pressure presses, P_tau < -1e-12 max|P|: what a solver leaves of a zero
- * is not contact.
+ * The value below which a pressure presses, -1e-12 max|P|: what a solver leaves of a zero is not
+ * contact.
  */
 double pressing_threshold(const dealii::Vector<double> &P);
 
 /** What the contact pressure amounts to. */
 struct ContactSummary
 {
-  /** Number of patches that press, P_tau < pressing_threshold(P). */
+  /** Number of patches that press: a multiplier of theirs is below pressing_threshold(P). */
   unsigned int active = 0;
-  /** Their total length (length). */
+  /** Their total length, in space their area (length^{dim-1}). */
   double length = 0.;
-  /** -sum P_tau |tau|, positive in compression (force). */
+  /** -int p_H, positive in compression (force). */
   double normal_force = 0.;
   /** max(-p_H), positive in compression (force/area). */
   double max_pressure = 0.;
@@ -29,17 +29,17 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space,
                                  const dealii::Vector<double> &P);
 
 /**
- * A continuous pressure of second order from the patch means: piecewise linear through the middles
- * of the patches of a side, continued to its ends (around a closed side), and nowhere positive.
+ * A continuous pressure of second order from the means of p_H over the patches: piecewise linear
+ * through the middles of the patches of a side, continued to its ends (around a closed side), and
+ * nowhere positive. For a plane body, where a patch has two neighbours.
  */
-template <int dim>
 class RecoveredPressure
 {
 public:
-  RecoveredPressure(const MultiplierSpace<dim> &space, const dealii::Vector<double> &P);
+  RecoveredPressure(const MultiplierSpace<2> &space, const dealii::Vector<double> &P);
 
-  /** The value at arc length @p s of the side to which @p patch belongs; @p patch contains s. */
-  double operator()(unsigned int patch, double s) const;
+  /** The value at the point @p s of the side to which @p patch belongs; @p patch contains it. */
+  double operator()(unsigned int patch, const dealii::Point<1> &s) const;
 
 private:
   /** A patch next to another one, and its middle as seen from there. */
@@ -53,15 +53,22 @@ private:
    */
   Neighbour neighbour(unsigned int patch, int step) const;
 
-  const MultiplierSpace<dim> &space_;
-  const dealii::Vector<double> &P_;
+  const ContactSurface<2> &surface_;
+  /** By patch. */
+  std::vector<double> means_;
+};
+
+/** A pressure with the patches that it belongs to, for another partition to start from. */
+struct PatchPressure
+{
+  std::vector<Patch<2>> patches;
+  dealii::Vector<double> P;
 };
 
 /**
  * P of another partition carried over to the patches of @p to: the mean of the piecewise constant
- * function on each patch (its L2-projection).
+ * function on each patch (its L2-projection). In the plane, where patches are intervals.
  */
-dealii::Vector<double> transfer_pressure(const std::vector<Patch> &from,
-                                         const dealii::Vector<double> &P,
-                                         const std::vector<Patch> &to);
+dealii::Vector<double> transfer_pressure(const PatchPressure &from,
+                                         const std::vector<Patch<2>> &to);
 } // namespace Signorini

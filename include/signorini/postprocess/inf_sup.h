@@ -18,7 +18,6 @@ namespace Signorini
  */
 template <int dim>
 double measure_inf_sup(const DisplacementSpace<dim> &space,
-                       const Scene<dim> &scene,
                        const MultiplierSpace<dim> &multipliers,
                        const Coupling &condensed_D,
                        const std::string &linear_solver);

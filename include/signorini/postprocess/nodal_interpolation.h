@@ -7,7 +7,7 @@
 
 namespace Signorini
 {
-/** I^h u: the values of u at the vertices, all of them on every rank. */
+/** I^h u: the values of u at the nodes of V^h, all of them on every rank. */
 template <int dim>
 NodalVector interpolate_at_nodes(const DisplacementSpace<dim> &space,
                                  const dealii::Function<dim> &u);

@@ -23,9 +23,9 @@ struct Geometry
   std::function<void(dealii::Triangulation<dim> &)> make_coarse_mesh;
   /** Whether cells are curved. */
   bool curved = false;
-  /** Whether boundary ids are given by position after refinement, because sides end inside coarse
-   * faces. */
-  bool classify_after_refinement = false;
+  /** Numbers the boundary faces of a refined mesh, where sides end inside coarse faces; else empty.
+   */
+  std::function<void(dealii::Triangulation<dim> &)> number_after_refinement;
   /** A corner of the bounding box, and the opposite one. */
   dealii::Point<dim> lower;
   dealii::Point<dim> upper;
@@ -38,7 +38,7 @@ struct Geometry
   {
     return lower.distance(upper);
   }
-  /** The mean of the mid-points of the sides; inside of a convex body. */
+  /** The mean of the centres of the sides; inside of a convex body. */
   dealii::Point<dim> inner_point() const;
   /** The shortest edge of the box around the body (length). */
   double shortest_extent() const;
@@ -58,6 +58,12 @@ void number_boundary(const std::vector<Side<2>> &sides, dealii::Triangulation<2>
 Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
                            const dealii::Point<2> &upper_right,
                            const std::vector<unsigned int> &cells);
+
+/** Box with @p cells coarse cells per direction; sides left and right (x), front and back (y), bottom
+ * and top (z). */
+Geometry<3> make_box(const dealii::Point<3> &lower,
+                     const dealii::Point<3> &upper,
+                     const std::vector<unsigned int> &cells);
 
 /**
  * Convex polygon, vertices counter-clockwise; side i joins vertex i with the next. Four vertices

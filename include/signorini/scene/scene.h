@@ -2,11 +2,11 @@
 #pragma once
 
 #include <signorini/scene/geometry.h>
+#include <signorini/scene/kinks.h>
 #include <signorini/scene/material.h>
 
 #include <deal.II/base/function.h>
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -44,24 +44,6 @@ struct BoundaryCondition
   FunctionPointer<dim> exact_pressure;
 };
 
-/** The line normal.x = position, |normal| = 1. */
-template <int dim>
-struct KinkLine
-{
-  dealii::Tensor<1, dim> normal;
-  double position;
-
-  /** normal.x - position. */
-  double signed_distance(const dealii::Point<dim> &x) const
-  {
-    return normal * (x - dealii::Point<dim>()) - position;
-  }
-};
-
-/** The lines x_d = positions[d][k] for all d and k. */
-template <int dim>
-std::vector<KinkLine<dim>> lines_at(const std::array<std::vector<double>, dim> &positions);
-
 /** Problem (1): a body, its material, what holds it, loads it and stops it. */
 template <int dim>
 struct Scene
@@ -78,7 +60,7 @@ struct Scene
   /** u of (1) with its gradient, dim components; empty means unknown. */
   FunctionPointer<dim> exact_displacement;
   /** Where the data is not smooth. */
-  std::vector<KinkLine<dim>> kinks;
+  Kinks<dim> kinks;
 
   /** The numbers of the contact sides gamma_{c,i}, i = 1..n_g. */
   std::vector<unsigned int> contact_sides() const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The pieces of the boundary: segments and circular arcs by arc length.
+// Segments and circular arcs by arc length.
 
-#include <signorini/scene/side.h>
+#include <signorini/scene/curve.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -20,66 +20,55 @@ dealii::Tensor<1, 2> direction(const double angle)
 }
 } // namespace
 
-template <int dim>
-Side<dim>::Side(std::string name,
-                const dealii::Point<dim> &start,
-                const dealii::Point<dim> &end,
-                const dealii::Tensor<1, dim> &normal)
-  : name_(std::move(name))
-  , start_(start)
+Curve::Curve(const dealii::Point<2> &start,
+             const dealii::Point<2> &end,
+             const dealii::Tensor<1, 2> &normal)
+  : start_(start)
   , end_(end)
   , length_(start.distance(end))
   , normal_(normal)
 {
 }
 
-template <int dim>
-Side<dim> Side<dim>::arc(std::string name,
-                         const dealii::Point<dim> &centre,
+Curve Curve::arc(const dealii::Point<2> &centre,
                          const double radius,
                          const double first,
                          const double last,
                          const Body body)
 {
-  static_assert(dim == 2, "in three dimensions arcs are no sides");
   const double orientation = body == Body::inside ? 1. : -1.;
-  Side side(std::move(name),
-            centre + radius * direction(first),
+  Curve curve(centre + radius * direction(first),
             centre + radius * direction(last),
             orientation * direction(first));
-  side.length_ = radius * (last - first);
-  side.circle_ = Circle{centre, radius, first, orientation};
-  return side;
+  curve.length_ = radius * (last - first);
+  curve.circle_ = Circle{centre, radius, first, orientation};
+  return curve;
 }
 
-template <int dim>
-bool Side<dim>::is_closed() const
+bool Curve::is_closed() const
 {
   return circle_ && length_ > (2. * PI - 1e-12) * circle_->radius;
 }
 
-template <int dim>
-dealii::Point<dim> Side<dim>::point(const double s) const
+dealii::Point<2> Curve::point(const double s) const
 {
   if (!circle_)
     return start_ + (s / length_) * (end_ - start_);
   return circle_->centre + circle_->radius * direction(circle_->first + s / circle_->radius);
 }
 
-template <int dim>
-dealii::Tensor<1, dim> Side<dim>::normal(const double s) const
+dealii::Tensor<1, 2> Curve::normal(const double s) const
 {
   if (!circle_)
     return normal_;
   return circle_->orientation * direction(circle_->first + s / circle_->radius);
 }
 
-template <int dim>
-double Side<dim>::arc_length(const dealii::Point<dim> &x) const
+double Curve::arc_length(const dealii::Point<2> &x) const
 {
   if (!circle_)
     return (x - start_) * (end_ - start_) / length_;
-  const dealii::Tensor<1, dim> from_centre = x - circle_->centre;
+  const dealii::Tensor<1, 2> from_centre = x - circle_->centre;
   double angle = std::atan2(from_centre[1], from_centre[0]) - circle_->first;
   // The end of an arc may come out a little before its start: only points far behind the middle of
   // the missing piece lie there.
@@ -89,8 +78,7 @@ double Side<dim>::arc_length(const dealii::Point<dim> &x) const
   return circle_->radius * angle;
 }
 
-template <int dim>
-std::vector<double> Side<dim>::crossings(const dealii::Tensor<1, dim> &m,
+std::vector<double> Curve::crossings(const dealii::Tensor<1, 2> &m,
                                          const double position,
                                          const double from,
                                          const double to) const
@@ -104,11 +92,11 @@ std::vector<double> Side<dim>::crossings(const dealii::Tensor<1, dim> &m,
   {
     const double slope = m * (end_ - start_) / length_;
     if (std::abs(slope) > 1e-14)
-      add((position - m * (start_ - dealii::Point<dim>())) / slope);
+      add((position - m * (start_ - dealii::Point<2>())) / slope);
     return found;
   }
   // m.(centre + R e(angle)) = position
-  const double cosine = (position - m * (circle_->centre - dealii::Point<dim>())) / circle_->radius;
+  const double cosine = (position - m * (circle_->centre - dealii::Point<2>())) / circle_->radius;
   if (std::abs(cosine) >= 1.)
     return found;
   const double turn = 2. * PI * circle_->radius;
@@ -122,6 +110,4 @@ std::vector<double> Side<dim>::crossings(const dealii::Tensor<1, dim> &m,
   std::sort(found.begin(), found.end());
   return found;
 }
-
-template class Side<2>;
 } // namespace Signorini

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Quadrature on the pieces into which lines cut cells and faces.
 
-#include <signorini/mesh/kinks.h>
+#include <signorini/mesh/cut_quadrature.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
 namespace
 {
-/** Closer than this share of an edge, a line touches an end and cuts nothing. */
-constexpr double tolerance = 1e-10;
-
 using Polygon = std::vector<dealii::Point<2>>;
 
 /** The part of a convex polygon on one side of a line. */
@@ -162,110 +160,26 @@ double jacobian(const dealii::Triangulation<2>::cell_iterator &cell, const deali
                                   xi[0] * (cell->vertex(3) - cell->vertex(1));
   return ds[0] * dt[1] - ds[1] * dt[0];
 }
-} // namespace
 
-template <int dim>
-Kinks<dim>::Kinks(std::vector<KinkLine<dim>> lines)
-  : lines_(std::move(lines))
-{
-}
-
-template <int dim>
-Kinks<dim> Kinks<dim>::of_scene(const Scene<dim> &scene)
-{
-  Kinks<dim> kinks(scene.kinks);
-  for (const unsigned int number : scene.contact_sides())
-  {
-    const Side<dim> &side = scene.geometry.sides[number];
-    const std::vector<double> cuts = kinks.cut(side, 0., side.length());
-    for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
-      kinks.ends_.push_back(side.point(cuts[i]));
-  }
-  return kinks;
-}
-
+/** The possible ends of contact zones that are near the cell, measured by its diameter. */
 template <int dim>
 std::vector<dealii::Point<dim>>
-Kinks<dim>::ends_near(const typename dealii::Triangulation<dim>::cell_iterator &cell) const
+ends_near(const Kinks<dim> &kinks, const typename dealii::Triangulation<dim>::cell_iterator &cell)
 {
   std::vector<dealii::Point<dim>> near;
-  for (const dealii::Point<dim> &end : ends_)
+  for (const dealii::Point<dim> &end : kinks.ends())
     if (cell->center().distance(end) < 2.5 * cell->diameter())
       near.push_back(end);
   return near;
 }
 
-template <int dim>
-bool Kinks<dim>::affect(const typename dealii::Triangulation<dim>::cell_iterator &cell) const
-{
-  return cross(cell) || !ends_near(cell).empty();
-}
-
-template <int dim>
-std::vector<double> Kinks<dim>::cut(const dealii::Point<dim> &a, const dealii::Point<dim> &b) const
-{
-  std::vector<double> cuts = {0., 1.};
-  for (const KinkLine<dim> &line : lines_)
-  {
-    const double da = line.signed_distance(a), db = line.signed_distance(b);
-    const double t = da / (da - db);
-    if (t > tolerance && t < 1. - tolerance)
-      cuts.push_back(t);
-  }
-  std::sort(cuts.begin(), cuts.end());
-  return cuts;
-}
-
-template <int dim>
-std::vector<double> Kinks<dim>::cut(const Side<dim> &side, const double from, const double to) const
-{
-  const double margin = tolerance * (to - from);
-  std::vector<double> cuts = {from, to};
-  for (const KinkLine<dim> &line : lines_)
-    for (const double s : side.crossings(line.normal, line.position, from + margin, to - margin))
-      cuts.push_back(s);
-  std::sort(cuts.begin(), cuts.end());
-  return cuts;
-}
-
-template <int dim>
-bool Kinks<dim>::touch(const Side<dim> &side, const double from, const double to) const
-{
-  const double margin = tolerance * (to - from);
-  for (const KinkLine<dim> &line : lines_)
-    for (const double end : {from, to})
-      if (!side.crossings(line.normal, line.position, end - margin, end + margin).empty())
-        return true;
-  return false;
-}
-
-template <int dim>
-bool Kinks<dim>::cross(const typename dealii::Triangulation<dim>::cell_iterator &cell) const
-{
-  for (const KinkLine<dim> &line : lines_)
-  {
-    double lowest = 0., highest = 0.;
-    for (const unsigned int v : cell->vertex_indices())
-    {
-      const double distance = line.signed_distance(cell->vertex(v));
-      lowest = v == 0 ? distance : std::min(lowest, distance);
-      highest = v == 0 ? distance : std::max(highest, distance);
-    }
-    const double margin = tolerance * (highest - lowest);
-    if (lowest < -margin && highest > margin)
-      return true;
-  }
-  return false;
-}
-
-template <int dim>
-dealii::Quadrature<dim>
-Kinks<dim>::quadrature(const typename dealii::Triangulation<dim>::cell_iterator &cell,
-                       const unsigned int n_points) const
+/** The polygons into which the lines cut a cell. */
+std::vector<Polygon> cut_cell(const Kinks<2> &kinks,
+                              const dealii::Triangulation<2>::cell_iterator &cell)
 {
   std::vector<Polygon> pieces = {
     {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}};
-  for (const KinkLine<dim> &line : lines_)
+  for (const KinkLine<2> &line : kinks.lines())
   {
     std::vector<Polygon> parts;
     for (const Polygon &piece : pieces)
@@ -277,16 +191,61 @@ Kinks<dim>::quadrature(const typename dealii::Triangulation<dim>::cell_iterator 
       }
     pieces = std::move(parts);
   }
-  PolygonRule rule(n_points, ends_near(cell));
-  for (const Polygon &piece : pieces)
+  return pieces;
+}
+} // namespace
+
+template <int dim>
+bool lines_cross(const Kinks<dim> &kinks,
+                 const typename dealii::Triangulation<dim>::cell_iterator &cell)
+{
+  for (const KinkLine<dim> &line : kinks.lines())
+  {
+    double lowest = 0., highest = 0.;
+    for (const unsigned int v : cell->vertex_indices())
+    {
+      const double distance = line.signed_distance(cell->vertex(v));
+      lowest = v == 0 ? distance : std::min(lowest, distance);
+      highest = v == 0 ? distance : std::max(highest, distance);
+    }
+    const double margin = Kinks<dim>::tolerance * (highest - lowest);
+    if (lowest < -margin && highest > margin)
+      return true;
+  }
+  return false;
+}
+
+template <int dim>
+bool needs_cuts(const Kinks<dim> &kinks,
+                const typename dealii::Triangulation<dim>::cell_iterator &cell)
+{
+  return lines_cross(kinks, cell) || !ends_near(kinks, cell).empty();
+}
+
+template <>
+dealii::Quadrature<2> cut_quadrature(const Kinks<2> &kinks,
+                                     const dealii::Triangulation<2>::cell_iterator &cell,
+                                     const unsigned int n_points)
+{
+  PolygonRule rule(n_points, ends_near(kinks, cell));
+  for (const Polygon &piece : cut_cell(kinks, cell))
     rule.add(piece);
-  const dealii::MappingQ1<dim> mapping;
+  const dealii::MappingQ1<2> mapping;
   for (std::size_t q = 0; q < rule.points.size(); ++q)
   {
     rule.points[q] = mapping.transform_real_to_unit_cell(cell, rule.points[q]);
     rule.weights[q] /= jacobian(cell, rule.points[q]);
   }
-  return dealii::Quadrature<dim>(rule.points, rule.weights);
+  return dealii::Quadrature<2>(rule.points, rule.weights);
+}
+
+template <>
+dealii::Quadrature<3> cut_quadrature(const Kinks<3> & /*kinks*/,
+                                     const dealii::Triangulation<3>::cell_iterator & /*cell*/,
+                                     const unsigned int /*n_points*/)
+{
+  AssertThrow(false, dealii::ExcMessage("planes do not cut hexahedra yet"));
+  return {};
 }
 
 dealii::Quadrature<1> split_quadrature(const dealii::Quadrature<1> &rule,
@@ -304,5 +263,16 @@ dealii::Quadrature<1> split_quadrature(const dealii::Quadrature<1> &rule,
   return dealii::Quadrature<1>(points, weights);
 }
 
-template class Kinks<2>;
+std::vector<double> graded_positions(const double s, const double distance)
+{
+  std::vector<double> positions;
+  for (unsigned int k = 0; k < n_graded_layers; ++k)
+    positions.push_back(s + distance * std::pow(0.25, k));
+  return positions;
+}
+
+template bool lines_cross(const Kinks<2> &, const dealii::Triangulation<2>::cell_iterator &);
+template bool lines_cross(const Kinks<3> &, const dealii::Triangulation<3>::cell_iterator &);
+template bool needs_cuts(const Kinks<2> &, const dealii::Triangulation<2>::cell_iterator &);
+template bool needs_cuts(const Kinks<3> &, const dealii::Triangulation<3>::cell_iterator &);
 } // namespace Signorini

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// B: the normal trace of V^h on Gamma_c.
+
+#include <signorini/elasticity/trace_values.h>
+
+namespace Signorini
+{
+template <int dim>
+TraceValues<dim>::TraceValues(const DisplacementSpace<dim> &space)
+  : space_(space)
+{
+}
+
+template <int dim>
+const dealii::FEFaceValues<dim> &
+TraceValues<dim>::reinit(const ContactFace<dim> &face,
+                         const std::vector<dealii::Point<dim - 1>> &on_face)
+{
+  if (values_ == nullptr || on_face != on_face_)
+  {
+    on_face_ = on_face;
+    values_ = std::make_unique<dealii::FEFaceValues<dim>>(space_.mesh().mapping(),
+                                                          space_.element(),
+                                                          dealii::Quadrature<dim - 1>(on_face),
+                                                          dealii::update_values);
+  }
+  values_->reinit(space_.dof_cell(face.cell), face.face_no);
+  return *values_;
+}
+
+template <int dim>
+std::vector<double> TraceValues<dim>::normal_displacement(const ContactFace<dim> &face,
+                                                          const SurfaceRule<dim> &rule,
+                                                          const NodalVector &U)
+{
+  const auto &values = reinit(face, rule.on_face);
+  std::vector<dealii::Tensor<1, dim>> u(rule.size());
+  values[dealii::FEValuesExtractors::Vector(0)].get_function_values(U, u);
+  std::vector<double> u_n(rule.size());
+  for (std::size_t q = 0; q < rule.size(); ++q)
+    u_n[q] = u[q] * rule.normals[q];
+  return u_n;
+}
+
+template class TraceValues<2>;
+template class TraceValues<3>;
+} // namespace Signorini

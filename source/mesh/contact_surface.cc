@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Gamma_c: its faces, and the points of its pieces on the mesh.
+
+#include <signorini/mesh/contact_surface.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace Signorini
+{
+namespace
+{
+template <int dim>
+std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Scene<dim> &scene)
+{
+  std::vector<ContactFace<dim>> faces;
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary())
+      {
+        const unsigned int side = cell->face(f)->boundary_id();
+        if (scene.boundary[side].role == Role::contact)
+          faces.push_back({cell, f, side});
+      }
+  std::stable_sort(faces.begin(), faces.end(), [](const auto &a, const auto &b) {
+    return a.side < b.side;
+  });
+  return faces;
+}
+
+/** @p rule on the box between two corners in the reference coordinates of a face. */
+template <int dim>
+dealii::Quadrature<dim> on_box(const dealii::Quadrature<dim> &rule,
+                               const dealii::Point<dim> &corner,
+                               const dealii::Point<dim> &opposite)
+{
+  dealii::Point<dim> lowest;
+  dealii::Tensor<1, dim> edges;
+  double volume = 1.;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    lowest[d] = std::min(corner[d], opposite[d]);
+    edges[d] = std::abs(opposite[d] - corner[d]);
+    volume *= edges[d];
+  }
+  std::vector<dealii::Point<dim>> points = rule.get_points();
+  std::vector<double> weights = rule.get_weights();
+  for (dealii::Point<dim> &point : points)
+    for (unsigned int d = 0; d < dim; ++d)
+      point[d] = lowest[d] + edges[d] * point[d];
+  for (double &weight : weights)
+    weight *= volume;
+  return dealii::Quadrature<dim>(points, weights);
+}
+} // namespace
+
+template <int dim>
+ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
+                                    const Scene<dim> &scene,
+                                    const Partition &partition)
+  : mesh_(mesh)
+  , scene_(scene)
+  , faces_(find_contact_faces(mesh, scene))
+{
+  divide(partition);
+  place_points();
+}
+
+template <int dim>
+void ContactSurface<dim>::place_points()
+{
+  // phi.n dS has degree one per direction on a flat face, and degree two on a parabola.
+  const dealii::QGauss<dim - 1> gauss(2);
+  const dealii::FE_Nothing<dim> no_functions;
+  std::unique_ptr<dealii::FEFaceValues<dim>> values;
+  for (Piece<dim> &piece : pieces_)
+  {
+    const dealii::Quadrature<dim - 1> rule =
+      on_box(gauss, piece.lower_on_face, piece.upper_on_face);
+    // Nearly all pieces are whole faces or the same part of one.
+    if (values == nullptr || piece.on_mesh.on_face != rule.get_points())
+      values = std::make_unique<dealii::FEFaceValues<dim>>(mesh_.mapping(),
+                                                           no_functions,
+                                                           rule,
+                                                           dealii::update_quadrature_points |
+                                                             dealii::update_normal_vectors |
+                                                             dealii::update_JxW_values);
+    values->reinit(faces_[piece.face].cell, faces_[piece.face].face_no);
+    SurfaceRule<dim> &on_mesh = piece.on_mesh;
+    on_mesh.on_face = rule.get_points();
+    on_mesh.points = values->get_quadrature_points();
+    on_mesh.normals = values->get_normal_vectors();
+    on_mesh.weights = values->get_JxW_values();
+    for (const dealii::Point<dim> &x : on_mesh.points)
+      on_mesh.on_side.push_back(side(patches_[piece.patch]).coordinates(x));
+  }
+}
+
+template <int dim>
+double ContactSurface<dim>::longest_patch() const
+{
+  double longest = 0.;
+  for (const Patch<dim> &patch : patches_)
+    longest = std::max(longest, patch.diameter());
+  return longest;
+}
+
+template <int dim>
+bool ContactSurface<dim>::has_unstable_patch() const
+{
+  std::vector<unsigned int> n_pieces(patches_.size(), 0);
+  for (const Piece<dim> &piece : pieces_)
+    ++n_pieces[piece.patch];
+  return std::any_of(n_pieces.begin(), n_pieces.end(), [](const unsigned int n) { return n < 2; });
+}
+
+template class ContactSurface<2>;
+template class ContactSurface<3>;
+} // namespace Signorini
