@@ -38,7 +38,7 @@ public:
   {
     if (scene_.body_force != nullptr)
       add_force(
-        cell_values_.reinit(cell), *scene_.body_force, "Load/Body force", vector, resultant);
+        cell_values_.reinit(cell), *scene_.body_force, "the body force", vector, resultant);
     if (!cell->at_boundary())
       return;
     for (const unsigned int f : cell->face_indices())
@@ -51,7 +51,7 @@ public:
       const auto cuts = kinks_.cut(cell->face(f)->vertex(0), cell->face(f)->vertex(1));
       add_force(face_values_.reinit(cell, f, cuts),
                 *condition.data,
-                "Boundary/Traction",
+                "the traction",
                 vector,
                 resultant);
     }
@@ -96,7 +96,7 @@ private:
       if (!std::isfinite(component))
       {
         std::ostringstream message;
-        message << name << ": found the value " << component << " at (" << x
+        message << name << " has the value " << component << " at (" << x
                 << "), allowed: finite values on the whole body.";
         throw InputError(message.str());
       }

@@ -162,7 +162,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<dim> &space,
                                    const Coupling &D,
                                    const ExactPressure<dim> &pressure,
                                    const DistributedVector &loads,
-                                   const std::string &linear_solver,
+                                   const LinearSolver linear_solver,
                                    const unsigned int n_points)
 {
   const dealii::Vector<double> projected_p = pressure.project(multipliers);
@@ -205,6 +205,6 @@ template LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &,
                                             const Coupling &,
                                             const ExactPressure<2> &,
                                             const DistributedVector &,
-                                            const std::string &,
+                                            LinearSolver,
                                             unsigned int);
 } // namespace Signorini

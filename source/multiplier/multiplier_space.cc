@@ -96,7 +96,7 @@ dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space, const uns
       if (!std::isfinite(g))
       {
         std::ostringstream message;
-        message << "Contact/Gap: found the value " << g << " at (" << rule.points[q]
+        message << "the gap has the value " << g << " at (" << rule.points[q]
                 << "), allowed: finite values on the whole side.";
         throw InputError(message.str());
       }

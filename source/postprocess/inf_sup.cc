@@ -28,7 +28,7 @@ double measure_inf_sup(const DisplacementSpace<dim> &space,
                        const Scene<dim> &scene,
                        const MultiplierSpace<dim> &multipliers,
                        const Coupling &condensed_D,
-                       const std::string &linear_solver)
+                       const LinearSolver linear_solver)
 {
   const dealii::TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
   const auto inverse = factorise(A_1, linear_solver, contact_unknowns(condensed_D));
@@ -46,5 +46,5 @@ template double measure_inf_sup(const DisplacementSpace<2> &,
                                 const Scene<2> &,
                                 const MultiplierSpace<2> &,
                                 const Coupling &,
-                                const std::string &);
+                                LinearSolver);
 } // namespace Signorini
