@@ -37,8 +37,7 @@ public:
            Resultant<dim> &resultant)
   {
     if (scene_.body_force != nullptr)
-      add_force(
-        cell_values_.reinit(cell), *scene_.body_force, "the body force", vector, resultant);
+      add_force(cell_values_.reinit(cell), *scene_.body_force, "the body force", vector, resultant);
     if (!cell->at_boundary())
       return;
     for (const unsigned int f : cell->face_indices())
@@ -49,11 +48,8 @@ public:
       if (condition.role != Role::traction)
         continue;
       const auto cuts = kinks_.cut(cell->face(f)->vertex(0), cell->face(f)->vertex(1));
-      add_force(face_values_.reinit(cell, f, cuts),
-                *condition.data,
-                "the traction",
-                vector,
-                resultant);
+      add_force(
+        face_values_.reinit(cell, f, cuts), *condition.data, "the traction", vector, resultant);
     }
   }
 

@@ -41,8 +41,8 @@ void Declarations::add(const std::string &name, Given<Option> &given, const std:
                          to_text(given.value),
                          Patterns::Selection(list_names<Option>("|")),
                          help + " Allowed: " + allowed + ".");
-  handler_.add_action(
-    name, [&given](const std::string &text) { given.value = from_text<Option>(text); });
+  handler_.add_action(name,
+                      [&given](const std::string &text) { given.value = from_text<Option>(text); });
   add_entry(name, allowed, given);
 }
 
@@ -118,9 +118,7 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
 void Declarations::declare_material(MaterialParameters &material)
 {
   enter("Material");
-  add("Law",
-      material.law,
-      "Hooke's law.");
+  add("Law", material.law, "Hooke's law.");
   add("Young's modulus",
       material.youngs_modulus,
       "Expression in x, y (force/area), positive everywhere.");
@@ -291,9 +289,7 @@ void Declarations::declare_solver(SolverParameters &solver)
 void Declarations::declare_output(OutputParameters &output)
 {
   enter("Output");
-  add("VTU",
-      output.vtu,
-      "Levels for which solution-LL.vtu and contact-LL.vtu are written.");
+  add("VTU", output.vtu, "Levels for which solution-LL.vtu and contact-LL.vtu are written.");
   add("Inf-sup constant",
       output.inf_sup_constant,
       "Whether the constant beta of Lemma 1 is measured (automatic: up to 1e5 unknowns; it needs "

@@ -13,8 +13,8 @@ namespace Signorini
 namespace
 {
 /** The subsections that describe a scene, and that a catalogue scene fixes. */
-const std::vector<std::string> sections_of_scene = {
-  "Constants", "Geometry", "Material", "Boundary", "Load", "Contact", "Exact solution"};
+const std::vector<std::string> sections_of_scene =
+  {"Constants", "Geometry", "Material", "Boundary", "Load", "Contact", "Exact solution"};
 
 /** What can be judged without knowing the scene: contradictions between plain values. */
 void check(const Parameters &parameters)

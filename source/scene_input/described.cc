@@ -24,8 +24,9 @@ public:
   }
 
   /** The components of a vector, separated by ';'. @p text is all of the entry or a part of it. */
-  std::vector<Expression<2>>
-  components(const std::string &text, const unsigned int n, const Entry &entry) const
+  std::vector<Expression<2>> components(const std::string &text,
+                                        const unsigned int n,
+                                        const Entry &entry) const
   {
     const std::vector<std::string> parts = split_list(text, ';');
     if (parts.size() != n)
@@ -44,8 +45,9 @@ public:
   }
 
   /** Data of the problem. */
-  FunctionPointer<2>
-  function(const std::string &text, const unsigned int n, const Entry &entry) const
+  FunctionPointer<2> function(const std::string &text,
+                              const unsigned int n,
+                              const Entry &entry) const
   {
     return std::make_shared<ExpressionFunction<2>>(components(text, n, entry));
   }
@@ -77,10 +79,10 @@ std::shared_ptr<const Material<2>> read_material(const MaterialParameters &given
   refuse_foreign_moduli(given);
   const bool is_general = given.law == MaterialLaw::general;
   const bool is_orthotropic = given.law == MaterialLaw::orthotropic;
-  const std::vector<Expression<2>> moduli =
-    is_general       ? reader.components(given.hooke_tensor, 6)
-    : is_orthotropic ? reader.components(given.orthotropic_moduli, 4)
-                     : reader.components(given.youngs_modulus, 1);
+  const std::vector<Expression<2>> moduli = is_general ? reader.components(given.hooke_tensor, 6)
+                                            : is_orthotropic
+                                              ? reader.components(given.orthotropic_moduli, 4)
+                                              : reader.components(given.youngs_modulus, 1);
   check_moduli(moduli, geometry);
   const dealii::Point<2> reference = geometry.inner_point();
   if (is_general)

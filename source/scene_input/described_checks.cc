@@ -135,8 +135,8 @@ void check_gradient(const ExactSolutionParameters &exact,
       n_wrong += (difference(*scene.exact_displacement, x, c, h) - given).norm() > scale ? 1 : 0;
     }
     if (2 * n_wrong > points.size())
-      throw InputError(where + ": component " + std::to_string(c + 1) +
-                       " is not the gradient of " + exact.displacement.name +
+      throw InputError(where + ": component " + std::to_string(c + 1) + " is not the gradient of " +
+                       exact.displacement.name +
                        ", allowed: du1/dx; du1/dy; du2/dx; du2/dy, or nothing.");
   }
 }
@@ -191,9 +191,7 @@ void check_described_scene(const ExactSolutionParameters &exact, const Scene<2> 
     const BoundaryCondition<2> &condition = scene.boundary[i];
     const Side<2> &side = scene.geometry.sides[i];
     evaluate(condition.data, sample_side(side, condition.role != Role::traction));
-    check_pressure(condition.exact_pressure,
-                   sample_side(side, false),
-                   exact.pressure.where());
+    check_pressure(condition.exact_pressure, sample_side(side, false), exact.pressure.where());
   }
 }
 } // namespace Signorini

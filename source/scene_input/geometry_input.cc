@@ -143,8 +143,7 @@ Geometry<2> make_geometry(const GeometryParameters &given)
 {
   const bool is_rectangle = given.shape == Shape::rectangle;
   Geometry<2> geometry = is_rectangle ? read_rectangle(given) : read_polygon(given);
-  check_size(geometry,
-             is_rectangle ? given.upper_right.where() : given.vertices.where());
+  check_size(geometry, is_rectangle ? given.upper_right.where() : given.vertices.where());
   geometry.distortion = given.distortion;
   geometry.where_distortion = given.distortion.where();
   return geometry;

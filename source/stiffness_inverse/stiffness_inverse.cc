@@ -158,14 +158,14 @@ factorise(const dealii::TrilinosWrappers::SparseMatrix &A,
   const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(A.get_mpi_communicator());
   switch (resolve(solver, n_ranks))
   {
-    case LinearSolver::condensed:
-      AssertThrow(n_ranks == 1,
-                  dealii::ExcMessage("The condensed factorisation works on one rank only."));
-      return std::make_unique<CondensedInverse>(A, contact_unknowns);
-    case LinearSolver::amesos_klu:
-      return std::make_unique<AmesosInverse>(A, "Amesos_Klu");
-    default:
-      return std::make_unique<AmesosInverse>(A, "Amesos_Mumps");
+  case LinearSolver::condensed:
+    AssertThrow(n_ranks == 1,
+                dealii::ExcMessage("The condensed factorisation works on one rank only."));
+    return std::make_unique<CondensedInverse>(A, contact_unknowns);
+  case LinearSolver::amesos_klu:
+    return std::make_unique<AmesosInverse>(A, "Amesos_Klu");
+  default:
+    return std::make_unique<AmesosInverse>(A, "Amesos_Mumps");
   }
 }
 } // namespace Signorini

@@ -200,7 +200,8 @@ constexpr unsigned int largest_automatic_inf_sup = 100000;
 /** Whether the constant of Lemma 1 is asked for on a level of this size. */
 bool wants_inf_sup(const Choice choice, const unsigned long long n_dofs)
 {
-  return choice == Choice::yes || (choice == Choice::automatic && n_dofs <= largest_automatic_inf_sup);
+  return choice == Choice::yes ||
+         (choice == Choice::automatic && n_dofs <= largest_automatic_inf_sup);
 }
 
 /** What the answer amounts to, how good it is. */

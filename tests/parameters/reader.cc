@@ -338,11 +338,13 @@ void test_echo(Checks &checks)
     second.geometry.distortion == 0.123456789012345 && second.material.orientation == -30.5 &&
       second.solver.relaxation == 1.0000000000000002 && second.discretization.patches == 5);
   checks.that("same lists",
-              second.discretization.kinks_at_x.value == std::vector<double>({0.70710678118654752, 0.25}));
+              second.discretization.kinks_at_x.value ==
+                std::vector<double>({0.70710678118654752, 0.25}));
   checks.that("same switches", !second.solver.warm_start && second.output.compliance);
   checks.that("same texts",
               second.boundary.traction.value == first.boundary.traction.value &&
-                second.contact.gap.value == "max(x-0.1,0)^2" && second.constants.values.value == "E=1, nu=0.3");
+                second.contact.gap.value == "max(x-0.1,0)^2" &&
+                second.constants.values.value == "E=1, nu=0.3");
 
   // The description is a parameter file of the defaults, with help in its comments.
   const std::string description = describe_parameters();
