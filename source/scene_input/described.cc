@@ -77,20 +77,19 @@ std::shared_ptr<const Material<2>> read_material(const MaterialParameters &given
                                                  const Geometry<2> &geometry)
 {
   refuse_foreign_moduli(given);
-  const bool is_general = given.law == MaterialLaw::general;
-  const bool is_orthotropic = given.law == MaterialLaw::orthotropic;
-  const std::vector<Expression<2>> moduli = is_general ? reader.components(given.hooke_tensor, 6)
-                                            : is_orthotropic
-                                              ? reader.components(given.orthotropic_moduli, 4)
-                                              : reader.components(given.youngs_modulus, 1);
-  check_moduli(moduli, geometry);
   const dealii::Point<2> reference = geometry.inner_point();
-  if (is_general)
-    return make_general(moduli, reference);
-  if (is_orthotropic)
-    return make_orthotropic(moduli, given.orientation, reference);
-  return make_isotropic<2>(
-    moduli[0], reader.components(given.poissons_ratio, 1).front(), given.plane_state, reference);
+  const auto moduli = [&](const Given<std::string> &entry, const unsigned int n) {
+    std::vector<Expression<2>> expressions = reader.components(entry, n);
+    check_moduli(expressions, geometry);
+    return expressions;
+  };
+  if (given.law == MaterialLaw::general)
+    return make_general(moduli(given.hooke_tensor, 6), reference);
+  if (given.law == MaterialLaw::orthotropic)
+    return make_orthotropic(moduli(given.orthotropic_moduli, 4), given.orientation, reference);
+  const Expression<2> youngs_modulus = moduli(given.youngs_modulus, 1).front();
+  const Expression<2> poissons_ratio = reader.components(given.poissons_ratio, 1).front();
+  return make_isotropic<2>(youngs_modulus, poissons_ratio, given.plane_state, reference);
 }
 
 /** Gives sides their roles; a side has one role only. */
