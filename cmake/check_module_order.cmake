@@ -8,7 +8,7 @@ cmake_minimum_required(VERSION 3.25)
 set(order base parameters scene catalogue scene_input mesh elasticity stiffness_inverse multiplier norms compliance
           qp recovery postprocess errors output study)
 set(allowed_qp base qp)
-set(allowed_stiffness_inverse base parameters stiffness_inverse)
+set(allowed_stiffness_inverse base stiffness_inverse)
 set(allowed_scene base scene)
 set(above "")
 foreach(module ${order})

@@ -35,8 +35,7 @@ public:
            Resultant<dim> &resultant)
   {
     if (scene_.body_force != nullptr)
-      add_force(
-        cell_values_.reinit(cell), *scene_.body_force, "Load/Body force", vector, resultant);
+      add_force(cell_values_.reinit(cell), *scene_.body_force, "the body force", vector, resultant);
     if (!cell->at_boundary())
       return;
     for (const unsigned int f : cell->face_indices())
@@ -46,8 +45,7 @@ public:
       const BoundaryCondition<dim> &condition = scene_.boundary[cell->face(f)->boundary_id()];
       if (condition.role != Role::traction)
         continue;
-      add_force(
-        face_values_.reinit(cell, f), *condition.data, "Boundary/Traction", vector, resultant);
+        add_force(face_values_.reinit(cell, f), *condition.data, "the traction", vector, resultant);
     }
   }
 
@@ -90,7 +88,7 @@ private:
       if (!std::isfinite(component))
       {
         std::ostringstream message;
-        message << name << ": found the value " << component << " at (" << x
+        message << name << " has the value " << component << " at (" << x
                 << "), allowed: finite values on the whole body.";
         throw InputError(message.str());
       }

@@ -188,9 +188,9 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
   if (space.mesh().n_nested_ancestors() >= 2)
     errors.post4_h1 = root_of_sum(squares.post[1]);
   if (!std::isfinite(errors.h1))
-    throw InputError("Exact solution: the displacement or its gradient has no finite value at a "
-                     "quadrature point, allowed: finite values on the whole body; give "
-                     "'Displacement gradient' where differences leave the body.");
+    throw InputError("the exact displacement or its gradient has no finite value at a quadrature "
+                     "point, allowed: finite values on the whole body; give 'Displacement "
+                     "gradient' where differences leave the body.");
   return errors;
 }
 

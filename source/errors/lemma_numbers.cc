@@ -155,7 +155,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
                                    const Coupling &D,
                                    const ExactPressure &pressure,
                                    const DistributedVector &loads,
-                                   const std::string &linear_solver,
+                                   const LinearSolver linear_solver,
                                    const unsigned int n_points)
 {
   const dealii::Vector<double> projected_p = pressure.project(multipliers);

@@ -31,8 +31,9 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<2> &space,
     }
   }
   if (!std::isfinite(l2))
-    throw InputError("Exact solution/Pressure: it has no finite value at a quadrature point, "
-                     "allowed: finite values inside the contact sides.");
+    throw InputError(
+      "the exact pressure has no finite value at a quadrature point, allowed: finite "
+      "values inside the contact sides.");
   return {std::sqrt(l2), std::sqrt(post_l2)};
 }
 } // namespace Signorini

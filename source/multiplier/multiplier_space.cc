@@ -68,7 +68,7 @@ dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space, const uns
       if (!std::isfinite(g[q]))
       {
         std::ostringstream message;
-        message << "Contact/Gap: found the value " << g[q] << " at (" << rule.points[q]
+        message << "the gap has the value " << g[q] << " at (" << rule.points[q]
                 << "), allowed: finite values on the whole side.";
         throw InputError(message.str());
       }

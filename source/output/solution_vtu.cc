@@ -167,7 +167,7 @@ std::vector<std::string> gather(std::string text, MPI_Comm communicator)
   const auto sizes = dealii::Utilities::MPI::all_gather(communicator, text.size());
   if (*std::max_element(sizes.begin(), sizes.end()) > std::numeric_limits<int>::max())
     throw ComputationError("A rank's piece of the VTU file has more than 2 GiB; more ranks or "
-                           "'Output/VTU = none' avoid that.");
+                           "'VTU = none' avoid that.");
   const auto size = [&](const int r) { return static_cast<int>(sizes[static_cast<unsigned>(r)]); };
   if (rank != 0)
   {

@@ -46,51 +46,65 @@ bool is_same_value(std::string a, std::string b)
 }
 } // namespace
 
-void Declarations::refuse_unknown(const std::string &path, const std::string &where) const
+void Declarations::refuse_unknown(const Assignment &assignment) const
 {
   std::string nearest;
   std::size_t distance = std::numeric_limits<std::size_t>::max();
-  for (const auto &entry : allowed_)
-    if (edit_distance(entry.first, path) < distance)
+  for (const auto &declared : declared_)
+    if (edit_distance(declared.first, assignment.path) < distance)
     {
-      nearest = entry.first;
-      distance = edit_distance(entry.first, path);
+      nearest = declared.first;
+      distance = edit_distance(declared.first, assignment.path);
     }
-  throw InputError(where + ": unknown parameter; did you mean '" + nearest +
+  throw InputError(assignment.place + ": " + shorten(assignment.path) +
+                   ": unknown parameter; did you mean '" + nearest +
                    "'? (--print-parameters lists all)");
 }
 
-bool Declarations::assign(const std::string &path,
-                          const std::string &value,
-                          const std::string &where)
+void Declarations::assign(const Assignment &assignment)
 {
-  const auto known = allowed_.find(path);
-  if (known == allowed_.end())
-    refuse_unknown(path, where);
+  const std::string &path = assignment.path, &value = assignment.value;
+  const auto known = declared_.find(path);
+  if (known == declared_.end())
+    refuse_unknown(assignment);
+  const Declared &declared = known->second;
+  Entry &entry = *declared.entry;
+  entry.place = assignment.place;
   const auto slash = path.find('/');
   if (slash != std::string::npos)
     handler_.enter_subsection(path.substr(0, slash));
   const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
   try
   {
-    handler_.set(name, value.empty() ? defaults_[path] : value);
+    handler_.set(name, value.empty() ? declared.default_text : value);
   }
   catch (const dealii::ExceptionBase &)
   {
-    throw InputError(where + ": found " + quote(value) + ", allowed: " + known->second + ".");
+    throw InputError(entry.where() + ": found " + quote(value) + ", allowed: " + declared.allowed +
+                     ".");
   }
   if (slash != std::string::npos)
     handler_.leave_subsection();
-  return !value.empty() && !is_same_value(value, defaults_[path]);
+  entry.changed = !value.empty() && !is_same_value(value, declared.default_text);
 }
 
 std::set<std::string> Declarations::sections() const
 {
   std::set<std::string> names;
-  for (const auto &entry : allowed_)
-    if (entry.first.find('/') != std::string::npos)
-      names.insert(entry.first.substr(0, entry.first.find('/')));
+  for (const auto &declared : declared_)
+    if (declared.first.find('/') != std::string::npos)
+      names.insert(declared.first.substr(0, declared.first.find('/')));
   return names;
+}
+
+std::vector<Entry> Declarations::changes(const std::vector<std::string> &sections) const
+{
+  std::vector<Entry> changes;
+  for (const std::string &section : sections)
+    for (const auto &declared : declared_)
+      if (declared.first.rfind(section + "/", 0) == 0 && declared.second.entry->changed)
+        changes.push_back(*declared.second.entry);
+  return changes;
 }
 
 std::string Declarations::print(const bool with_help) const

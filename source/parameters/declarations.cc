@@ -9,24 +9,41 @@ namespace Signorini
 {
 namespace Patterns = dealii::Patterns;
 
+void Declarations::add_entry(const std::string &name, const std::string &allowed, Entry &entry)
+{
+  entry.name = section_ + name;
+  entry.place = file_name_;
+  declared_[entry.name] = {allowed, handler_.get(name), &entry};
+}
+
 template <typename T, typename Pattern>
 void Declarations::add(const std::string &name,
-                       T &value,
+                       Given<T> &given,
                        const std::string &help,
                        const Pattern &pattern,
                        const std::string &allowed)
 {
-  handler_.add_parameter(name, value, help + " Allowed: " + allowed + ".", pattern);
-  allowed_[section_ + name] = allowed;
-  defaults_[section_ + name] = handler_.get(name);
+  handler_.add_parameter(name, given.value, help + " Allowed: " + allowed + ".", pattern);
+  add_entry(name, allowed, given);
 }
 
-template <typename T>
-void Declarations::add(const std::string &name, T &value, const std::string &help)
+void Declarations::add(const std::string &name, Given<std::string> &given, const std::string &help)
 {
-  handler_.add_parameter(name, value, help, Patterns::Anything());
-  allowed_[section_ + name] = "any text";
-  defaults_[section_ + name] = handler_.get(name);
+  handler_.add_parameter(name, given.value, help, Patterns::Anything());
+  add_entry(name, "any text", given);
+}
+
+template <typename Option>
+void Declarations::add(const std::string &name, Given<Option> &given, const std::string &help)
+{
+  const std::string allowed = list_names<Option>(", ");
+  handler_.declare_entry(name,
+                         to_text(given.value),
+                         Patterns::Selection(list_names<Option>("|")),
+                         help + " Allowed: " + allowed + ".");
+  handler_.add_action(name,
+                      [&given](const std::string &text) { given.value = from_text<Option>(text); });
+  add_entry(name, allowed, given);
 }
 
 void Declarations::enter(const std::string &section)
@@ -42,7 +59,9 @@ void Declarations::leave()
 }
 
 Declarations::Declarations(Parameters &parameters)
+  : file_name_(parameters.file_name)
 {
+  parameters.boundary.where = file_name_ + ": Boundary";
   declare_scene(parameters);
   declare_geometry(parameters.geometry);
   declare_material(parameters.material);
@@ -75,9 +94,7 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
   add("Shape",
       geometry.shape,
       "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
-      "side1, ... in the order of its vertices.",
-      Patterns::Selection("rectangle|polygon"),
-      "rectangle, polygon");
+      "side1, ... in the order of its vertices.");
   add("Lower left", geometry.lower_left, "Corner of the rectangle: x, y (length).");
   add("Upper right", geometry.upper_right, "Opposite corner of the rectangle: x, y (length).");
   add("Cells", geometry.cells, "Coarse cells of the rectangle per direction: nx, ny.");
@@ -101,11 +118,7 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
 void Declarations::declare_material(MaterialParameters &material)
 {
   enter("Material");
-  add("Law",
-      material.law,
-      "Hooke's law.",
-      Patterns::Selection("isotropic|orthotropic|general"),
-      "isotropic, orthotropic, general");
+  add("Law", material.law, "Hooke's law.");
   add("Young's modulus",
       material.youngs_modulus,
       "Expression in x, y (force/area), positive everywhere.");
@@ -126,9 +139,7 @@ void Declarations::declare_material(MaterialParameters &material)
       "a number");
   add("Plane state",
       material.plane_state,
-      "What the third direction does (isotropic law; the others are given for the plane).",
-      Patterns::Selection("strain|stress"),
-      "strain, stress");
+      "What the third direction does (isotropic law; the others are given for the plane).");
   leave();
 }
 
@@ -195,9 +206,7 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
   add("Element",
       discretization.element,
       "Bilinear displacement; with B-bar its dilatation is averaged over cells, which keeps the "
-      "order for nearly incompressible bodies (Poisson's ratio near 0.5), where plain Q1 locks.",
-      Patterns::Selection("Q1|Q1 B-bar"),
-      "Q1, Q1 B-bar");
+      "order for nearly incompressible bodies (Poisson's ratio near 0.5), where plain Q1 locks.");
   add("Patch ratio",
       discretization.patch_ratio,
       "H/h: faces per contact patch; where it does not divide the faces of a side, the last patch "
@@ -241,9 +250,7 @@ void Declarations::declare_solver(SolverParameters &solver)
   enter("Solver");
   add("Contact solver",
       solver.contact_solver,
-      "Method for the dual problem: projected SOR or primal-dual active set.",
-      Patterns::Selection("psor|active set"),
-      "psor, active set");
+      "Method for the dual problem: projected SOR or primal-dual active set.");
   add("Relaxation",
       solver.relaxation,
       "Relaxation parameter omega of projected SOR.",
@@ -265,9 +272,7 @@ void Declarations::declare_solver(SolverParameters &solver)
       "contact unknowns last and reads the compliance C from the factor; amesos_mumps (on all "
       "processes) and amesos_klu (gathered on one) take one solve for every contact patch that can "
       "touch. automatic is "
-      "condensed on one process and amesos_mumps on several.",
-      Patterns::Selection("automatic|condensed|amesos_mumps|amesos_klu"),
-      "automatic, condensed, amesos_mumps, amesos_klu");
+      "condensed on one process and amesos_mumps on several.");
   add("Warm start",
       solver.warm_start,
       "Start a level from the pressure of the level before.",
@@ -284,17 +289,11 @@ void Declarations::declare_solver(SolverParameters &solver)
 void Declarations::declare_output(OutputParameters &output)
 {
   enter("Output");
-  add("VTU",
-      output.vtu,
-      "Levels for which solution-LL.vtu and contact-LL.vtu are written.",
-      Patterns::Selection("none|finest|all"),
-      "none, finest, all");
+  add("VTU", output.vtu, "Levels for which solution-LL.vtu and contact-LL.vtu are written.");
   add("Inf-sup constant",
       output.inf_sup_constant,
       "Whether the constant beta of Lemma 1 is measured (automatic: up to 1e5 unknowns; it needs "
-      "its own factorisation).",
-      Patterns::Selection("true|false|automatic"),
-      "true, false, automatic");
+      "its own factorisation).");
   add("Compliance",
       output.compliance,
       "Write C, F, D and G of the dual problem as Matrix Market files.",

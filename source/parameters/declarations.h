@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/parameters/parameter_text.h>
 #include <signorini/parameters/parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -20,30 +21,48 @@ namespace Signorini
 class Declarations
 {
 public:
+  /** Every entry gets its name, and the file as its place. */
   explicit Declarations(Parameters &parameters);
 
   /**
    * Sets one entry, an empty value means its default; throws InputError if it is unknown or its
    * value is not allowed.
-   * @return whether the value differs from the default.
    */
-  bool assign(const std::string &path, const std::string &value, const std::string &where);
+  void assign(const Assignment &assignment);
 
   /** The names of all subsections. */
   std::set<std::string> sections() const;
+
+  /** The entries of these subsections that are not at their defaults. */
+  std::vector<Entry> changes(const std::vector<std::string> &sections) const;
 
   /** Every entry with its present value, with help and units (@p with_help) or without. */
   std::string print(bool with_help) const;
 
 private:
-  template <typename T>
-  void add(const std::string &name, T &value, const std::string &help);
+  /** What is known of an entry besides deal.II's handler. */
+  struct Declared
+  {
+    /** In words. */
+    std::string allowed;
+    std::string default_text;
+    /** The member of the Parameters. */
+    Entry *entry;
+  };
+
   template <typename T, typename Pattern>
   void add(const std::string &name,
-           T &value,
+           Given<T> &given,
            const std::string &help,
            const Pattern &pattern,
            const std::string &allowed);
+  /** Any text. */
+  void add(const std::string &name, Given<std::string> &given, const std::string &help);
+  /** An option: one of its names. */
+  template <typename Option>
+  void add(const std::string &name, Given<Option> &given, const std::string &help);
+  /** After the handler knows it. */
+  void add_entry(const std::string &name, const std::string &allowed, Entry &entry);
   void enter(const std::string &section);
   void leave();
 
@@ -55,11 +74,12 @@ private:
   void declare_discretization(DiscretizationParameters &discretization);
   void declare_solver(SolverParameters &solver);
   void declare_output(OutputParameters &output);
-  [[noreturn]] void refuse_unknown(const std::string &path, const std::string &where) const;
+  [[noreturn]] void refuse_unknown(const Assignment &assignment) const;
 
   mutable dealii::ParameterHandler handler_;
+  std::string file_name_;
   std::string section_;
-  std::map<std::string, std::string> allowed_;
-  std::map<std::string, std::string> defaults_;
+  /** By subsection and name. */
+  std::map<std::string, Declared> declared_;
 };
 } // namespace Signorini

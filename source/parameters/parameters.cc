@@ -12,31 +12,24 @@ namespace Signorini
 {
 namespace
 {
+/** The subsections that describe a scene, and that a catalogue scene fixes. */
+const std::vector<std::string> sections_of_scene =
+  {"Constants", "Geometry", "Material", "Boundary", "Load", "Contact", "Exact solution"};
+
 /** What can be judged without knowing the scene: contradictions between plain values. */
 void check(const Parameters &parameters)
 {
   const DiscretizationParameters &discretization = parameters.discretization;
   if (discretization.finest_level < discretization.coarsest_level)
-    throw InputError(parameters.where("Discretization/Finest level") + ": found '" +
+    throw InputError(discretization.finest_level.where() + ": found '" +
                      std::to_string(discretization.finest_level) +
-                     "', allowed: an integer not below Discretization/Coarsest level = " +
-                     std::to_string(discretization.coarsest_level) + ".");
+                     "', allowed: an integer not below " + discretization.coarsest_level.name +
+                     " = " + std::to_string(discretization.coarsest_level) + ".");
   if (parameters.output.lemmas && !parameters.output.errors)
-    throw InputError(parameters.where("Output/Lemmas") +
-                     ": found 'true' beside Output/Errors = false, allowed: both, or false.");
+    throw InputError(parameters.output.lemmas.where() + ": found 'true' beside " +
+                     parameters.output.errors.name + " = false, allowed: both, or false.");
 }
 } // namespace
-
-std::string Parameters::where(const std::string &path) const
-{
-  const auto place = places.find(path);
-  return (place == places.end() ? file_name : place->second) + ": " + shorten(path);
-}
-
-bool Parameters::changed(const std::string &path) const
-{
-  return changes.count(path) > 0;
-}
 
 Parameters parse_parameters(const std::string &text,
                             const std::string &file_name,
@@ -50,13 +43,8 @@ Parameters parse_parameters(const std::string &text,
   for (const std::string &argument : overrides)
     assignments.push_back(scan_override(argument));
   for (const Assignment &assignment : assignments)
-  {
-    parameters.places[assignment.path] = assignment.place;
-    if (declarations.assign(assignment.path, assignment.value, parameters.where(assignment.path)))
-      parameters.changes.insert(assignment.path);
-    else
-      parameters.changes.erase(assignment.path);
-  }
+    declarations.assign(assignment);
+  parameters.changes_of_scene = declarations.changes(sections_of_scene);
   check(parameters);
   parameters.echo = declarations.print(false);
   return parameters;

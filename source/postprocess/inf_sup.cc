@@ -27,7 +27,7 @@ template <int dim>
 double measure_inf_sup(const DisplacementSpace<dim> &space,
                        const MultiplierSpace<dim> &multipliers,
                        const Coupling &condensed_D,
-                       const std::string &linear_solver)
+                       const LinearSolver linear_solver)
 {
   const dealii::TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
   const auto inverse = factorise(A_1, linear_solver, contact_unknowns(condensed_D));
@@ -44,5 +44,5 @@ double measure_inf_sup(const DisplacementSpace<dim> &space,
 template double measure_inf_sup(const DisplacementSpace<2> &,
                                 const MultiplierSpace<2> &,
                                 const Coupling &,
-                                const std::string &);
+                                LinearSolver);
 } // namespace Signorini

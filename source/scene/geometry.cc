@@ -59,24 +59,35 @@ bool lies_on(const Face &face, const Side<2> &side)
   }
   return true;
 }
+
+/** The number of the side that a face lies on, or sides.size(). */
+template <typename Face>
+unsigned int find_side_of(const Face &face, const std::vector<Side<2>> &sides)
+{
+  unsigned int i = 0;
+  while (i < sides.size() && !lies_on(face, sides[i]))
+    ++i;
+  return i;
+}
 } // namespace
+
+bool ends_inside_a_face(const std::vector<Side<2>> &sides,
+                        const dealii::Triangulation<2> &triangulation)
+{
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary() && find_side_of(face, sides) == sides.size())
+      return true;
+  return false;
+}
 
 void number_boundary(const std::vector<Side<2>> &sides, dealii::Triangulation<2> &triangulation)
 {
+  if (ends_inside_a_face(sides, triangulation))
+    throw InputError("a side of this scene ends inside a face of the mesh, allowed: a finer mesh.");
   for (const auto &cell : triangulation.active_cell_iterators())
     for (const auto &face : cell->face_iterators())
-    {
-      if (!face->at_boundary())
-        continue;
-      unsigned int i = 0;
-      while (i < sides.size() && !lies_on(face, sides[i]))
-        ++i;
-      if (i == sides.size())
-        throw InputError(
-          "Discretization/Coarsest level: a side of this scene ends inside a face of "
-          "the mesh, allowed: a finer coarsest level.");
-      face->set_boundary_id(i);
-    }
+      if (face->at_boundary())
+        face->set_boundary_id(find_side_of(face, sides));
 }
 
 template <int dim>

@@ -18,177 +18,173 @@ namespace
 class SceneReader
 {
 public:
-  explicit SceneReader(const Parameters &parameters)
-    : parameters_(parameters)
-    , constants_(read_constants(parameters.constants.values, parameters.where("Constants/Values")))
+  explicit SceneReader(const Given<std::string> &constants)
+    : constants_(read_constants(constants.value, constants.where()))
   {
   }
 
-  /** The components of a vector, separated by ';'. */
+  /** The components of a vector, separated by ';'. @p text is all of the entry or a part of it. */
   std::vector<Expression<2>> components(const std::string &text,
                                         const unsigned int n,
-                                        const std::string &path) const
+                                        const Entry &entry) const
   {
     const std::vector<std::string> parts = split_list(text, ';');
     if (parts.size() != n)
-      throw InputError(parameters_.where(path) + ": found " + std::to_string(parts.size()) +
+      throw InputError(entry.where() + ": found " + std::to_string(parts.size()) +
                        " component(s) in " + quote(text) + ", allowed: " + std::to_string(n) +
                        (n == 1 ? " expression." : " expressions separated by ';'."));
     std::vector<Expression<2>> expressions;
     expressions.reserve(n);
     for (const std::string &part : parts)
-      expressions.emplace_back(part, constants_, parameters_.where(path));
+      expressions.emplace_back(part, constants_, entry.where());
     return expressions;
   }
-
-  Expression<2> scalar(const std::string &text, const std::string &path) const
+  std::vector<Expression<2>> components(const Given<std::string> &given, const unsigned int n) const
   {
-    return components(text, 1, path).front();
+    return components(given.value, n, given);
   }
 
   /** Data of the problem. */
   FunctionPointer<2> function(const std::string &text,
                               const unsigned int n,
-                              const std::string &path) const
+                              const Entry &entry) const
   {
-    return std::make_shared<ExpressionFunction<2>>(components(text, n, path));
+    return std::make_shared<ExpressionFunction<2>>(components(text, n, entry));
   }
 
 private:
-  const Parameters &parameters_;
   Constants constants_;
 };
 
 /** Entries that a law does not use contradict it. */
-void refuse_foreign_moduli(const Parameters &parameters)
+void refuse_foreign_moduli(const MaterialParameters &given)
 {
-  const std::string &law = parameters.material.law;
-  const std::vector<std::pair<const char *, const char *>> laws_of_entries = {
-    {"Material/Young's modulus", "isotropic"},
-    {"Material/Poisson's ratio", "isotropic"},
-    {"Material/Plane state", "isotropic"},
-    {"Material/Hooke tensor", "general"},
-    {"Material/Orthotropic moduli", "orthotropic"},
-    {"Material/Orientation", "orthotropic"}};
-  for (const auto &entry : laws_of_entries)
-    if (entry.second != law && parameters.changed(entry.first))
-      throw InputError(parameters.where(entry.first) + ": this entry belongs to Law = " +
-                       entry.second + ", found Law = " + law + ".");
+  const std::vector<std::pair<const Entry *, MaterialLaw>> laws_of_entries = {
+    {&given.youngs_modulus, MaterialLaw::isotropic},
+    {&given.poissons_ratio, MaterialLaw::isotropic},
+    {&given.plane_state, MaterialLaw::isotropic},
+    {&given.hooke_tensor, MaterialLaw::general},
+    {&given.orthotropic_moduli, MaterialLaw::orthotropic},
+    {&given.orientation, MaterialLaw::orthotropic}};
+  for (const auto &[entry, law] : laws_of_entries)
+    if (law != given.law && entry->changed)
+      throw InputError(entry->where() + ": this entry belongs to Law = " + to_text(law) +
+                       ", found Law = " + to_text(given.law.value) + ".");
 }
 
-std::shared_ptr<const Material<2>> read_material(const Parameters &parameters,
+std::shared_ptr<const Material<2>> read_material(const MaterialParameters &given,
                                                  const SceneReader &reader,
                                                  const Geometry<2> &geometry)
 {
-  const MaterialParameters &given = parameters.material;
-  refuse_foreign_moduli(parameters);
-  const bool is_general = given.law == "general", is_orthotropic = given.law == "orthotropic";
-  const std::vector<Expression<2>> moduli =
-    is_general       ? reader.components(given.hooke_tensor, 6, "Material/Hooke tensor")
-    : is_orthotropic ? reader.components(given.orthotropic_moduli, 4, "Material/Orthotropic moduli")
-                     : reader.components(given.youngs_modulus, 1, "Material/Young's modulus");
-  check_moduli(moduli, geometry);
+  refuse_foreign_moduli(given);
   const dealii::Point<2> reference = geometry.inner_point();
-  if (is_general)
-    return make_general(moduli, reference);
-  if (is_orthotropic)
-    return make_orthotropic(moduli, given.orientation, reference);
-  return make_isotropic<2>(moduli[0],
-                           reader.scalar(given.poissons_ratio, "Material/Poisson's ratio"),
-                           given.plane_state == "stress" ? PlaneState::stress : PlaneState::strain,
-                           reference);
-}
-
-/** Gives the sides named in one list their role; a side has one role only. */
-void assign_roles(const Parameters &parameters,
-                  const std::string &path,
-                  const std::vector<std::string> &names,
-                  const Role role,
-                  Scene<2> &scene,
-                  std::vector<std::string> &role_names)
-{
-  for (const std::string &name : names)
-  {
-    const std::size_t side = scene.geometry.find_side(name);
-    if (side == scene.geometry.sides.size())
-      throw InputError(parameters.where(path) + ": found the side " + quote(name) +
-                       ", allowed: " + join(scene.geometry.side_names()) + ".");
-    if (!role_names[side].empty())
-      throw InputError(parameters.where(path) + ": the side '" + name + "' is listed in " +
-                       role_names[side] + " already; every side has exactly one role.");
-    role_names[side] = path;
-    scene.boundary[side].role = role;
-  }
-}
-
-void read_boundary(const Parameters &parameters, const SceneReader &reader, Scene<2> &scene)
-{
-  const BoundaryParameters &given = parameters.boundary;
-  const std::vector<std::string> sides = scene.geometry.side_names();
-  scene.boundary.resize(sides.size());
-  std::vector<std::string> role_names(sides.size());
-  const auto assign =
-    [&](const std::string &path, const std::vector<std::string> &names, const Role role) {
-      assign_roles(parameters, path, names, role, scene, role_names);
-    };
-  assign("Boundary/Clamped", split_words(given.clamped), Role::clamped);
-  assign("Boundary/Rollers", split_words(given.rollers), Role::roller);
-  assign("Boundary/Contact", split_words(given.contact), Role::contact);
-  const auto assign_data = [&](const std::string &path, const std::string &text, const Role role) {
-    for (const auto &entry : read_side_list(text, parameters.where(path), sides))
-    {
-      assign(path, {entry.first}, role);
-      scene.boundary[scene.geometry.find_side(entry.first)].data =
-        reader.function(entry.second, 2, path);
-    }
+  const auto moduli = [&](const Given<std::string> &entry, const unsigned int n) {
+    std::vector<Expression<2>> expressions = reader.components(entry, n);
+    check_moduli(expressions, geometry);
+    return expressions;
   };
-  assign_data("Boundary/Displacement", given.displacement, Role::displacement);
-  assign_data("Boundary/Traction", given.traction, Role::traction);
+  if (given.law == MaterialLaw::general)
+    return make_general(moduli(given.hooke_tensor, 6), reference);
+  if (given.law == MaterialLaw::orthotropic)
+    return make_orthotropic(moduli(given.orthotropic_moduli, 4), given.orientation, reference);
+  const Expression<2> youngs_modulus = moduli(given.youngs_modulus, 1).front();
+  const Expression<2> poissons_ratio = reader.components(given.poissons_ratio, 1).front();
+  return make_isotropic<2>(youngs_modulus, poissons_ratio, given.plane_state, reference);
+}
+
+/** Gives sides their roles; a side has one role only. */
+class RoleReader
+{
+public:
+  explicit RoleReader(Scene<2> &scene)
+    : scene_(scene)
+    , entries_(scene.geometry.sides.size())
+  {
+    scene_.boundary.resize(scene.geometry.sides.size());
+  }
+
+  /** @p entry is the one that names the side. */
+  BoundaryCondition<2> &assign(const std::string &name, const Role role, const Entry &entry)
+  {
+    const std::size_t side = scene_.geometry.find_side(name);
+    if (side == scene_.geometry.sides.size())
+      throw InputError(entry.where() + ": found the side " + quote(name) +
+                       ", allowed: " + join(scene_.geometry.side_names()) + ".");
+    if (entries_[side] != nullptr)
+      throw InputError(entry.where() + ": the side '" + name + "' is listed in " +
+                       entries_[side]->name + " already; every side has exactly one role.");
+    entries_[side] = &entry;
+    scene_.boundary[side].role = role;
+    return scene_.boundary[side];
+  }
+
+private:
+  Scene<2> &scene_;
+  /** Where each side was named; null: nowhere yet. */
+  std::vector<const Entry *> entries_;
+};
+
+void read_boundary(const BoundaryParameters &given, const SceneReader &reader, Scene<2> &scene)
+{
+  const std::vector<std::string> sides = scene.geometry.side_names();
+  RoleReader roles(scene);
+  const auto assign = [&](const Given<std::string> &names, const Role role) {
+    for (const std::string &name : split_words(names))
+      roles.assign(name, role, names);
+  };
+  assign(given.clamped, Role::clamped);
+  assign(given.rollers, Role::roller);
+  assign(given.contact, Role::contact);
+  const auto assign_data = [&](const Given<std::string> &list, const Role role) {
+    for (const auto &[name, text] : read_side_list(list.value, list.where(), sides))
+      roles.assign(name, role, list).data = reader.function(text, 2, list);
+  };
+  assign_data(given.displacement, Role::displacement);
+  assign_data(given.traction, Role::traction);
   if (scene.contact_sides().empty())
-    throw InputError(parameters.where("Boundary/Contact") +
+    throw InputError(given.contact.where() +
                      ": no contact side is given, allowed: one or more of " + join(sides) + ".");
 }
 
 /** Gap and exact pressure: one expression for all contact sides, or one per side. */
-void read_contact_data(const Parameters &parameters, const SceneReader &reader, Scene<2> &scene)
+void read_contact_data(const Given<std::string> &gap,
+                       const Given<std::string> &exact_pressure,
+                       const SceneReader &reader,
+                       Scene<2> &scene)
 {
   std::vector<std::string> names;
   for (const unsigned int side : scene.contact_sides())
     names.push_back(scene.geometry.sides[side].name());
-  const auto per_side = [&](const std::string &path, const std::string &text) {
-    return read_contact_list(text, parameters.where(path), scene.geometry.side_names(), names);
+  const auto per_side = [&](const Given<std::string> &list) {
+    return read_contact_list(list.value, list.where(), scene.geometry.side_names(), names);
   };
-  for (const auto &gap : per_side("Contact/Gap", parameters.contact.gap))
-    scene.boundary[scene.geometry.find_side(gap.first)].data =
-      reader.function(gap.second, 1, "Contact/Gap");
-  if (parameters.exact.pressure.empty())
+  for (const auto &[side, text] : per_side(gap))
+    scene.boundary[scene.geometry.find_side(side)].data = reader.function(text, 1, gap);
+  if (exact_pressure.value.empty())
     return;
-  for (const auto &pressure : per_side("Exact solution/Pressure", parameters.exact.pressure))
-    scene.boundary[scene.geometry.find_side(pressure.first)].exact_pressure =
-      std::make_shared<ExpressionFunction<2>>(
-        reader.components(pressure.second, 1, "Exact solution/Pressure"),
-        std::vector<Expression<2>>(),
-        1e-4 * scene.geometry.shortest_extent());
+  for (const auto &[side, text] : per_side(exact_pressure))
+    scene.boundary[scene.geometry.find_side(side)].exact_pressure =
+      std::make_shared<ExpressionFunction<2>>(reader.components(text, 1, exact_pressure),
+                                              std::vector<Expression<2>>(),
+                                              1e-4 * scene.geometry.shortest_extent());
 }
 
-void read_exact_displacement(const Parameters &parameters,
+void read_exact_displacement(const ExactSolutionParameters &given,
                              const SceneReader &reader,
                              Scene<2> &scene)
 {
-  const ExactSolutionParameters &given = parameters.exact;
-  if (given.displacement.empty())
+  if (given.displacement.value.empty())
   {
-    if (!given.displacement_gradient.empty())
-      throw InputError(parameters.where("Exact solution/Displacement gradient") +
-                       ": it needs Exact solution/Displacement, which is not given.");
+    if (!given.displacement_gradient.value.empty())
+      throw InputError(given.displacement_gradient.where() + ": it needs " +
+                       given.displacement.name + ", which is not given.");
     return;
   }
   std::vector<Expression<2>> gradients;
-  if (!given.displacement_gradient.empty())
-    gradients =
-      reader.components(given.displacement_gradient, 4, "Exact solution/Displacement gradient");
+  if (!given.displacement_gradient.value.empty())
+    gradients = reader.components(given.displacement_gradient, 4);
   scene.exact_displacement = std::make_shared<ExpressionFunction<2>>(
-    reader.components(given.displacement, 2, "Exact solution/Displacement"),
+    reader.components(given.displacement, 2),
     gradients,
     // Differences of slender bodies must not leave them far behind.
     1e-4 * scene.geometry.shortest_extent());
@@ -206,18 +202,19 @@ bool is_zero(const std::vector<Expression<2>> &force)
 
 Scene<2> make_described_scene(const Parameters &parameters)
 {
-  const SceneReader reader(parameters);
+  const SceneReader reader(parameters.constants.values);
   Scene<2> scene;
   scene.name = "described";
   scene.title = "described by expressions";
-  scene.geometry = make_geometry(parameters);
-  scene.material = read_material(parameters, reader, scene.geometry);
-  read_boundary(parameters, reader, scene);
-  read_contact_data(parameters, reader, scene);
-  if (!is_zero(reader.components(parameters.load.body_force, 2, "Load/Body force")))
-    scene.body_force = reader.function(parameters.load.body_force, 2, "Load/Body force");
-  read_exact_displacement(parameters, reader, scene);
-  check_described_scene(parameters, scene);
+  scene.geometry = make_geometry(parameters.geometry);
+  scene.material = read_material(parameters.material, reader, scene.geometry);
+  read_boundary(parameters.boundary, reader, scene);
+  read_contact_data(parameters.contact.gap, parameters.exact.pressure, reader, scene);
+  const std::vector<Expression<2>> force = reader.components(parameters.load.body_force, 2);
+  if (!is_zero(force))
+    scene.body_force = std::make_shared<ExpressionFunction<2>>(force);
+  read_exact_displacement(parameters.exact, reader, scene);
+  check_described_scene(parameters.exact, scene);
   return scene;
 }
 } // namespace Signorini

@@ -108,11 +108,13 @@ difference(const dealii::Function<2> &u, const dealii::Point<2> &x, const unsign
  * A gradient that is given by expressions must have values, and be that of the displacement at
  * most points at least: kinks and singularities excuse a few.
  */
-void check_gradient(const Parameters &parameters, const Scene<2> &scene, const Points &points)
+void check_gradient(const ExactSolutionParameters &exact,
+                    const Scene<2> &scene,
+                    const Points &points)
 {
-  if (parameters.exact.displacement_gradient.empty())
+  if (exact.displacement_gradient.value.empty())
     return;
-  const std::string where = parameters.where("Exact solution/Displacement gradient");
+  const std::string where = exact.displacement_gradient.where();
   const double h = 1e-6 * scene.geometry.diameter();
   for (unsigned int c = 0; c < 2; ++c)
   {
@@ -133,9 +135,9 @@ void check_gradient(const Parameters &parameters, const Scene<2> &scene, const P
       n_wrong += (difference(*scene.exact_displacement, x, c, h) - given).norm() > scale ? 1 : 0;
     }
     if (2 * n_wrong > points.size())
-      throw InputError(where + ": component " + std::to_string(c + 1) +
-                       " is not the gradient of Exact solution/Displacement, allowed: du1/dx; "
-                       "du1/dy; du2/dx; du2/dy, or nothing.");
+      throw InputError(where + ": component " + std::to_string(c + 1) + " is not the gradient of " +
+                       exact.displacement.name +
+                       ", allowed: du1/dx; du1/dy; du2/dx; du2/dy, or nothing.");
   }
 }
 
@@ -176,22 +178,20 @@ void check_moduli(const std::vector<Expression<2>> &moduli, const Geometry<2> &g
   }
 }
 
-void check_described_scene(const Parameters &parameters, const Scene<2> &scene)
+void check_described_scene(const ExactSolutionParameters &exact, const Scene<2> &scene)
 {
   const Points body = sample_body(scene.geometry);
   for (const dealii::Point<2> &x : body)
     scene.material->hooke(x);
   evaluate(scene.body_force, body);
-  check_finite(scene.exact_displacement, body, parameters.where("Exact solution/Displacement"));
-  check_gradient(parameters, scene, body);
+  check_finite(scene.exact_displacement, body, exact.displacement.where());
+  check_gradient(exact, scene, body);
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
   {
     const BoundaryCondition<2> &condition = scene.boundary[i];
     const Side<2> &side = scene.geometry.sides[i];
     evaluate(condition.data, sample_side(side, condition.role != Role::traction));
-    check_pressure(condition.exact_pressure,
-                   sample_side(side, false),
-                   parameters.where("Exact solution/Pressure"));
+    check_pressure(condition.exact_pressure, sample_side(side, false), exact.pressure.where());
   }
 }
 } // namespace Signorini

@@ -13,5 +13,5 @@ void check_moduli(const std::vector<Expression<2>> &moduli, const Geometry<2> &g
 
 /** Evaluates everything once where the integrals will, so that nonsense is found before work: data
  * without values, and an exact solution that contradicts itself. @throws InputError */
-void check_described_scene(const Parameters &parameters, const Scene<2> &scene);
+void check_described_scene(const ExactSolutionParameters &exact, const Scene<2> &scene);
 } // namespace Signorini

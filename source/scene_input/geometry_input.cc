@@ -21,13 +21,11 @@ double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
   return a[0] * b[1] - a[1] * b[0];
 }
 
-std::vector<double> numbers_of(const Parameters &parameters,
-                               const std::string &path,
-                               const std::string &text)
+std::vector<double> two_numbers(const std::string &text, const Entry &entry)
 {
   std::vector<double> numbers;
   if (!read_numbers(text, numbers) || numbers.size() != 2)
-    throw InputError(parameters.where(path) + ": found " + quote(text) +
+    throw InputError(entry.where() + ": found " + quote(text) +
                      ", allowed: two numbers separated by a comma.");
   return numbers;
 }
@@ -43,24 +41,23 @@ void check_coordinates(const std::vector<dealii::Point<2>> &points, const std::s
                          "; take other units.");
 }
 
-Geometry<2> read_rectangle(const Parameters &parameters)
+Geometry<2> read_rectangle(const GeometryParameters &given)
 {
-  const GeometryParameters &given = parameters.geometry;
-  const auto lower = numbers_of(parameters, "Geometry/Lower left", given.lower_left);
-  const auto upper = numbers_of(parameters, "Geometry/Upper right", given.upper_right);
-  const auto cells = numbers_of(parameters, "Geometry/Cells", given.cells);
+  const auto lower = two_numbers(given.lower_left, given.lower_left);
+  const auto upper = two_numbers(given.upper_right, given.upper_right);
+  const auto cells = two_numbers(given.cells, given.cells);
   for (const double n : cells)
     if (n < 1 || n > 10000 || n != std::floor(n))
-      throw InputError(parameters.where("Geometry/Cells") + ": found " + quote(given.cells) +
+      throw InputError(given.cells.where() + ": found " + quote(given.cells) +
                        ", allowed: two integers from 1 to 10000.");
-  check_coordinates({{lower[0], lower[1]}}, parameters.where("Geometry/Lower left"));
-  check_coordinates({{upper[0], upper[1]}}, parameters.where("Geometry/Upper right"));
+  check_coordinates({{lower[0], lower[1]}}, given.lower_left.where());
+  check_coordinates({{upper[0], upper[1]}}, given.upper_right.where());
   if (!(upper[0] > lower[0] && upper[1] > lower[1]))
     throw InputError(
-      parameters.where("Geometry/Upper right") + ": found " + quote(given.upper_right) +
-      ", allowed: a point to the right of and above Lower left = " + given.lower_left + ".");
-  if (!given.vertices.empty())
-    throw InputError(parameters.where("Geometry/Vertices") +
+      given.upper_right.where() + ": found " + quote(given.upper_right) +
+      ", allowed: a point to the right of and above Lower left = " + given.lower_left.value + ".");
+  if (!given.vertices.value.empty())
+    throw InputError(given.vertices.where() +
                      ": vertices belong to Shape = polygon, found Shape = rectangle.");
   return make_rectangle({lower[0], lower[1]},
                         {upper[0], upper[1]},
@@ -90,17 +87,17 @@ void check_convexity(const std::vector<dealii::Point<2>> &vertices, const std::s
                              "polygon, counter-clockwise.");
 }
 
-Geometry<2> read_polygon(const Parameters &parameters)
+Geometry<2> read_polygon(const GeometryParameters &given)
 {
-  const std::string where = parameters.where("Geometry/Vertices");
-  for (const char *entry : {"Lower left", "Upper right", "Cells"})
-    if (parameters.changed("Geometry/" + std::string(entry)))
-      throw InputError(parameters.where("Geometry/" + std::string(entry)) +
+  const std::string where = given.vertices.where();
+  for (const Given<std::string> *entry : {&given.lower_left, &given.upper_right, &given.cells})
+    if (entry->changed)
+      throw InputError(entry->where() +
                        ": this entry belongs to Shape = rectangle, found Shape = polygon.");
   std::vector<dealii::Point<2>> vertices;
-  for (const std::string &part : split_list(parameters.geometry.vertices, ';'))
+  for (const std::string &part : split_list(given.vertices, ';'))
   {
-    const auto xy = numbers_of(parameters, "Geometry/Vertices", part);
+    const auto xy = two_numbers(part, given.vertices);
     vertices.emplace_back(xy[0], xy[1]);
   }
   check_coordinates(vertices, where);
@@ -142,15 +139,13 @@ void check_size(const Geometry<2> &geometry, const std::string &where)
 }
 } // namespace
 
-Geometry<2> make_geometry(const Parameters &parameters)
+Geometry<2> make_geometry(const GeometryParameters &given)
 {
-  const bool is_rectangle = parameters.geometry.shape == "rectangle";
-  Geometry<2> geometry = is_rectangle ? read_rectangle(parameters) : read_polygon(parameters);
-  check_size(geometry,
-             parameters.where(is_rectangle ? "Geometry/Upper right" : "Geometry/Vertices"));
-  geometry.distortion = parameters.geometry.distortion;
-  geometry.where_distortion = parameters.where("Geometry/Distortion");
+  const bool is_rectangle = given.shape == Shape::rectangle;
+  Geometry<2> geometry = is_rectangle ? read_rectangle(given) : read_polygon(given);
+  check_size(geometry, is_rectangle ? given.upper_right.where() : given.vertices.where());
+  geometry.distortion = given.distortion;
+  geometry.where_distortion = given.distortion.where();
   return geometry;
 }
-
 } // namespace Signorini

@@ -6,6 +6,6 @@
 
 namespace Signorini
 {
-/** The geometry that a parameter file describes. @throws InputError */
-Geometry<2> make_geometry(const Parameters &parameters);
+/** The rectangle or polygon that the entries describe. @throws InputError */
+Geometry<2> make_geometry(const GeometryParameters &given);
 } // namespace Signorini

@@ -143,18 +143,29 @@ void StiffnessInverse::refuse_singular_matrix() const
   rounding_error_ = 0.;
 }
 
+LinearSolver resolve(const LinearSolver solver, const unsigned int n_ranks)
+{
+  if (solver != LinearSolver::automatic)
+    return solver;
+  return n_ranks == 1 ? LinearSolver::condensed : LinearSolver::amesos_mumps;
+}
+
 std::unique_ptr<StiffnessInverse>
 factorise(const dealii::TrilinosWrappers::SparseMatrix &A,
-          const std::string &name,
+          const LinearSolver solver,
           const std::vector<dealii::types::global_dof_index> &contact_unknowns)
 {
   const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(A.get_mpi_communicator());
-  const bool one_rank = n_ranks == 1;
-  if (name == "condensed" && !one_rank)
-    throw InputError("Solver/Linear solver: found 'condensed' on " + std::to_string(n_ranks) +
-                     " processes, allowed on several: automatic, amesos_mumps, amesos_klu.");
-  if (name == "condensed" || (name == "automatic" && one_rank))
+  switch (resolve(solver, n_ranks))
+  {
+  case LinearSolver::condensed:
+    AssertThrow(n_ranks == 1,
+                dealii::ExcMessage("The condensed factorisation works on one rank only."));
     return std::make_unique<CondensedInverse>(A, contact_unknowns);
-  return std::make_unique<AmesosInverse>(A, name == "amesos_klu" ? "Amesos_Klu" : "Amesos_Mumps");
+  case LinearSolver::amesos_klu:
+    return std::make_unique<AmesosInverse>(A, "Amesos_Klu");
+  default:
+    return std::make_unique<AmesosInverse>(A, "Amesos_Mumps");
+  }
 }
 } // namespace Signorini

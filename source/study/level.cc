@@ -36,10 +36,10 @@ unsigned int additional_points(const unsigned int n_cells)
   return n_cells <= 64 ? 6 : (n_cells <= 1024 ? 3 : 0);
 }
 
-StrainOperator strain_operator(const std::string &element)
+StrainOperator strain_operator(const Element element)
 {
-  return element == "Q1 B-bar" ? StrainOperator::mean_dilatation
-                               : StrainOperator::symmetric_gradient;
+  return element == Element::q1_b_bar ? StrainOperator::mean_dilatation
+                                      : StrainOperator::symmetric_gradient;
 }
 
 /** C is singular anyway where patches are finer than faces; those that are far finer even on the
@@ -51,11 +51,11 @@ void refuse_needless_patches(const Parameters &parameters,
                              const unsigned int level,
                              const MultiplierSpace<dim> &multipliers)
 {
-  const unsigned int finer = std::max(parameters.discretization.finest_level, level) - level;
+  const unsigned int finer = std::max(parameters.discretization.finest_level.value, level) - level;
   const std::size_t n_faces = multipliers.faces().size() << ((dim - 1) * finer);
   const std::size_t n_patches = multipliers.partition().patches.size();
   if (n_patches > most_patches_per_face * n_faces)
-    throw InputError(parameters.where("Discretization/Patches") + ": found " +
+    throw InputError(parameters.discretization.patches.where() + ": found " +
                      std::to_string(n_patches) + " patches on the " + std::to_string(n_faces) +
                      " contact faces of the finest level, allowed: at most " +
                      std::to_string(most_patches_per_face) + " per face.");
@@ -66,7 +66,7 @@ void refuse_blind_patches(const Parameters &parameters, const Coupling &condense
 {
   for (unsigned int tau = 0; tau < condensed_D.n_columns(); ++tau)
     if (condensed_D.column(tau).empty())
-      throw InputError(parameters.where("Discretization/Coarsest level") + ": contact patch " +
+      throw InputError(parameters.discretization.coarsest_level.where() + ": contact patch " +
                        std::to_string(tau) +
                        " sees no free mesh node on the coarsest level, allowed: a finer coarsest "
                        "level, fewer patches or a larger patch ratio.");
@@ -88,7 +88,7 @@ QPResult solve_dual_problem(const SolverParameters &parameters,
       start.size() > 0 ? start : dealii::Vector<double>(qp.size()),
       {parameters.relaxation, parameters.tolerance, parameters.maximum_iterations});
   };
-  if (parameters.contact_solver == "psor")
+  if (parameters.contact_solver == ContactSolver::psor)
     return by_psor();
   try
   {
@@ -143,7 +143,7 @@ QPResult find_pressure(const Parameters &parameters,
     result.unique = !may_be_singular || qp.has_unique_solution(result.P);
     return result;
   };
-  if (!holds_compliance(inverse, D) && parameters.solver.contact_solver != "psor" &&
+  if (!holds_compliance(inverse, D) && parameters.solver.contact_solver != ContactSolver::psor &&
       !parameters.output.compliance)
     return solve_on_growing_set(
       solution.F,
@@ -186,7 +186,7 @@ void solve_contact(const Parameters &parameters,
     find_pressure(parameters, discretization, inverse, P_start, progress, solution);
   solution.P = result.P;
   record.qp_iterations = result.iterations;
-  if (parameters.solver.contact_solver == "psor")
+  if (parameters.solver.contact_solver == ContactSolver::psor)
     record.increment_iterations = result.increment_iterations;
   record.kkt = result.kkt_residual;
   record.converged = result.converged;
@@ -198,9 +198,10 @@ void solve_contact(const Parameters &parameters,
 constexpr unsigned int largest_automatic_inf_sup = 100000;
 
 /** Whether the constant of Lemma 1 is asked for on a level of this size. */
-bool wants_inf_sup(const std::string &choice, const unsigned long long n_dofs)
+bool wants_inf_sup(const Choice choice, const unsigned long long n_dofs)
 {
-  return choice == "true" || (choice == "automatic" && n_dofs <= largest_automatic_inf_sup);
+  return choice == Choice::yes ||
+         (choice == Choice::automatic && n_dofs <= largest_automatic_inf_sup);
 }
 
 /** What the answer amounts to, how good it is. */
@@ -252,7 +253,7 @@ Discretization<dim>::Discretization(const Parameters &parameters,
   refuse_blind_patches(parameters, condensed_D);
   refuse_needless_patches(parameters, level, multipliers);
   if (parameters.solver.require_stability && multipliers.partition().has_unstable_patch())
-    throw InputError(parameters.where("Solver/Require stability") +
+    throw InputError(parameters.solver.require_stability.where() +
                      ": a contact patch is no longer than a face (H = h), which is not inf-sup "
                      "stable, allowed: a Patch ratio of at least 2 and levels on which every side "
                      "has at least two faces per patch.");

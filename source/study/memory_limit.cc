@@ -5,6 +5,7 @@
 
 #include <signorini/base/exceptions.h>
 #include <signorini/base/text.h>
+#include <signorini/stiffness_inverse/stiffness_inverse.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -68,9 +69,9 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
   : n_coarse_cells_(scene.geometry.n_coarse_cells)
   , n_contact_sides_(static_cast<double>(scene.contact_sides().size()))
   , given_(parameters.discretization)
-  , condensed_(parameters.solver.linear_solver == "condensed" ||
-               (parameters.solver.linear_solver == "automatic" &&
-                dealii::Utilities::MPI::n_mpi_processes(communicator) == 1))
+  , condensed_(resolve(parameters.solver.linear_solver,
+                       dealii::Utilities::MPI::n_mpi_processes(communicator)) ==
+               LinearSolver::condensed)
   , available_(available_bytes())
 {
   const bool may_stop_early = given_.target_error > 0.;
@@ -78,8 +79,7 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
   const auto refuse_if_huge = [&]() {
     if (needed(level) < available_)
       return;
-    throw InputError(parameters.where(std::string("Discretization/") +
-                                      (may_stop_early ? "Coarsest level" : "Finest level")) +
+    throw InputError((may_stop_early ? given_.coarsest_level : given_.finest_level).where() +
                      ": found '" + std::to_string(level) + "', but " + describe(level) +
                      ", allowed: levels that fit into the " + describe_available() + ".");
   };

@@ -99,8 +99,8 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization,
     write_file(level_file("contact", solution.record.level, ".csv"),
                [&](std::ostream &stream) { write_contact_csv(stream, line); });
   });
-  const std::string &vtu = parameters_.output.vtu;
-  if (vtu == "all" || (vtu == "finest" && last_level))
+  const VtuLevels vtu = parameters_.output.vtu;
+  if (vtu == VtuLevels::all || (vtu == VtuLevels::finest && last_level))
     write_vtu(discretization, scene, solution);
   if (parameters_.output.compliance)
     write_on_first_rank(communicator_, [&]() { write_dual_problem(discretization, solution); });

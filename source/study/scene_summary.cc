@@ -50,8 +50,8 @@ void print_scene(const Parameters &parameters, const Scene<dim> &scene, std::ost
          << "Boundary  " << describe_boundary(scene) << "\n"
          << "Levels    " << given.coarsest_level << " to " << given.finest_level << ", "
          << describe_partition(given) << "\n"
-         << "Solver    " << solver.contact_solver << ", tolerance " << solver.tolerance
-         << ", linear solver " << solver.linear_solver << "\n\n";
+         << "Solver    " << to_text(solver.contact_solver.value) << ", tolerance "
+         << solver.tolerance << ", linear solver " << to_text(solver.linear_solver.value) << "\n\n";
 }
 
 void print_verdict(const Parameters &parameters,

@@ -16,6 +16,7 @@
 #include "memory_limit.h"
 #include "results_writer.h"
 #include "scene_summary.h"
+#include "settings_check.h"
 
 namespace Signorini
 {
@@ -178,6 +179,7 @@ StudyResult run_study(const Parameters &parameters,
   const double tolerance = parameters.solver.tolerance;
   const LibraryThreads one_thread_in_libraries(1);
   const MemoryLimit<dim> memory(parameters, scene, communicator);
+  check_settings(parameters, scene, communicator);
   StudyContext<dim> context = {parameters, scene, nullptr, communicator};
   const bool errors = parameters.output.errors;
   if (errors && scene.has_exact_pressure())

@@ -36,16 +36,17 @@ void compare(Checks &checks,
              const dealii::TrilinosWrappers::SparseMatrix &A)
 {
   const auto &D = level.discretization.condensed_D;
-  const auto condensed = factorise(A, "condensed", contact_unknowns(D));
+  const auto condensed = factorise(A, LinearSolver::condensed, contact_unknowns(D));
   const auto C = compute_compliance(*condensed, level.space(), D);
   checks.that(name + ": no solve", condensed->n_solves() == 0);
   checks.near(name + ": symmetric", asymmetry(C), 0., 0.);
   const auto P = RandomNumbers(5).vector(C.m());
   const DistributedVector zero = level.space().make_vector();
   const NodalVector U = recover_displacement(*condensed, level.space(), D, P, zero);
-  for (const std::string other : {"amesos_klu", "amesos_mumps"})
+  for (const LinearSolver solver : {LinearSolver::amesos_klu, LinearSolver::amesos_mumps})
   {
-    const auto inverse = factorise(A, other);
+    const auto inverse = factorise(A, solver);
+    const std::string other = to_text(solver);
     checks.near(name + ": C as by " + other,
                 relative_distance(C, compute_compliance(*inverse, level.space(), D)),
                 0.,
@@ -55,7 +56,7 @@ void compare(Checks &checks,
     checks.near(name + ": U as by " + other, distance(U, V), 0., 1e-12 * V.l2_norm());
   }
   // Without the contact unknowns the columns are solved for.
-  const auto plain = factorise(A, "condensed");
+  const auto plain = factorise(A, LinearSolver::condensed);
   checks.near(name + ": C by solves with CHOLMOD",
               relative_distance(compute_compliance(*plain, level.space(), D), C),
               0.,

@@ -27,7 +27,7 @@ struct DualProblem
   DualProblem(const std::string &text, const unsigned int number)
     : level(text + elastic, number)
     , system(assemble_linear_system(level.space(), level.scene, 3))
-    , inverse(factorise(system.A, "automatic"))
+    , inverse(factorise(system.A, LinearSolver::automatic))
     , C(compute_compliance(*inverse,
                            level.space(),
                            level.discretization.condensed_D,

@@ -33,7 +33,7 @@ struct System
   NodalVector solve() const
   {
     DistributedVector U = space.make_vector();
-    factorise(system.A, "automatic")->solve(U, system.f);
+    factorise(system.A, LinearSolver::automatic)->solve(U, system.f);
     return space.complete(U);
   }
 

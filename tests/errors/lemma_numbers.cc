@@ -31,7 +31,7 @@ LemmaNumbers numbers(const OneLevel &level, const DistributedVector &loads)
                                level.discretization.D,
                                pressure,
                                loads,
-                               "automatic",
+                               LinearSolver::automatic,
                                level.discretization.n_points + 1);
 }
 

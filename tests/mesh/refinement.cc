@@ -190,7 +190,7 @@ void test_distortion(Checks &checks)
   const Mesh<2> strong(distorted(square, 0.3), 5, 5, MPI_COMM_WORLD);
   checks.that("strongly distorted cells stay convex", worst_corner(strong) > 0.);
   checks.throws<InputError>("cells that are not convex are refused",
-                            "Geometry/Distortion: found 0.45, with which the cell at (",
+                            "the distortion of the mesh: found 0.45, with which the cell at (",
                             [&] { Mesh<2>(distorted(square, 0.45), 5, 5, MPI_COMM_WORLD); });
 }
 } // namespace

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <sstream>
 
 #include "tests.h"
@@ -155,12 +156,94 @@ void test_values(Checks &checks)
   checks.near("relaxation just below 2", limits.solver.relaxation, 1.999, 0.);
   checks.near("level 0", limits.discretization.coarsest_level, 0, 0);
   checks.near("patches between blanks", limits.discretization.patches, 7, 0);
-  checks.that("kinks", limits.discretization.kinks_at_x == std::vector<double>({0.5, -0.25}));
+  checks.that("kinks", limits.discretization.kinks_at_x.value == std::vector<double>({0.5, -0.25}));
   const Parameters defaults = parse_parameters("", "a.prm");
   checks.that("defaults",
-              defaults.dimension == 2 && defaults.scene.name == "described" &&
+              defaults.dimension == 2 && defaults.scene.name.value == "described" &&
                 defaults.solver.tolerance == 1e-10 && defaults.solver.warm_start &&
-                defaults.discretization.patch_ratio == 2 && defaults.changes.empty());
+                defaults.discretization.patch_ratio == 2 && defaults.changes_of_scene.empty());
+}
+
+/** The names of an option, and its value when it is given. */
+template <typename Option>
+void test_option(Checks &checks,
+                 const std::string &path,
+                 const std::vector<std::pair<Option, std::string>> &names,
+                 const std::function<Given<Option>(const Parameters &)> &option,
+                 const Option default_value)
+{
+  checks.that(path + ": names", option_names<Option>() == names);
+  bool read = true;
+  for (const auto &[value, name] : names)
+  {
+    const Given<Option> given = option(parse_parameters("", "a.prm", {path + "=" + name}));
+    read = read && given == value && given.changed == (value != default_value) &&
+           given.where() == "--set: " + path && to_text(value) == name &&
+           from_text<Option>(name) == value;
+  }
+  checks.that(path + ": values", read);
+  const Given<Option> given = option(parse_parameters("", "a.prm"));
+  checks.that(path + ": default",
+              given == default_value && !given.changed && given.where() == "a.prm: " + path);
+  checks.throws<std::out_of_range>(
+    path + ": no other name", "has the name other", [] { from_text<Option>("other"); });
+}
+
+void test_options(Checks &checks)
+{
+  test_option<Shape>(
+    checks,
+    "Geometry/Shape",
+    {{Shape::rectangle, "rectangle"}, {Shape::polygon, "polygon"}},
+    [](const Parameters &p) { return p.geometry.shape; },
+    Shape::rectangle);
+  test_option<MaterialLaw>(
+    checks,
+    "Material/Law",
+    {{MaterialLaw::isotropic, "isotropic"},
+     {MaterialLaw::orthotropic, "orthotropic"},
+     {MaterialLaw::general, "general"}},
+    [](const Parameters &p) { return p.material.law; },
+    MaterialLaw::isotropic);
+  test_option<PlaneState>(
+    checks,
+    "Material/Plane state",
+    {{PlaneState::strain, "strain"}, {PlaneState::stress, "stress"}},
+    [](const Parameters &p) { return p.material.plane_state; },
+    PlaneState::strain);
+  test_option<Element>(
+    checks,
+    "Discretization/Element",
+    {{Element::q1, "Q1"}, {Element::q1_b_bar, "Q1 B-bar"}},
+    [](const Parameters &p) { return p.discretization.element; },
+    Element::q1);
+  test_option<ContactSolver>(
+    checks,
+    "Solver/Contact solver",
+    {{ContactSolver::psor, "psor"}, {ContactSolver::active_set, "active set"}},
+    [](const Parameters &p) { return p.solver.contact_solver; },
+    ContactSolver::active_set);
+  test_option<LinearSolver>(
+    checks,
+    "Solver/Linear solver",
+    {{LinearSolver::automatic, "automatic"},
+     {LinearSolver::condensed, "condensed"},
+     {LinearSolver::amesos_mumps, "amesos_mumps"},
+     {LinearSolver::amesos_klu, "amesos_klu"}},
+    [](const Parameters &p) { return p.solver.linear_solver; },
+    LinearSolver::automatic);
+  test_option<VtuLevels>(
+    checks,
+    "Output/VTU",
+    {{VtuLevels::none, "none"}, {VtuLevels::finest, "finest"}, {VtuLevels::all, "all"}},
+    [](const Parameters &p) { return p.output.vtu; },
+    VtuLevels::finest);
+  test_option<Choice>(
+    checks,
+    "Output/Inf-sup constant",
+    {{Choice::yes, "true"}, {Choice::no, "false"}, {Choice::automatic, "automatic"}},
+    [](const Parameters &p) { return p.output.inf_sup_constant; },
+    Choice::automatic);
 }
 
 void test_overrides(Checks &checks)
@@ -170,14 +253,13 @@ void test_overrides(Checks &checks)
     parse_parameters(text, "a.prm", {"Solver/Tolerance=1e-7", "Solver/Tolerance = 1e-8"});
   checks.near("the last override wins", parameters.solver.tolerance, 1e-8, 0.);
   checks.that("others stay as in the file", !parameters.solver.warm_start);
-  checks.that("place of an override",
-              parameters.where("Solver/Tolerance") == "--set: Solver/Tolerance");
-  checks.that("place in the file",
-              parameters.where("Solver/Warm start") == "a.prm:3: Solver/Warm start");
-  checks.that("place of a default",
-              parameters.where("Solver/Relaxation") == "a.prm: Solver/Relaxation");
-  checks.that("changed",
-              parameters.changed("Solver/Tolerance") && !parameters.changed("Solver/Relaxation"));
+  const SolverParameters &solver = parameters.solver;
+  checks.that("place of an override", solver.tolerance.where() == "--set: Solver/Tolerance");
+  checks.that("place in the file", solver.warm_start.where() == "a.prm:3: Solver/Warm start");
+  checks.that("place of a default", solver.relaxation.where() == "a.prm: Solver/Relaxation");
+  checks.that("changed", solver.tolerance.changed && !solver.relaxation.changed);
+  checks.that("place of a subsection", parameters.boundary.where == "a.prm: Boundary");
+  checks.that("place without a subsection", parameters.dimension.where() == "a.prm: Dimension");
   const Assignment formula = scan_override("Contact/Gap=bottom: x==0 ? 1 : 2");
   checks.that("= in a value", formula.value == "bottom: x==0 ? 1 : 2");
   checks.that("an override is one line", scan_override("Contact/Gap=x\n+\r1").value == "x + 1");
@@ -196,10 +278,13 @@ void test_overrides(Checks &checks)
                      "subsection Solver\n set Tolerance = 1e-6\nend",
                      "a.prm",
                      {"Geometry/Cells=1,1", "Geometry/Distortion=0.0", "Solver/Tolerance="});
-  checks.that("back at the default", same.changes.empty());
+  checks.that("back at the default",
+              same.changes_of_scene.empty() && !same.geometry.cells.changed &&
+                !same.geometry.distortion.changed && !same.solver.tolerance.changed);
+  checks.that("the place is the last one", same.geometry.cells.place == "--set");
   checks.near("empty means not given", same.solver.tolerance, 1e-10, 0.);
   const Parameters other = parse_parameters("", "a.prm", {"Geometry/Cells=11"});
-  checks.that("11 is not 1, 1", other.changed("Geometry/Cells"));
+  checks.that("11 is not 1, 1", other.geometry.cells.changed);
 }
 
 /** A run can be repeated from its echo alone. */
@@ -224,17 +309,42 @@ void test_echo(Checks &checks)
   const Parameters first = parse_parameters("", "a.prm", overrides);
   const Parameters second = parse_parameters(first.echo, "echo.prm");
   checks.that("echo of the echo", first.echo == second.echo && !first.echo.empty());
-  checks.that("same changes", first.changes == second.changes && first.changes.size() == 16);
+  Words changed, changed_again;
+  for (const Entry &entry : first.changes_of_scene)
+    changed.push_back(entry.name);
+  for (const Entry &entry : second.changes_of_scene)
+    changed_again.push_back(entry.name);
+  checks.that("what a catalogue scene fixes",
+              changed == Words({"Constants/Values",
+                                "Geometry/Distortion",
+                                "Geometry/Shape",
+                                "Geometry/Vertices",
+                                "Material/Law",
+                                "Material/Orientation",
+                                "Boundary/Rollers",
+                                "Boundary/Traction",
+                                "Contact/Gap",
+                                "Exact solution/Pressure"}));
+  checks.that("same changes", changed == changed_again);
+  for (const Parameters *parameters : {&first, &second})
+    checks.that("other changes",
+                parameters->scene.name.changed && parameters->discretization.kinks_at_x.changed &&
+                  !parameters->discretization.kinks_at_y.changed &&
+                  parameters->discretization.patches.changed &&
+                  parameters->solver.relaxation.changed && parameters->solver.warm_start.changed &&
+                  parameters->output.compliance.changed && !parameters->output.errors.changed);
   checks.that(
     "same numbers",
     second.geometry.distortion == 0.123456789012345 && second.material.orientation == -30.5 &&
       second.solver.relaxation == 1.0000000000000002 && second.discretization.patches == 5);
   checks.that("same lists",
-              second.discretization.kinks_at_x == std::vector<double>({0.70710678118654752, 0.25}));
+              second.discretization.kinks_at_x.value ==
+                std::vector<double>({0.70710678118654752, 0.25}));
   checks.that("same switches", !second.solver.warm_start && second.output.compliance);
   checks.that("same texts",
-              second.boundary.traction == first.boundary.traction &&
-                second.contact.gap == "max(x-0.1,0)^2" && second.constants.values == "E=1, nu=0.3");
+              second.boundary.traction.value == first.boundary.traction.value &&
+                second.contact.gap.value == "max(x-0.1,0)^2" &&
+                second.constants.values.value == "E=1, nu=0.3");
 
   // The description is a parameter file of the defaults, with help in its comments.
   const std::string description = describe_parameters();
@@ -257,6 +367,7 @@ int main()
   test_good_syntax(checks);
   test_files(checks);
   test_values(checks);
+  test_options(checks);
   test_overrides(checks);
   test_echo(checks);
   return checks.exit_code();

@@ -20,7 +20,7 @@ struct Solved
   Solved(const std::string &text, const unsigned int number)
     : level(text, number)
     , system(assemble_linear_system(level.space(), level.scene, 3))
-    , inverse(factorise(system.A, "automatic"))
+    , inverse(factorise(system.A, LinearSolver::automatic))
     , free(solve_free_state(*inverse,
                             level.space(),
                             system.f,

@@ -7,6 +7,7 @@
 #include <signorini/stiffness_inverse/condensed_inverse.h>
 
 #include "one_level.h"
+#include "study_helpers.h"
 #include "tests.h"
 
 using namespace Signorini;
@@ -18,12 +19,13 @@ bool one_rank()
   return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
 }
 
-std::vector<std::string> solvers()
+std::vector<LinearSolver> solvers()
 {
-  std::vector<std::string> names = {"automatic", "amesos_klu", "amesos_mumps"};
+  std::vector<LinearSolver> all = {
+    LinearSolver::automatic, LinearSolver::amesos_klu, LinearSolver::amesos_mumps};
   if (one_rank())
-    names.emplace_back("condensed");
-  return names;
+    all.push_back(LinearSolver::condensed);
+  return all;
 }
 
 struct System
@@ -92,9 +94,10 @@ void known_answers(Checks &checks)
   DistributedVector b = system.space.make_vector(), x = b, b_other = b;
   system.A.vmult(b, exact);
   system.A.vmult(b_other, other);
-  for (const std::string &name : solvers())
+  for (const LinearSolver solver : solvers())
   {
-    const auto inverse = factorise(system.A, name);
+    const std::string name = to_text(solver);
+    const auto inverse = factorise(system.A, solver);
     checks.that(name + ": no solve yet", inverse->n_solves() == 0);
     inverse->solve(x, b);
     checks.near(name + ": known answer", relative_distance(x, exact), 0., 1e-12);
@@ -120,28 +123,39 @@ void singular(Checks &checks, const std::string &body, const System &system)
   system.A.vmult(in_range, system.random_vector(3));
   const std::pair<const char *, DistributedVector> right_hand_sides[] = {
     {"any load", system.random_vector(4)}, {"balanced load", in_range}};
-  for (const std::string &name : solvers())
+  for (const LinearSolver solver : solvers())
     for (const auto &b : right_hand_sides)
-      checks.throws<ComputationError>(body + ", " + b.first + ", " + name, "singular", [&]() {
-        const auto inverse = factorise(system.A, name);
-        DistributedVector x = system.space.make_vector();
-        inverse->solve(x, b.second);
-      });
+      checks.throws<ComputationError>(
+        body + ", " + b.first + ", " + to_text(solver), "singular", [&]() {
+          const auto inverse = factorise(system.A, solver);
+          DistributedVector x = system.space.make_vector();
+          inverse->solve(x, b.second);
+        });
 }
 
 /** What a value of Linear solver means on these ranks. */
 void choice(Checks &checks)
 {
   const System system(held(), 2);
-  const auto automatic = factorise(system.A, "automatic");
+  const auto automatic = factorise(system.A, LinearSolver::automatic);
   checks.that("automatic is condensed on one rank only",
               (dynamic_cast<const CondensedInverse *>(automatic.get()) != nullptr) == one_rank());
-  if (!one_rank())
-    checks.throws<InputError>(
-      "condensed is refused on several ranks",
-      "Solver/Linear solver: found 'condensed' on 2 processes, allowed on several: automatic, "
-      "amesos_mumps, amesos_klu.",
-      [&]() { factorise(system.A, "condensed"); });
+  checks.that("automatic is resolved",
+              resolve(LinearSolver::automatic, 1) == LinearSolver::condensed &&
+                resolve(LinearSolver::automatic, 2) == LinearSolver::amesos_mumps);
+  checks.that("others stay as they are",
+              resolve(LinearSolver::condensed, 2) == LinearSolver::condensed &&
+                resolve(LinearSolver::amesos_klu, 1) == LinearSolver::amesos_klu);
+  if (one_rank())
+    return;
+  checks.throws<InputError>(
+    "condensed is refused on several ranks",
+    "test:7: Solver/Linear solver: found 'condensed' on 2 processes, allowed on several: "
+    "automatic, amesos_mumps, amesos_klu.",
+    [&]() { solve("\n" + clamped + entry("Solver", "Linear solver", "condensed")); });
+  checks.throws<dealii::ExceptionBase>("the factorisation knows, too", "on one rank only", [&]() {
+    factorise(system.A, LinearSolver::condensed);
+  });
 }
 
 /** Ill-conditioned but regular: a slender bar, clamped at one end. */
@@ -155,9 +169,10 @@ void slender_bar(Checks &checks)
   const DistributedVector exact = system.random_vector(7);
   DistributedVector b = system.space.make_vector(), x = b;
   system.A.vmult(b, exact);
-  for (const std::string &name : solvers())
+  for (const LinearSolver solver : solvers())
   {
-    const auto inverse = factorise(system.A, name);
+    const std::string name = to_text(solver);
+    const auto inverse = factorise(system.A, solver);
     inverse->solve(x, b);
     checks.between("slender bar, " + name, inverse->largest_residual(), 0., 1e-12);
   }

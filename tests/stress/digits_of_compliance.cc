@@ -35,8 +35,8 @@ compare(Checks &checks, std::ofstream &table, const std::string &name, const std
   const OneLevel level(text, 5);
   const LinearSystem<2> system = assemble_linear_system(level.space(), level.scene, 3);
   const Coupling &D = level.discretization.condensed_D;
-  const auto condensed = factorise(system.A, "condensed", contact_unknowns(D));
-  const auto columns = factorise(system.A, "amesos_klu");
+  const auto condensed = factorise(system.A, LinearSolver::condensed, contact_unknowns(D));
+  const auto columns = factorise(system.A, LinearSolver::amesos_klu);
   const auto C = compute_compliance(*condensed, level.space(), D);
   const auto by_columns = compute_compliance(*columns, level.space(), D);
   const Digits digits = {condition_number(C), distance(C, by_columns)};

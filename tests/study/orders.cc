@@ -148,6 +148,11 @@ void check_failures(Checks &checks)
     solve("subsection Boundary\n set Clamped = left right top\n set Contact = bottom\n end\n",
           {"Discretization/Coarsest level=0"});
   });
+  checks.throws<InputError>(
+    "a side that ends inside a face",
+    "--set: Discretization/Coarsest level: a side of this scene ends inside a face of the mesh, "
+    "allowed: a finer coarsest level.",
+    [&]() { solve(named_scene("C4"), {"Discretization/Coarsest level=1"}); });
 }
 } // namespace
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/options.h>
 #include <signorini/errors/dual_norm_errors.h>
 #include <signorini/multiplier/coupling.h>
 
-#include <string>
+#include <optional>
 
 namespace Signorini
 {
@@ -41,6 +42,6 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
                                    const Coupling &D,
                                    const ExactPressure &pressure,
                                    const DistributedVector &loads,
-                                   const std::string &linear_solver,
+                                   LinearSolver linear_solver,
                                    unsigned int n_points);
 } // namespace Signorini

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <cstddef>
-#include <map>
-#include <set>
+#include <signorini/parameters/given.h>
+#include <signorini/parameters/options.h>
+
 #include <string>
 #include <vector>
 
@@ -12,113 +12,116 @@ namespace Signorini
 /** Which scene is solved: `described` by expressions, or one of the catalogue. */
 struct SceneParameters
 {
-  std::string name = "described";
+  Given<std::string> name{"described"};
 };
 
 /** Subsection Constants: names that expressions may use. */
 struct ConstantsParameters
 {
-  std::string values;
+  Given<std::string> values;
 };
 
 /** Subsection Geometry: the body before it is meshed (lengths). */
 struct GeometryParameters
 {
-  std::string shape = "rectangle";
-  std::string lower_left = "0, 0";
-  std::string upper_right = "1, 1";
-  std::string cells = "1, 1";
-  std::string vertices;
-  std::string file;
-  double distortion = 0.;
+  Given<Shape> shape{Shape::rectangle};
+  Given<std::string> lower_left{"0, 0"};
+  Given<std::string> upper_right{"1, 1"};
+  Given<std::string> cells{"1, 1"};
+  Given<std::string> vertices;
+  Given<std::string> file;
+  Given<double> distortion{0.};
 };
 
 /** Subsection Material: Hooke's tensor. */
 struct MaterialParameters
 {
-  std::string law = "isotropic";
-  std::string youngs_modulus = "1";
-  std::string poissons_ratio = "0.3";
-  std::string hooke_tensor;
-  std::string orthotropic_moduli;
-  double orientation = 0.;
-  std::string plane_state = "strain";
+  Given<MaterialLaw> law{MaterialLaw::isotropic};
+  Given<std::string> youngs_modulus{"1"};
+  Given<std::string> poissons_ratio{"0.3"};
+  Given<std::string> hooke_tensor;
+  Given<std::string> orthotropic_moduli;
+  Given<double> orientation{0.};
+  Given<PlaneState> plane_state{PlaneState::strain};
 };
 
 /** Subsection Boundary: one role per side. */
 struct BoundaryParameters
 {
-  std::string clamped;
-  std::string rollers;
-  std::string contact;
-  std::string displacement;
-  std::string traction;
+  /** "scene.prm: Boundary": how a message about all of it begins. */
+  std::string where;
+  Given<std::string> clamped;
+  Given<std::string> rollers;
+  Given<std::string> contact;
+  Given<std::string> displacement;
+  Given<std::string> traction;
 };
 
 /** Subsection Load. */
 struct LoadParameters
 {
-  std::string body_force = "0; 0";
+  Given<std::string> body_force{"0; 0"};
 };
 
 /** Subsection Contact. */
 struct ContactParameters
 {
-  std::string gap = "0";
+  Given<std::string> gap{"0"};
 };
 
 /** Subsection Exact solution: turns the error columns on. */
 struct ExactSolutionParameters
 {
-  std::string displacement;
-  std::string displacement_gradient;
-  std::string pressure;
+  Given<std::string> displacement;
+  Given<std::string> displacement_gradient;
+  Given<std::string> pressure;
 };
 
 /** Subsection Discretization. */
 struct DiscretizationParameters
 {
-  unsigned int coarsest_level = 2;
-  unsigned int finest_level = 6;
-  std::string element = "Q1";
-  unsigned int patch_ratio = 2;
-  unsigned int patches = 0;
-  double target_error = 0.;
-  unsigned int quadrature_points = 3;
-  /** Positions of kinks, given as a list of numbers and read by check(). */
-  std::vector<double> kinks_at_x;
-  std::vector<double> kinks_at_y;
+  Given<unsigned int> coarsest_level{2};
+  Given<unsigned int> finest_level{6};
+  Given<Element> element{Element::q1};
+  Given<unsigned int> patch_ratio{2};
+  Given<unsigned int> patches{0};
+  Given<double> target_error{0.};
+  Given<unsigned int> quadrature_points{3};
+  /** Positions of kinks. */
+  Given<std::vector<double>> kinks_at_x;
+  Given<std::vector<double>> kinks_at_y;
 };
 
 /** Subsection Solver. */
 struct SolverParameters
 {
-  std::string contact_solver = "active set";
-  double relaxation = 1.1;
-  double tolerance = 1e-10;
-  unsigned int maximum_iterations = 100000;
-  std::string linear_solver = "automatic";
-  bool warm_start = true;
-  bool require_stability = false;
+  Given<ContactSolver> contact_solver{ContactSolver::active_set};
+  Given<double> relaxation{1.1};
+  Given<double> tolerance{1e-10};
+  Given<unsigned int> maximum_iterations{100000};
+  Given<LinearSolver> linear_solver{LinearSolver::automatic};
+  Given<bool> warm_start{true};
+  Given<bool> require_stability{false};
 };
 
 /** Subsection Output. */
 struct OutputParameters
 {
-  std::string vtu = "finest";
-  std::string inf_sup_constant = "automatic";
-  bool compliance = false;
-  bool errors = true;
-  bool lemmas = false;
+  Given<VtuLevels> vtu{VtuLevels::finest};
+  Given<Choice> inf_sup_constant{Choice::automatic};
+  Given<bool> compliance{false};
+  Given<bool> errors{true};
+  Given<bool> lemmas{false};
 };
 
 /**
  * Everything a user can set, as plain values: checked for their form, not yet for their meaning
- * (names of sides and expressions are judged when the scene is made).
+ * (names of sides and expressions are judged when the scene is made). A value knows where it was
+ * given.
  */
 struct Parameters
 {
-  unsigned int dimension = 2;
+  Given<unsigned int> dimension{2};
   SceneParameters scene;
   ConstantsParameters constants;
   GeometryParameters geometry;
@@ -135,15 +138,9 @@ struct Parameters
   std::string echo;
   /** The file the parameters were read from. */
   std::string file_name;
-  /** Where each given parameter was set: path to "file:line" or "--set". */
-  std::map<std::string, std::string> places;
-  /** The paths of the parameters that are not at their default. */
-  std::set<std::string> changes;
-
-  /** "scene.prm:12: Solver/Tolerance": how every message about a parameter begins. */
-  std::string where(const std::string &path) const;
-  /** Whether the user gave this parameter a value other than its default. */
-  bool changed(const std::string &path) const;
+  /** The entries from Constants to Exact solution that are not at their defaults: a catalogue scene
+   * fixes them. */
+  std::vector<Entry> changes_of_scene;
 };
 
 /**

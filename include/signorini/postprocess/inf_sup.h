@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/options.h>
 #include <signorini/multiplier/coupling.h>
 #include <signorini/multiplier/multiplier_space.h>
-
-#include <string>
 
 namespace Signorini
 {
@@ -20,5 +19,5 @@ template <int dim>
 double measure_inf_sup(const DisplacementSpace<dim> &space,
                        const MultiplierSpace<dim> &multipliers,
                        const Coupling &condensed_D,
-                       const std::string &linear_solver);
+                       LinearSolver linear_solver);
 } // namespace Signorini

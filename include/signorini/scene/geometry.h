@@ -31,8 +31,8 @@ struct Geometry
   dealii::Point<dim> upper;
   /** Share of h by which interior vertices of the coarsest level are moved. */
   double distortion = 0.;
-  /** Where the distortion was given, for messages. */
-  std::string where_distortion = "Geometry/Distortion";
+  /** How a message about the distortion begins. */
+  std::string where_distortion = "the distortion of the mesh";
 
   double diameter() const
   {
@@ -50,8 +50,12 @@ struct Geometry
   std::vector<std::string> side_names() const;
 };
 
-/** Gives every boundary face the number of the side on which its centre lies. @throws InputError if
- * a side ends inside a face. */
+/** Whether a side ends inside a boundary face, so that faces cannot be numbered. */
+bool ends_inside_a_face(const std::vector<Side<2>> &sides,
+                        const dealii::Triangulation<2> &triangulation);
+
+/** Gives every boundary face the number of the side on which it lies. @throws InputError if a side
+ * ends inside a face. */
 void number_boundary(const std::vector<Side<2>> &sides, dealii::Triangulation<2> &triangulation);
 
 /** Rectangle with @p cells coarse cells per direction; sides left, right, bottom, top. */

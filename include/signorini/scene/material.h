@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/options.h>
 #include <signorini/scene/expression.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -44,13 +45,6 @@ public:
 
 private:
   double modulus_;
-};
-
-/** What the third direction does in two dimensions. */
-enum class PlaneState
-{
-  strain,
-  stress
 };
 
 /** sigma = lambda tr(eps) I + 2 mu eps, with lambda replaced by 2 lambda mu/(lambda + 2 mu) for

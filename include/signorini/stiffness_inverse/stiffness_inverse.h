@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/options.h>
+
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace Signorini
@@ -71,17 +72,18 @@ private:
   mutable double rounding_error_ = 0.;
 };
 
+/** What automatic stands for on so many ranks: condensed on one, amesos_mumps on several. */
+LinearSolver resolve(LinearSolver solver, unsigned int n_ranks);
+
 /**
- * Factorises A, which must outlive the result. @p name is a value of Solver/Linear solver;
- * automatic is condensed on one rank and amesos_mumps on several.
+ * Factorises A, which must outlive the result. condensed works on one rank only.
  *
  * @param contact_unknowns those that the contact pressure acts on; the condensed factorisation
  *   eliminates them last. Collective.
- * @throws InputError if @p name does not work on so many ranks, ComputationError if the
- *   factorisation fails.
+ * @throws ComputationError if the factorisation fails.
  */
 std::unique_ptr<StiffnessInverse>
 factorise(const dealii::TrilinosWrappers::SparseMatrix &A,
-          const std::string &name,
+          LinearSolver solver,
           const std::vector<dealii::types::global_dof_index> &contact_unknowns = {});
 } // namespace Signorini

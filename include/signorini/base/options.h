@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+namespace Signorini
+{
+/** What the third direction does in two dimensions. */
+enum class PlaneState
+{
+  strain,
+  stress
+};
+
+/** How the stiffness matrix is factorised. */
+enum class LinearSolver
+{
+  /** condensed on one rank, amesos_mumps on several. */
+  automatic,
+  /** CHOLMOD; eliminates the contact unknowns last. One rank only. */
+  condensed,
+  /** MUMPS, distributed over all ranks. */
+  amesos_mumps,
+  /** KLU, gathered on one rank. */
+  amesos_klu
+};
+} // namespace Signorini

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/options.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+/** The shape of the body. */
+enum class Shape
+{
+  rectangle,
+  polygon
+};
+
+/** Hooke's law. */
+enum class MaterialLaw
+{
+  isotropic,
+  orthotropic,
+  general
+};
+
+/** The displacement element. */
+enum class Element
+{
+  q1,
+  /** Q1 with a dilatation that is averaged over cells. */
+  q1_b_bar
+};
+
+/** The method for the dual problem. */
+enum class ContactSolver
+{
+  psor,
+  active_set
+};
+
+/** The levels for which VTU files are written. */
+enum class VtuLevels
+{
+  none,
+  finest,
+  all
+};
+
+/** Yes, no, or as the program sees fit. */
+enum class Choice
+{
+  yes,
+  no,
+  automatic
+};
+
+/** The values of an option and their names in a parameter file. */
+template <typename Option>
+using OptionNames = std::vector<std::pair<Option, std::string>>;
+
+/** All values of an option, in the order in which messages list them. */
+template <typename Option>
+const OptionNames<Option> &option_names();
+
+template <>
+const OptionNames<Shape> &option_names();
+template <>
+const OptionNames<MaterialLaw> &option_names();
+template <>
+const OptionNames<PlaneState> &option_names();
+template <>
+const OptionNames<Element> &option_names();
+template <>
+const OptionNames<ContactSolver> &option_names();
+template <>
+const OptionNames<LinearSolver> &option_names();
+template <>
+const OptionNames<VtuLevels> &option_names();
+template <>
+const OptionNames<Choice> &option_names();
+
+/** The name of a value in a parameter file. */
+template <typename Option>
+std::string to_text(const Option value)
+{
+  for (const auto &entry : option_names<Option>())
+    if (entry.first == value)
+      return entry.second;
+  throw std::out_of_range("this value of an option has no name");
+}
+
+/** The value with a name. @throws std::out_of_range if there is none. */
+template <typename Option>
+Option from_text(const std::string &name)
+{
+  for (const auto &entry : option_names<Option>())
+    if (entry.second == name)
+      return entry.first;
+  throw std::out_of_range("no value of this option has the name " + name);
+}
+
+/** All names, joined by a separator. */
+template <typename Option>
+std::string list_names(const std::string &separator)
+{
+  std::string list;
+  for (const auto &entry : option_names<Option>())
+    list += (list.empty() ? "" : separator) + entry.second;
+  return list;
+}
+} // namespace Signorini

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What parameters, scene and ranks can contradict each other in, found before the first level.
+
+#include "settings_check.h"
+
+#include <signorini/base/exceptions.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace Signorini
+{
+namespace
+{
+void check_linear_solver(const Given<LinearSolver> &solver, const unsigned int n_ranks)
+{
+  if (solver != LinearSolver::condensed || n_ranks == 1)
+    return;
+  std::string allowed;
+  for (const auto &[other, name] : option_names<LinearSolver>())
+    if (other != LinearSolver::condensed)
+      allowed += (allowed.empty() ? "" : ", ") + name;
+  throw InputError(solver.where() + ": found '" + to_text(solver.value) + "' on " +
+                   std::to_string(n_ranks) + " processes, allowed on several: " + allowed + ".");
+}
+
+/** Other scenes number their boundary on level 0. */
+template <int dim>
+void check_coarsest_level(const Given<unsigned int> &coarsest_level, const Geometry<dim> &geometry)
+{
+  if (!geometry.classify_after_refinement)
+    return;
+  dealii::Triangulation<dim> mesh;
+  geometry.make_coarse_mesh(mesh);
+  mesh.refine_global(coarsest_level);
+  if (ends_inside_a_face(geometry.sides, mesh))
+    throw InputError(coarsest_level.where() +
+                     ": a side of this scene ends inside a face of the mesh, allowed: a finer "
+                     "coarsest level.");
+}
+} // namespace
+
+template <int dim>
+void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator)
+{
+  check_linear_solver(parameters.solver.linear_solver,
+                      dealii::Utilities::MPI::n_mpi_processes(communicator));
+  check_coarsest_level(parameters.discretization.coarsest_level, scene.geometry);
+}
+
+template void check_settings(const Parameters &, const Scene<2> &, MPI_Comm);
+} // namespace Signorini

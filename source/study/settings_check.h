@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/parameters/parameters.h>
+#include <signorini/scene/scene.h>
+
+#include <mpi.h>
+
+namespace Signorini
+{
+/**
+ * Refuses settings that contradict the scene or the number of ranks: a linear solver that does not
+ * work on several, and a coarsest level with sides that end inside faces.
+ * @throws InputError
+ */
+template <int dim>
+void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator);
+} // namespace Signorini
