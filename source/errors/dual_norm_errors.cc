@@ -206,5 +206,13 @@ DualNormErrors ExactPressure<dim>::errors(const MultiplierSpace<dim> &space,
   return sum;
 }
 
+Columns<DualNormErrors> DualNormErrors::columns()
+{
+  return {{"p_dual", &DualNormErrors::slobodeckij},
+          {"p_dual_spectral", &DualNormErrors::spectral},
+          {"p_superclose_dual", &DualNormErrors::superclose_slobodeckij},
+          {"p_superclose_dual_spectral", &DualNormErrors::superclose_spectral}};
+}
+
 template class ExactPressure<2>;
 } // namespace Signorini

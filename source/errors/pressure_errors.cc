@@ -38,6 +38,11 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
   return {std::sqrt(l2), std::sqrt(post_l2)};
 }
 
+Columns<PressureErrors> PressureErrors::columns()
+{
+  return {{"p_l2", &PressureErrors::l2}, {"p_post_l2", &PressureErrors::post_l2}};
+}
+
 template PressureErrors compute_pressure_errors(const MultiplierSpace<2> &,
                                                 const dealii::Vector<double> &,
                                                 unsigned int);
