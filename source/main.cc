@@ -89,9 +89,9 @@ int run(const CommandLine &command_line, MPI_Comm communicator)
     const StudyResult result = run_study(parameters, scene, communicator, report);
     if (first_rank)
       describe_interruption("after the last level; the results are complete.");
-    if (first_rank && !result.failure.empty())
-      std::cerr << "signorini: " << result.failure << std::endl;
-    return confirm_screen(result.certified ? 0 : 2);
+    if (first_rank && !result.verdict.reason.empty())
+      std::cerr << "signorini: " << result.verdict.reason << std::endl;
+    return confirm_screen(result.verdict.is_certified() ? 0 : 2);
   }
   catch (const InputError &error)
   {

@@ -8,7 +8,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
-#include <optional>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -38,14 +38,14 @@ inline std::vector<std::string> levels(const unsigned int coarsest, const unsign
           "Discretization/Finest level=" + std::to_string(finest)};
 }
 
-/** Least-squares slope of log(value) against log(h). */
-template <typename Value>
-double slope(const std::vector<Signorini::LevelRecord> &levels, const Value &value)
+/** Least-squares slope of log(quantity) against log(h). */
+inline double slope(const std::vector<Signorini::LevelRecord> &levels,
+                    const std::function<double(const Signorini::LevelRecord &)> &quantity)
 {
   double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
   for (const Signorini::LevelRecord &level : levels)
   {
-    const double a = std::log(level.h), b = std::log(value(level));
+    const double a = std::log(level.sizes.h), b = std::log(quantity(level));
     n += 1.;
     x += a;
     y += b;
@@ -55,11 +55,12 @@ double slope(const std::vector<Signorini::LevelRecord> &levels, const Value &val
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
-/** The slope of an error. */
-inline double slope(const std::vector<Signorini::LevelRecord> &levels,
-                    std::optional<double> Signorini::LevelRecord::*const error)
+/** The slope of a column. */
+inline double slope(const std::vector<Signorini::LevelRecord> &levels, const std::string &column)
 {
-  return slope(levels, [error](const Signorini::LevelRecord &level) { return *(level.*error); });
+  return slope(levels, [&column](const Signorini::LevelRecord &level) {
+    return Signorini::value(level, column).value();
+  });
 }
 
 /** |a - b| / |b|. */

@@ -194,6 +194,15 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
   return errors;
 }
 
+Columns<DisplacementErrors> DisplacementErrors::columns()
+{
+  return {{"u_h1", &DisplacementErrors::h1},
+          {"u_l2", &DisplacementErrors::l2},
+          {"u_superclose_h1", &DisplacementErrors::superclose_h1},
+          {"u_post_h1", &DisplacementErrors::post_h1},
+          {"u_post4_h1", &DisplacementErrors::post4_h1}};
+}
+
 template DisplacementErrors compute_displacement_errors(const DisplacementSpace<2> &,
                                                         const Scene<2> &,
                                                         const NodalVector &,

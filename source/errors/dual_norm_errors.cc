@@ -199,4 +199,11 @@ DualNormErrors ExactPressure::errors(const MultiplierSpace<2> &space,
   return sum;
 }
 
+Columns<DualNormErrors> DualNormErrors::columns()
+{
+  return {{"p_dual", &DualNormErrors::slobodeckij},
+          {"p_dual_spectral", &DualNormErrors::spectral},
+          {"p_superclose_dual", &DualNormErrors::superclose_slobodeckij},
+          {"p_superclose_dual_spectral", &DualNormErrors::superclose_spectral}};
+}
 } // namespace Signorini

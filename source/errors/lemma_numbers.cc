@@ -193,4 +193,16 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
   numbers.bound_27 = trace_defect(scene, multipliers, D, interpolant, n_points);
   return numbers;
 }
+
+Columns<LemmaNumbers> LemmaNumbers::columns()
+{
+  return {{"lemma_2_l2", &LemmaNumbers::projection_l2},
+          {"lemma_2_dual", &LemmaNumbers::projection_dual},
+          {"lemma_3_h1", &LemmaNumbers::interpolation_h1},
+          {"lemma_3_trace", &LemmaNumbers::interpolation_trace},
+          {"lemma_5", &LemmaNumbers::consistency},
+          {"bound_26", &LemmaNumbers::bound_26},
+          {"bound_27", &LemmaNumbers::bound_27},
+          {"bound_30", &LemmaNumbers::bound_30}};
+}
 } // namespace Signorini

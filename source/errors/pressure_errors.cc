@@ -36,4 +36,9 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<2> &space,
       "values inside the contact sides.");
   return {std::sqrt(l2), std::sqrt(post_l2)};
 }
+
+Columns<PressureErrors> PressureErrors::columns()
+{
+  return {{"p_l2", &PressureErrors::l2}, {"p_post_l2", &PressureErrors::post_l2}};
+}
 } // namespace Signorini

@@ -44,19 +44,19 @@ void print_order(std::ostream &stream,
     stream << "-";
 }
 
-using Error = std::optional<double> LevelRecord::*;
-
+/** An error on the screen: its title, and its column of convergence.csv. */
 struct ErrorColumn
 {
+  const char *title;
   const char *name;
-  Error error;
 };
 
-constexpr ErrorColumn displacement_columns[] = {{"|u-uh|1", &LevelRecord::u_h1},
-                                                {"|u-uh|0", &LevelRecord::u_l2},
-                                                {"|Iu-uh|1", &LevelRecord::u_superclose_h1},
-                                                {"|u-PIuh|1", &LevelRecord::u_post_h1}};
-constexpr ErrorColumn pressure_columns[] = {{"|p-pH|0", &LevelRecord::p_l2}};
+constexpr ErrorColumn displacement_columns[] = {{"|u-uh|1", "u_h1"},
+                                                {"|u-uh|0", "u_l2"},
+                                                {"|Iu-uh|1", "u_superclose_h1"},
+                                                {"|u-PIuh|1", "u_post_h1"}};
+constexpr ErrorColumn pressure_columns[] = {{"|p-pH|0", "p_l2"}};
+constexpr ErrorColumn estimate_column = {"estimate", "estimated_h1"};
 } // namespace
 
 ScreenTable::ScreenTable(const bool with_displacement_errors, const bool with_pressure_errors)
@@ -71,43 +71,45 @@ std::string ScreenTable::header() const
   line << "level" << std::setw(9) << "dofs" << std::setw(6) << "m" << std::setw(7) << "active"
        << std::setw(6) << "its" << std::setw(number_width) << "force" << std::setw(number_width)
        << "max p";
-  const auto name = [&](const ErrorColumn &column) {
-    line << std::setw(number_width) << column.name << std::setw(order_width) << "order";
+  const auto print = [&](const ErrorColumn &column) {
+    line << std::setw(number_width) << column.title << std::setw(order_width) << "order";
   };
   if (with_displacement_errors_)
     for (const ErrorColumn &column : displacement_columns)
-      name(column);
+      print(column);
   else
-    name({"estimate", nullptr});
+    print(estimate_column);
   if (with_pressure_errors_)
     for (const ErrorColumn &column : pressure_columns)
-      name(column);
+      print(column);
   return line.str();
 }
 
 std::string ScreenTable::row(const LevelRecord &level, const LevelRecord *before) const
 {
   std::ostringstream line;
-  print_count(line, 5, level.level);
-  print_count(line, 9, level.dofs);
-  print_count(line, 6, level.multipliers);
-  print_count(line, 7, level.active);
-  print_count(line, 6, level.qp_iterations);
-  print_number(line, level.contact_force);
-  print_number(line, level.max_pressure);
-  const double refinement = before == nullptr ? 0. : before->h / level.h;
-  const auto print = [&](const Error error) {
-    print_number(line, level.*error);
-    print_order(line, level.*error, before == nullptr ? std::nullopt : before->*error, refinement);
+  print_count(line, 5, level.sizes.level);
+  print_count(line, 9, level.sizes.dofs);
+  print_count(line, 6, level.sizes.multipliers);
+  print_count(line, 7, level.contact.active);
+  print_count(line, 6, level.dual.iterations);
+  print_number(line, level.contact.normal_force);
+  print_number(line, level.contact.max_pressure);
+  const double refinement = before == nullptr ? 0. : before->sizes.h / level.sizes.h;
+  const auto print = [&](const ErrorColumn &column) {
+    const std::optional<double> error = value(level, column.name);
+    print_number(line, error);
+    print_order(
+      line, error, before == nullptr ? std::nullopt : value(*before, column.name), refinement);
   };
   if (with_displacement_errors_)
     for (const ErrorColumn &column : displacement_columns)
-      print(column.error);
+      print(column);
   else
-    print(&LevelRecord::estimated_h1);
+    print(estimate_column);
   if (with_pressure_errors_)
     for (const ErrorColumn &column : pressure_columns)
-      print(column.error);
+      print(column);
   return line.str();
 }
 } // namespace Signorini

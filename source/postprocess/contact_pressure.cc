@@ -101,6 +101,14 @@ dealii::Vector<double> transfer_pressure(const PatchPressure &from, const std::v
   return transferred;
 }
 
+Columns<ContactSummary> ContactSummary::columns()
+{
+  return {{"active", &ContactSummary::active},
+          {"contact_force_n", &ContactSummary::normal_force},
+          {"max_pressure", &ContactSummary::max_pressure},
+          {"contact_length", &ContactSummary::length}};
+}
+
 template ContactSummary summarise_contact(const MultiplierSpace<2> &,
                                           const dealii::Vector<double> &);
 template ContactSummary summarise_contact(const MultiplierSpace<3> &,

@@ -134,6 +134,11 @@ unsigned int best_interpolation(const DisplacementSpace<dim> &space, const Nodal
   return change(2) < 2. / 3. * change(1) ? 2 : 1;
 }
 
+Columns<ErrorEstimate> ErrorEstimate::columns()
+{
+  return {{"estimated_h1", &ErrorEstimate::absolute}};
+}
+
 template ErrorEstimate estimate_error(const DisplacementSpace<2> &, const NodalVector &);
 template unsigned int best_interpolation(const DisplacementSpace<2> &, const NodalVector &);
 } // namespace Signorini

@@ -2,9 +2,9 @@
 // One level, from the mesh to the certified answer.
 
 #include <signorini/base/exceptions.h>
+#include <signorini/base/stage_timer.h>
+#include <signorini/base/text.h>
 #include <signorini/compliance/compliance.h>
-#include <signorini/postprocess/contact_pressure.h>
-#include <signorini/postprocess/error_estimate.h>
 #include <signorini/postprocess/inf_sup.h>
 #include <signorini/qp/active_set.h>
 #include <signorini/qp/growing_set.h>
@@ -13,6 +13,7 @@
 #include <signorini/study/level.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace Signorini
 {
@@ -78,10 +79,20 @@ bool nothing_touches(const dealii::Vector<double> &F)
   return std::none_of(F.begin(), F.end(), [](const double opening) { return opening < 0.; });
 }
 
+std::string message_of(const dealii::ExceptionBase &exception)
+{
+  std::ostringstream text;
+  exception.print_info(text);
+  return one_line(trim(text.str()));
+}
+
+/** Says in @p record if not the chosen solver answers. */
 QPResult solve_dual_problem(const SolverParameters &parameters,
                             const BoundConstrainedQP &qp,
-                            const dealii::Vector<double> &start)
+                            const dealii::Vector<double> &start,
+                            DualSolve &record)
 {
+  record.active_set_failure.reset();
   const auto by_psor = [&]() {
     return solve_by_psor(
       qp,
@@ -94,8 +105,9 @@ QPResult solve_dual_problem(const SolverParameters &parameters,
   {
     return solve_by_active_set(qp, start, {parameters.tolerance, parameters.maximum_iterations});
   }
-  catch (const dealii::ExceptionBase &)
+  catch (const dealii::ExceptionBase &exception)
   {
+    record.active_set_failure = message_of(exception);
     // Patches finer than the mesh make C singular: many pressures give the same displacement, and
     // sweeps find one of them where no factorisation can.
     return by_psor();
@@ -106,15 +118,14 @@ template <int dim>
 void describe_discretization(const Discretization<dim> &discretization, LevelRecord &record)
 {
   const ContactPartition &partition = discretization.multipliers.partition();
-  record.level = discretization.mesh.level();
-  record.cells = discretization.mesh.triangulation().n_global_active_cells();
-  record.dofs = discretization.space.dofs().n_dofs();
-  record.multipliers = partition.patches.size();
-  record.h = discretization.mesh.longest_edge();
-  record.H = partition.longest_patch();
-  record.unstable = partition.has_unstable_patch();
-  record.times.mesh = discretization.mesh_seconds;
-  record.times.setup = discretization.setup_seconds;
+  record.sizes.level = discretization.mesh.level();
+  record.sizes.cells = discretization.mesh.triangulation().n_global_active_cells();
+  record.sizes.dofs = discretization.space.dofs().n_dofs();
+  record.sizes.multipliers = partition.patches.size();
+  record.sizes.h = discretization.mesh.longest_edge();
+  record.sizes.H = partition.longest_patch();
+  record.sizes.unstable = partition.has_unstable_patch();
+  record.times = discretization.times;
 }
 
 /**
@@ -139,7 +150,7 @@ QPResult find_pressure(const Parameters &parameters,
   };
   const bool may_be_singular = discretization.multipliers.partition().has_unstable_patch();
   const QPSolver solve = [&](const BoundConstrainedQP &qp, const dealii::Vector<double> &start) {
-    QPResult result = solve_dual_problem(parameters.solver, qp, start);
+    QPResult result = solve_dual_problem(parameters.solver, qp, start, solution.record.dual);
     result.unique = !may_be_singular || qp.has_unique_solution(result.P);
     return result;
   };
@@ -149,15 +160,13 @@ QPResult find_pressure(const Parameters &parameters,
       solution.F,
       P_start,
       [&](const std::vector<unsigned int> &columns, dealii::FullMatrix<double> &C) {
-        StageClock clock;
+        const StageTimer timer(solution.record.times.compliance);
         compute_compliance_columns(inverse, space, D, columns, C, column_done);
-        clock.add_to(solution.record.times.compliance);
       },
       solve,
       solution.C);
-  StageClock clock;
-  solution.C = compute_compliance(inverse, space, D, column_done);
-  clock.add_to(solution.record.times.compliance);
+  solution.C = timed(solution.record.times.compliance,
+                     [&]() { return compute_compliance(inverse, space, D, column_done); });
   progress("dual problem");
   return solve(BoundConstrainedQP(solution.C, solution.F), P_start);
 }
@@ -172,9 +181,7 @@ void solve_contact(const Parameters &parameters,
                    const Progress &progress,
                    LevelSolution<dim> &solution)
 {
-  StageClock clock;
-  LevelRecord &record = solution.record;
-  const double before = record.times.compliance;
+  const StageTimer timer(solution.record.times.qp);
   dealii::Vector<double> P_start;
   if (!start.patches.empty())
   {
@@ -185,13 +192,13 @@ void solve_contact(const Parameters &parameters,
   const QPResult result =
     find_pressure(parameters, discretization, inverse, P_start, progress, solution);
   solution.P = result.P;
-  record.qp_iterations = result.iterations;
+  DualSolve &dual = solution.record.dual;
+  dual.iterations = result.iterations;
   if (parameters.solver.contact_solver == ContactSolver::psor)
-    record.increment_iterations = result.increment_iterations;
-  record.kkt = result.kkt_residual;
-  record.converged = result.converged;
-  record.unique = result.unique;
-  record.times.qp += clock.lap() - (record.times.compliance - before);
+    dual.increment_iterations = result.increment_iterations;
+  dual.kkt = result.kkt_residual;
+  dual.converged = result.converged;
+  dual.unique = result.unique;
 }
 
 /** The limit of Inf-sup constant = automatic: it needs a factorisation of its own. */
@@ -206,18 +213,14 @@ bool wants_inf_sup(const Choice choice, const unsigned long long n_dofs)
 
 /** What the answer amounts to, how good it is. */
 template <int dim>
-void judge(const Scene<dim> &scene,
-           const Discretization<dim> &discretization,
-           const LinearSystem<dim> &system,
-           const NodalVector &free_U,
-           LevelSolution<dim> &solution)
+void describe_answer(const Scene<dim> &scene,
+                     const Discretization<dim> &discretization,
+                     const LinearSystem<dim> &system,
+                     const NodalVector &free_U,
+                     LevelSolution<dim> &solution)
 {
   LevelRecord &record = solution.record;
-  const ContactSummary summary = summarise_contact(discretization.multipliers, solution.P);
-  record.active = summary.active;
-  record.contact_length = summary.length;
-  record.contact_force = summary.normal_force;
-  record.max_pressure = summary.max_pressure;
+  record.contact = summarise_contact(discretization.multipliers, solution.P);
   record.certificate = certify(
     discretization.space,
     scene,
@@ -226,11 +229,7 @@ void judge(const Scene<dim> &scene,
     discretization.D,
     ContactSolution<dim>{solution.U, free_U, solution.P, solution.F, discretization.G, solution.C});
   if (discretization.mesh.has_parents())
-  {
-    const ErrorEstimate estimate = estimate_error(discretization.space, solution.U);
-    record.estimated_h1 = estimate.absolute;
-    record.estimated_relative = estimate.relative;
-  }
+    record.estimate = estimate_error(discretization.space, solution.U);
 }
 } // namespace
 
@@ -239,16 +238,26 @@ Discretization<dim>::Discretization(const Parameters &parameters,
                                     const Scene<dim> &scene,
                                     const unsigned int level,
                                     MPI_Comm communicator)
-  : mesh(scene.geometry, parameters.discretization.coarsest_level, level, communicator)
-  , mesh_seconds(clock_.lap())
+  : mesh(timed(times.mesh,
+               [&]() {
+                 return Mesh<dim>(
+                   scene.geometry, parameters.discretization.coarsest_level, level, communicator);
+               }))
   , n_points(parameters.discretization.quadrature_points +
              additional_points(mesh.triangulation().n_active_cells()))
-  , space(mesh, scene, strain_operator(parameters.discretization.element))
-  , multipliers(make_multiplier_space(parameters.discretization, scene, mesh))
-  , D(assemble_coupling(space, multipliers.faces(), multipliers.partition()))
-  , condensed_D(condense(D, space.constraints()))
-  , G(assemble_gap(multipliers, n_points))
-  , setup_seconds(clock_.lap())
+  , space(timed(times.setup,
+                [&]() {
+                  return DisplacementSpace<dim>(
+                    mesh, scene, strain_operator(parameters.discretization.element));
+                }))
+  , multipliers(
+      timed(times.setup,
+            [&]() { return make_multiplier_space(parameters.discretization, scene, mesh); }))
+  , D(timed(
+      times.setup,
+      [&]() { return assemble_coupling(space, multipliers.faces(), multipliers.partition()); }))
+  , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
+  , G(timed(times.setup, [&]() { return assemble_gap(multipliers, n_points); }))
 {
   refuse_blind_patches(parameters, condensed_D);
   refuse_needless_patches(parameters, level, multipliers);
@@ -270,51 +279,52 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   LevelSolution<dim> solution;
   StageTimes &times = solution.record.times;
   describe_discretization(discretization, solution.record);
-  StageClock clock;
 
   progress("assembly");
-  const LinearSystem<dim> system = assemble_linear_system(space, scene, discretization.n_points);
-  clock.add_to(times.assembly);
+  const LinearSystem<dim> system = timed(times.assembly, [&]() {
+    return assemble_linear_system(space, scene, discretization.n_points);
+  });
 
   progress("factorisation");
-  const auto inverse = factorise(
-    system.A, parameters.solver.linear_solver, contact_unknowns(discretization.condensed_D));
-  clock.add_to(times.factor);
+  const auto inverse = timed(times.factor, [&]() {
+    return factorise(
+      system.A, parameters.solver.linear_solver, contact_unknowns(discretization.condensed_D));
+  });
 
-  FreeState free = solve_free_state(*inverse, space, system.f, discretization.D, discretization.G);
+  const FreeState free = timed(times.compliance, [&]() {
+    return solve_free_state(*inverse, space, system.f, discretization.D, discretization.G);
+  });
   solution.F = free.F;
   solution.P.reinit(discretization.multipliers.n_multipliers());
-  clock.add_to(times.compliance);
   if (nothing_touches(free.F))
     solution.U = free.U;
   else
   {
     solve_contact(parameters, discretization, *inverse, system.unit, start, progress, solution);
-    clock.lap();
+    const StageTimer timer(times.recovery);
     solution.U =
       recover_displacement(*inverse, space, discretization.condensed_D, solution.P, system.f);
     solution.P *= system.unit;
     solution.C /= system.unit;
-    clock.add_to(times.recovery);
   }
 
   solution.loads = system.loads;
-  solution.record.linear_solves = inverse->n_solves();
-  solution.record.linear_residual = inverse->largest_residual();
-  solution.record.rounding_error = inverse->rounding_error();
+  solution.record.linear = {
+    inverse->n_solves(), inverse->largest_residual(), inverse->rounding_error()};
 
-  if (wants_inf_sup(parameters.output.inf_sup_constant, space.dofs().n_dofs()))
-  {
-    progress("inf-sup constant");
-    solution.record.inf_sup = measure_inf_sup(space,
-                                              scene,
-                                              discretization.multipliers,
-                                              discretization.condensed_D,
-                                              parameters.solver.linear_solver);
-  }
-  progress("certificate");
-  judge(scene, discretization, system, free.U, solution);
-  clock.add_to(times.postprocess);
+  timed(times.postprocess, [&]() {
+    if (wants_inf_sup(parameters.output.inf_sup_constant, space.dofs().n_dofs()))
+    {
+      progress("inf-sup constant");
+      solution.record.inf_sup = measure_inf_sup(space,
+                                                scene,
+                                                discretization.multipliers,
+                                                discretization.condensed_D,
+                                                parameters.solver.linear_solver);
+    }
+    progress("certificate");
+    describe_answer(scene, discretization, system, free.U, solution);
+  });
   return solution;
 }
 

@@ -41,9 +41,11 @@ constexpr const char *certificate_name = "certificate.json";
 } // namespace
 
 ResultsWriter::ResultsWriter(const Parameters &parameters,
+                             const Judge &judge,
                              std::filesystem::path directory,
                              MPI_Comm communicator)
   : parameters_(parameters)
+  , judge_(judge)
   , directory_(std::move(directory))
   , communicator_(communicator)
 {
@@ -56,7 +58,7 @@ void ResultsWriter::start_directory()
 {
   // In this order the files in the directory tell the truth at every moment.
   had_parameters_ = std::filesystem::exists(directory_ / parameters_name);
-  write_certificate_of({}, false, "");
+  write_certificate_of({}, judge_.unfinished({}));
   remove_files(directory_, is_result);
   write_file(directory_ / parameters_name,
              [&](std::ostream &stream) { stream << parameters_.echo; });
@@ -69,12 +71,10 @@ void ResultsWriter::write_convergence_of(const std::vector<LevelRecord> &levels)
 }
 
 void ResultsWriter::write_certificate_of(const std::vector<LevelRecord> &levels,
-                                         const bool finished,
-                                         const std::string &failure) const
+                                         const StudyVerdict &verdict) const
 {
-  write_file(directory_ / certificate_name, [&](std::ostream &stream) {
-    write_certificate(stream, levels, parameters_.solver.tolerance, finished, failure);
-  });
+  write_file(directory_ / certificate_name,
+             [&](std::ostream &stream) { write_certificate(stream, levels, judge_, verdict); });
 }
 
 std::filesystem::path ResultsWriter::level_file(const char *name,
@@ -96,7 +96,7 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization,
   write_on_first_rank(communicator_, [&]() {
     const auto line =
       trace_contact_line(discretization.space, discretization.multipliers, solution.U, solution.P);
-    write_file(level_file("contact", solution.record.level, ".csv"),
+    write_file(level_file("contact", solution.record.sizes.level, ".csv"),
                [&](std::ostream &stream) { write_contact_csv(stream, line); });
   });
   const VtuLevels vtu = parameters_.output.vtu;
@@ -111,7 +111,7 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
                               const Scene<dim> &scene,
                               const LevelSolution<dim> &solution)
 {
-  const unsigned int level = solution.record.level;
+  const unsigned int level = solution.record.sizes.level;
   const auto body = level_file("solution", level, ".vtu");
   const auto contact = level_file("contact", level, ".vtu");
   write_solution_vtu(body, discretization.space, scene, solution.U);
@@ -131,7 +131,7 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
                                        const LevelSolution<dim> &solution)
 {
   const auto write = [&](const char *name, const auto &...what) {
-    write_file(level_file(name, solution.record.level, ".mtx"),
+    write_file(level_file(name, solution.record.sizes.level, ".mtx"),
                [&](std::ostream &stream) { write_matrix_market(stream, what...); });
   };
   write("F", solution.F);
@@ -141,24 +141,19 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
     write("C", solution.C);
 }
 
-void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels, const bool last)
+void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,
+                                 const StudyVerdict &verdict)
 {
   if (directory_.empty())
     return;
   write_on_first_rank(communicator_, [&]() {
-    write_convergence_of(levels);
-    write_certificate_of(levels, last, "");
-  });
-}
-
-void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,
-                                  const std::string &failure)
-{
-  if (directory_.empty())
-    return;
-  write_on_first_rank(communicator_, [&]() {
-    write_certificate_of(levels, true, failure);
-    write_convergence_of(levels);
+    // If the disk fills up in between, the certificate does not promise more than the table holds,
+    // and a reason is told at any rate.
+    if (verdict.reason.empty())
+      write_convergence_of(levels);
+    write_certificate_of(levels, verdict);
+    if (!verdict.reason.empty())
+      write_convergence_of(levels);
   });
 }
 
@@ -170,7 +165,7 @@ void ResultsWriter::abandon(const std::vector<LevelRecord> &levels, const std::s
   {
     if (!levels.empty())
     {
-      write_certificate_of(levels, true, failure);
+      write_certificate_of(levels, judge_.failed(levels, failure));
       return;
     }
     remove_files(directory_, [&](const std::string &name) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/study/level.h>
+#include <signorini/verdict/judge.h>
 
 #include <filesystem>
 #include <utility>
@@ -19,6 +20,7 @@ public:
    * abandon().
    */
   ResultsWriter(const Parameters &parameters,
+                const Judge &judge,
                 std::filesystem::path directory,
                 MPI_Comm communicator);
 
@@ -29,13 +31,8 @@ public:
                     const LevelSolution<dim> &solution,
                     bool last_level);
 
-  /** convergence.csv and certificate.json for the levels so far. @param last whether no more
-   * follow.
-   */
-  void write_tables(const std::vector<LevelRecord> &levels, bool last);
-
-  /** The same for a study that a ComputationError ended: @p failure is its message. */
-  void write_failure(const std::vector<LevelRecord> &levels, const std::string &failure);
+  /** convergence.csv and certificate.json for the levels so far. */
+  void write_tables(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
 
   /**
    * For a study that an InputError ended, on every rank: without finished levels nothing is left
@@ -55,13 +52,13 @@ private:
   void start_directory();
   void write_convergence_of(const std::vector<LevelRecord> &levels) const;
   void write_certificate_of(const std::vector<LevelRecord> &levels,
-                            bool finished,
-                            const std::string &failure) const;
+                            const StudyVerdict &verdict) const;
 
   /** "name-LL.ending" in the directory. */
   std::filesystem::path level_file(const char *name, unsigned int level, const char *ending) const;
 
   const Parameters &parameters_;
+  const Judge &judge_;
   std::filesystem::path directory_;
   MPI_Comm communicator_;
   /** Whether parameters.prm was there before: it may be what the run was started with. */

@@ -54,30 +54,44 @@ void print_scene(const Parameters &parameters, const Scene<dim> &scene, std::ost
          << solver.tolerance << ", linear solver " << to_text(solver.linear_solver.value) << "\n\n";
 }
 
-void print_verdict(const Parameters &parameters,
-                   const std::vector<LevelRecord> &levels,
-                   const bool certified,
+void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &screen)
+{
+  if (level.sizes.unstable)
+    screen << "Warning: on level " << level.sizes.level
+           << " a contact patch is no longer than a face (H = h), which is not inf-sup stable: "
+              "the pressure may oscillate. Take a patch ratio of 2 or more.\n";
+  if (level.dual.active_set_failure)
+    screen << "Warning: on level " << level.sizes.level << " the active set method failed ("
+           << *level.dual.active_set_failure << "); projected SOR answered instead.\n";
+  const std::string doubt = judge.doubt(level);
+  if (!doubt.empty())
+    screen << "Warning: level " << level.sizes.level << " is not certified: " << doubt << "\n";
+}
+
+void print_verdict(const std::vector<LevelRecord> &levels,
+                   const Judge &judge,
+                   const StudyVerdict &verdict,
                    std::ostream &screen)
 {
   if (!levels.empty())
   {
     const LevelRecord &finest = levels.back();
-    screen << "\nContact force " << finest.contact_force << ", largest pressure "
-           << finest.max_pressure << ", contact length " << finest.contact_length << ", energy "
-           << finest.certificate.energy;
-    if (finest.estimated_relative)
-      screen << ", estimated error " << 100. * *finest.estimated_relative << " % (H1)";
+    screen << "\nContact force " << finest.contact.normal_force << ", largest pressure "
+           << finest.contact.max_pressure << ", contact length " << finest.contact.length
+           << ", energy " << finest.certificate.energy;
+    if (finest.estimate)
+      screen << ", estimated error " << 100. * finest.estimate->relative << " % (H1)";
     screen << ".\n";
-    if (finest.increment_iterations)
-      screen << "Projected SOR: of " << finest.qp_iterations
-             << " sweeps, the increment alone was small after " << *finest.increment_iterations
+    if (finest.dual.increment_iterations)
+      screen << "Projected SOR: of " << finest.dual.iterations
+             << " sweeps, the increment alone was small after " << *finest.dual.increment_iterations
              << ".\n";
   }
+  const bool certified = verdict.is_certified();
   screen << (certified ? "Certified: KKT residuals below "
                        : "NOT certified: not all KKT residuals are below ")
-         << parameters.solver.tolerance << (certified ? " and " : " or not all ")
-         << "balances below " << largest_residual_bound(levels, parameters.solver.tolerance)
-         << ".\n";
+         << judge.tolerance() << (certified ? " and " : " or not all ") << "balances below "
+         << verdict.residual_bound << ".\n";
 }
 
 template void print_scene(const Parameters &, const Scene<2> &, std::ostream &);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/output/level_record.h>
 #include <signorini/parameters/parameters.h>
 #include <signorini/scene/scene.h>
+#include <signorini/verdict/judge.h>
 
 #include <ostream>
 #include <vector>
@@ -14,9 +14,12 @@ namespace Signorini
 template <int dim>
 void print_scene(const Parameters &parameters, const Scene<dim> &scene, std::ostream &screen);
 
+/** What a user should know about a level at once. */
+void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &screen);
+
 /** The finest level's contact and the verdict. */
-void print_verdict(const Parameters &parameters,
-                   const std::vector<LevelRecord> &levels,
-                   bool certified,
+void print_verdict(const std::vector<LevelRecord> &levels,
+                   const Judge &judge,
+                   const StudyVerdict &verdict,
                    std::ostream &screen);
 } // namespace Signorini

@@ -5,6 +5,7 @@
 #include <signorini/postprocess/certificate.h>
 #include <signorini/qp/active_set.h>
 #include <signorini/recovery/recovery.h>
+#include <signorini/verdict/residuals.h>
 
 #include <cmath>
 
@@ -101,7 +102,7 @@ void correct_answers(Checks &checks)
     checks.near(name + ": duality gap", c.duality_gap, 0., 1e-12);
     checks.near(name + ": force balance", c.force_balance, 0., 1e-12);
     checks.near(name + ": moment balance", c.moment_balance, 0., 1e-12);
-    checks.between(name + ": worst is the largest", c.worst(), c.stationarity, 1e-12);
+    checks.between(name + ": worst is the largest", largest_residual(c), c.stationarity, 1e-12);
   }
 }
 
@@ -137,7 +138,7 @@ void wrong_displacements(Checks &checks, const Solved &solved)
   U[dof_at(solved.level.space(), {0., 0.5})] += 1e-5;
   Certificate c = solved.judge(U, solved.P);
   checks.that("a moved node disturbs equilibrium", c.stationarity > 1e-5);
-  checks.that("a moved node disturbs the force balance", c.worst() > 1e-5);
+  checks.that("a moved node disturbs the force balance", largest_residual(c) > 1e-5);
   U = solved.U;
   U[dof_at(solved.level.space(), {0., 0.})] -= 1e-3;
   c = solved.judge(U, solved.P);
@@ -216,33 +217,11 @@ void at_rest(Checks &checks)
                          entry("Contact", "Gap", "max(0, x-0.5)"),
                        3);
   const LevelSolution<2> solution = level.solve();
-  checks.that("at rest: nothing presses", solution.record.active == 0);
+  checks.that("at rest: nothing presses", solution.record.contact.active == 0);
   checks.near("at rest: half of the patches touch",
               solution.record.certificate.degenerate_patches,
-              0.5 * solution.record.multipliers,
+              0.5 * solution.record.sizes.multipliers,
               0.);
-}
-
-/** A residual that is not a number is not a small one, whichever it is. */
-void not_a_number(Checks &checks)
-{
-  double Certificate::*const residuals[] = {&Certificate::stationarity,
-                                            &Certificate::penetration,
-                                            &Certificate::sign,
-                                            &Certificate::complementarity,
-                                            &Certificate::duality_gap,
-                                            &Certificate::force_balance,
-                                            &Certificate::moment_balance};
-  bool noticed = true;
-  for (const auto residual : residuals)
-  {
-    Certificate certificate;
-    certificate.*residual = std::nan("");
-    noticed = noticed && std::isnan(certificate.worst());
-    certificate.*residual = 0.5;
-    noticed = noticed && certificate.worst() == 0.5;
-  }
-  checks.that("the worst residual, and what is not a number", noticed);
 }
 } // namespace
 
@@ -260,6 +239,5 @@ int main(int argc, char **argv)
   wrong_loads(checks, with_loads);
   degenerate(checks, pressed);
   at_rest(checks);
-  not_a_number(checks);
   return checks.exit_code();
 }

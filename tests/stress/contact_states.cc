@@ -55,8 +55,10 @@ void check(Checks &checks, StabilityTable &table, const State &state)
   const Measured measured = measure(block(state.boundary, state.gap), levels(2, 5));
   table.add(state.name, measured);
   checks.that(state.name + ": certified", measured.is_certified());
-  checks.between(
-    state.name + ": patches that press", measured.finest().active, state.fewest, state.most);
+  checks.between(state.name + ": patches that press",
+                 measured.finest().contact.active,
+                 state.fewest,
+                 state.most);
   if (measured.condition > 0.)
     checks.between(state.name + ": active set from scratch", measured.active_set, 1., 12.);
 }
@@ -65,7 +67,7 @@ void check(Checks &checks, StabilityTable &table, const State &state)
 void proportional(Checks &checks)
 {
   const auto force = [](const std::string &depth, const std::string &gap) {
-    return measure(block(pressed_by(depth), gap), levels(2, 4)).finest().contact_force;
+    return measure(block(pressed_by(depth), gap), levels(2, 4)).finest().contact.normal_force;
   };
   const double reference = force("0.01", "0.02*x^2");
   checks.near("all data times 1e-10", force("1e-12", "2e-12*x^2") / reference, 1e-10, 1e-20);

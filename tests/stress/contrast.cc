@@ -43,9 +43,9 @@ void layers(Checks &checks, StabilityTable &table)
       continue;
     const double exact = 0.01 / (0.25 / modulus + 0.75);
     checks.near(name + ": the pressure, as far as rounding lets it",
-                *measured.finest().p_l2 / exact,
+                *value(measured.finest(), "p_l2") / exact,
                 0.,
-                std::max(1e-10, 10. * measured.finest().rounding_error));
+                std::max(1e-10, 10. * measured.finest().linear.rounding_error));
   }
 }
 } // namespace

@@ -61,8 +61,9 @@ void relaxations(Checks &checks, StabilityTable &table)
       continue;
     }
     checks.that(name + ": certified", measured.is_certified());
-    force = force == 0. ? measured.finest().contact_force : force;
-    checks.near(name + ": the same force", measured.finest().contact_force / force, 1., 1e-8);
+    force = force == 0. ? measured.finest().contact.normal_force : force;
+    checks.near(
+      name + ": the same force", measured.finest().contact.normal_force / force, 1., 1e-8);
   }
 }
 } // namespace

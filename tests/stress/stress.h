@@ -81,12 +81,12 @@ struct Measured
   }
   bool is_certified() const
   {
-    return study.certified;
+    return study.verdict.is_certified();
   }
   /** Whether the answer is withheld, and the message holds this. */
   bool names(const std::string &cause) const
   {
-    return !study.certified && study.failure.find(cause) != std::string::npos;
+    return !study.verdict.is_certified() && study.verdict.reason.find(cause) != std::string::npos;
   }
 };
 
@@ -115,7 +115,7 @@ inline Measured measure(const std::string &text, const std::vector<std::string> 
   const Parameters parameters = parse_parameters(text, "test", all);
   const Scene<2> scene = make_scene(parameters);
   const Discretization<2> discretization(
-    parameters, scene, measured.finest().level, MPI_COMM_WORLD);
+    parameters, scene, measured.finest().sizes.level, MPI_COMM_WORLD);
   const LevelSolution<2> level =
     solve_level(parameters, scene, discretization, StartingPressure(), [](const std::string &) {});
   if (level.C.m() == 0)
@@ -154,13 +154,13 @@ public:
       return;
     }
     const Signorini::LevelRecord &level = measured.finest();
-    number(level.kkt);
+    number(level.dual.kkt);
     number(level.inf_sup);
     number(measured.condition > 0. ? std::optional<double>(measured.condition) : std::nullopt);
     file_ << measured.psor << " | " << measured.active_set << " | ";
-    number(level.u_h1);
-    number(level.p_l2);
-    number(level.rounding_error);
+    number(value(level, "u_h1"));
+    number(value(level, "p_l2"));
+    number(level.linear.rounding_error);
     file_ << verdict(measured) << " |\n" << std::flush;
   }
 
@@ -175,7 +175,7 @@ private:
   /** For answers that are withheld, the first half sentence of the cause. */
   static std::string verdict(const Measured &measured)
   {
-    const std::string &failure = measured.study.failure;
+    const std::string &failure = measured.study.verdict.reason;
     return measured.is_certified()
              ? "certified"
              : "**exit code 2**: " + failure.substr(0, failure.find_first_of("(,;", 12)) + " …";

@@ -8,18 +8,18 @@ using namespace Signorini;
 namespace
 {
 /** Largest relative difference over the levels after division by the unit. */
-template <typename Value>
+template <typename Quantity>
 double difference(const StudyResult &found,
                   const StudyResult &expected,
                   const double unit,
-                  const Value &value)
+                  const Quantity &quantity)
 {
   double largest = 0.;
   for (std::size_t k = 0; k < expected.levels.size(); ++k)
   {
-    const double reference = value(expected.levels[k]);
-    largest =
-      std::max(largest, std::abs(value(found.levels[k]) / unit - reference) / std::abs(reference));
+    const double reference = quantity(expected.levels[k]);
+    largest = std::max(
+      largest, std::abs(quantity(found.levels[k]) / unit - reference) / std::abs(reference));
   }
   return largest;
 }
@@ -38,19 +38,20 @@ void compare(Checks &checks,
   checks.that(name + ": certified", found.is_certified());
   bool same_iterations = found.psor == reference.psor && found.active_set == reference.active_set;
   for (std::size_t k = 0; k < reference.study.levels.size(); ++k)
-    same_iterations = same_iterations && found.study.levels[k].qp_iterations ==
-                                           reference.study.levels[k].qp_iterations;
+    same_iterations = same_iterations && found.study.levels[k].dual.iterations ==
+                                           reference.study.levels[k].dual.iterations;
   checks.that(name + ": the same iterations", same_iterations);
-  const auto near = [&](const std::string &what, const double unit, const auto &value) {
+  const auto near = [&](const std::string &what, const double unit, const auto &quantity) {
     checks.near(
-      name + ": " + what, difference(found.study, reference.study, unit, value), 0., 1e-9);
+      name + ": " + what, difference(found.study, reference.study, unit, quantity), 0., 1e-9);
   };
-  near("|u-uh|_0", L * L, [](const LevelRecord &level) { return *level.u_l2; });
-  near("|p-pH|_0", S * std::sqrt(L), [](const LevelRecord &level) { return *level.p_l2; });
+  near("|u-uh|_0", L * L, [](const LevelRecord &level) { return *value(level, "u_l2"); });
+  near(
+    "|p-pH|_0", S * std::sqrt(L), [](const LevelRecord &level) { return *value(level, "p_l2"); });
   near("energy", S * L * L, [](const LevelRecord &level) { return level.certificate.energy; });
-  near("force", S * L, [](const LevelRecord &level) { return level.contact_force; });
-  near("largest pressure", S, [](const LevelRecord &level) { return level.max_pressure; });
-  near("estimate", 1., [](const LevelRecord &level) { return *level.estimated_relative; });
+  near("force", S * L, [](const LevelRecord &level) { return level.contact.normal_force; });
+  near("largest pressure", S, [](const LevelRecord &level) { return level.contact.max_pressure; });
+  near("estimate", 1., [](const LevelRecord &level) { return level.estimate->relative; });
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/columns.h>
 #include <signorini/elasticity/displacement_space.h>
 
 #include <optional>
@@ -21,6 +22,8 @@ struct DisplacementErrors
   /** ‖u - pi_4^{4h} u_h‖_{1,Omega}, the interpolation of degree four on cells of T^{4h}; empty
    * where there is no T^{4h}. */
   std::optional<double> post4_h1;
+
+  static Columns<DisplacementErrors> columns();
 };
 
 /**

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/columns.h>
 #include <signorini/multiplier/multiplier_space.h>
 #include <signorini/norms/spectral_norm.h>
 
@@ -21,6 +22,8 @@ struct DualNormErrors
   /** |||R^H p - p_H||| likewise. */
   double superclose_spectral;
   std::optional<double> superclose_slobodeckij;
+
+  static Columns<DualNormErrors> columns();
 };
 
 /** The exact pressure on the contact sides, prepared for the norms of all levels. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/columns.h>
 #include <signorini/base/options.h>
 #include <signorini/errors/dual_norm_errors.h>
 #include <signorini/multiplier/coupling.h>
@@ -27,6 +28,8 @@ struct LemmaNumbers
   double bound_27;
   /** (30): ‖u - pi^{2h} u‖_{1,Omega}; empty where there is no T^{2h}. */
   std::optional<double> bound_30;
+
+  static Columns<LemmaNumbers> columns();
 };
 
 /**

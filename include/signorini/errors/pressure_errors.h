@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/columns.h>
 #include <signorini/multiplier/multiplier_space.h>
 
 namespace Signorini
@@ -12,6 +13,8 @@ struct PressureErrors
   double l2;
   /** The same for the continuous pressure recovered from p_H. */
   double post_l2;
+
+  static Columns<PressureErrors> columns();
 };
 
 /**

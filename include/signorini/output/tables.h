@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/output/level_record.h>
+#include <signorini/verdict/judge.h>
 
 #include <ostream>
 #include <string>
@@ -29,14 +29,9 @@ private:
 /** convergence.csv, all levels. */
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels);
 
-/**
- * certificate.json, all levels.
- * @param finished whether no level follows; until then the verdict is "unfinished".
- * @param failure why a level could not be solved, or empty.
- */
+/** certificate.json, all levels. */
 void write_certificate(std::ostream &stream,
                        const std::vector<LevelRecord> &levels,
-                       double tolerance,
-                       bool finished,
-                       const std::string &failure);
+                       const Judge &judge,
+                       const StudyVerdict &verdict);
 } // namespace Signorini

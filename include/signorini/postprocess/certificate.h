@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/columns.h>
 #include <signorini/elasticity/linear_system.h>
 #include <signorini/multiplier/coupling.h>
 #include <signorini/multiplier/multiplier_space.h>
@@ -38,8 +39,7 @@ struct Certificate
   /** J(u_h, p_H) of (22), the energy (force x length per thickness). */
   double energy = 0.;
 
-  /** The largest of the residuals that must vanish; not a number if one of them is not. */
-  double worst() const;
+  static Columns<Certificate> columns();
 };
 
 /** The level's solution and what it was computed from. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/columns.h>
 #include <signorini/multiplier/multiplier_space.h>
 
 namespace Signorini
@@ -22,6 +23,8 @@ struct ContactSummary
   double normal_force = 0.;
   /** max(-p_H), positive in compression (force/area). */
   double max_pressure = 0.;
+
+  static Columns<ContactSummary> columns();
 };
 
 template <int dim>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/columns.h>
 #include <signorini/elasticity/displacement_space.h>
 
 namespace Signorini
@@ -13,6 +14,8 @@ struct ErrorEstimate
   /** The same divided by ‖pi^{2h} u_h‖_{1,Omega}, both with the body's size as the unit of length:
    * it does not depend on the units of the scene. */
   double relative;
+
+  static Columns<ErrorEstimate> columns();
 };
 
 /**

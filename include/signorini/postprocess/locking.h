@@ -16,7 +16,4 @@ namespace Signorini
  */
 template <int dim>
 double locking_number(const Mesh<dim> &mesh, const Material<dim> &material);
-
-/** What locking_number() may be; above it contact forces are wrong by ten per cent and more. */
-constexpr double largest_locking_number = 0.25;
 } // namespace Signorini

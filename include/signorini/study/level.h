@@ -4,9 +4,8 @@
 #include <signorini/errors/dual_norm_errors.h>
 #include <signorini/multiplier/coupling.h>
 #include <signorini/multiplier/multiplier_space.h>
-#include <signorini/output/level_record.h>
-#include <signorini/output/stage_clock.h>
 #include <signorini/parameters/parameters.h>
+#include <signorini/record/level_record.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -24,13 +23,9 @@ struct Discretization
                  unsigned int level,
                  MPI_Comm communicator);
 
-private:
-  /** Started first. */
-  StageClock clock_;
-
-public:
+  /** Of the mesh and the setup. */
+  StageTimes times;
   Mesh<dim> mesh;
-  double mesh_seconds;
   /** Gauss points per direction for loads; errors take one more. */
   unsigned int n_points;
   DisplacementSpace<dim> space;
@@ -38,7 +33,6 @@ public:
   Coupling D;
   Coupling condensed_D;
   dealii::Vector<double> G;
-  double setup_seconds;
 };
 
 /** The contact pressure of a level, as the next one starts from it. */

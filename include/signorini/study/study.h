@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/output/level_record.h>
 #include <signorini/parameters/parameters.h>
 #include <signorini/scene/scene.h>
 #include <signorini/study/level.h>
+#include <signorini/verdict/judge.h>
 
 #include <filesystem>
 #include <ostream>
@@ -29,9 +29,7 @@ struct StudyResult
   std::vector<LevelRecord> levels;
   /** The contact pressure of the finest level. */
   StartingPressure pressure;
-  bool certified = false;
-  /** Why the study is not certified; empty if it is. */
-  std::string failure;
+  StudyVerdict verdict;
 };
 
 /**

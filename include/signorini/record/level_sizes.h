@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/columns.h>
+
+namespace Signorini
+{
+/** How large the problem of one level is. */
+struct LevelSizes
+{
+  unsigned int level = 0;
+  unsigned long long cells = 0;
+  unsigned long long dofs = 0;
+  unsigned int multipliers = 0;
+  /** The longest edge (length). */
+  double h = 0.;
+  /** The longest patch (length). */
+  double H = 0.;
+  /** Whether a patch is no longer than a face (H = h). */
+  bool unstable = false;
+
+  static Columns<LevelSizes> columns();
+};
+} // namespace Signorini

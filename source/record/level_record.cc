@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The columns of convergence.csv, put together from those that the parts of a record declare.
+
+#include <signorini/base/text.h>
+#include <signorini/record/level_record.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace Signorini
+{
+namespace
+{
+/** The estimated error divided by the true one. */
+std::optional<double> effectivity(const LevelRecord &record)
+{
+  if (!record.estimate || !record.displacement_errors || record.displacement_errors->h1 == 0.)
+    return {};
+  return record.estimate->absolute / record.displacement_errors->h1;
+}
+
+/** In the order of the members. */
+Columns<LevelRecord> columns_of_parts()
+{
+  Columns<LevelRecord> all;
+  for (const Columns<LevelRecord> &columns :
+       {columns_of(&LevelRecord::sizes),
+        columns_of(&LevelRecord::dual),
+        columns_of(&LevelRecord::contact),
+        columns_of(&LevelRecord::certificate),
+        columns_of(&LevelRecord::estimate),
+        Columns<LevelRecord>{{"effectivity", effectivity}, {"inf_sup", &LevelRecord::inf_sup}},
+        columns_of(&LevelRecord::displacement_errors),
+        columns_of(&LevelRecord::pressure_errors),
+        columns_of(&LevelRecord::dual_norm_errors),
+        Columns<LevelRecord>{{"endpoint_error", &LevelRecord::endpoint_error}},
+        columns_of(&LevelRecord::lemmas),
+        columns_of(&LevelRecord::times),
+        columns_of(&LevelRecord::resources)})
+    all.insert(all.end(), columns.begin(), columns.end());
+  return all;
+}
+
+/** The place of a column; those without a fixed place share the one behind the others. */
+std::size_t fixed_place(const Column<LevelRecord> &column)
+{
+  const std::vector<std::string> &names = columns_with_fixed_places();
+  return std::find(names.begin(), names.end(), column.name) - names.begin();
+}
+} // namespace
+
+const std::vector<std::string> &columns_with_fixed_places()
+{
+  static const std::vector<std::string> names = split_words(
+    "level cells dofs multipliers h H active qp_iterations kkt inf_sup energy contact_force_n "
+    "max_pressure contact_length u_h1 u_l2 u_superclose_h1 u_post_h1 p_l2 p_dual p_dual_spectral "
+    "p_superclose_dual p_superclose_dual_spectral p_post_l2 endpoint_error estimated_h1 "
+    "effectivity t_mesh t_setup t_assembly t_factor t_compliance t_qp t_recovery t_postprocess "
+    "t_errors t_output t_total cpu_total peak_memory_mb qp_increment_iterations lemma_2_l2 "
+    "lemma_2_dual lemma_3_h1 lemma_5 bound_26 bound_27 bound_30 lemma_3_trace u_post4_h1");
+  return names;
+}
+
+const Columns<LevelRecord> &level_columns()
+{
+  static const Columns<LevelRecord> columns = []() {
+    Columns<LevelRecord> all = columns_of_parts();
+    std::stable_sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
+      return fixed_place(a) < fixed_place(b);
+    });
+    return all;
+  }();
+  return columns;
+}
+
+std::optional<double> value(const LevelRecord &record, const std::string &column)
+{
+  for (const Column<LevelRecord> &known : level_columns())
+    if (known.name == column)
+      return known.value(record);
+  throw std::invalid_argument("There is no column " + column + ".");
+}
+} // namespace Signorini

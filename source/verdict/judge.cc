@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What is judged, in which order, and against which bound.
+
+#include <signorini/verdict/judge.h>
+#include <signorini/verdict/residuals.h>
+
+#include <algorithm>
+
+#include "checks.h"
+
+namespace Signorini
+{
+namespace
+{
+template <typename Subject>
+using Check = std::string (*)(const Subject &, const Judge &);
+
+/** The first one that fails names the cause: a later one may fail for the same reason. */
+constexpr Check<LevelRecord> level_checks[] = {check_overflow,
+                                               check_rounding,
+                                               check_dual_problem,
+                                               check_residuals};
+constexpr Check<std::vector<LevelRecord>> study_checks[] = {check_levels,
+                                                            check_uniqueness,
+                                                            check_locking,
+                                                            check_estimate};
+
+template <typename Checks, typename Subject>
+std::string first_objection(const Checks &checks, const Subject &subject, const Judge &judge)
+{
+  for (const auto check : checks)
+  {
+    std::string objection = check(subject, judge);
+    if (!objection.empty())
+      return objection;
+  }
+  return "";
+}
+} // namespace
+
+const char *word_for(const Outcome outcome)
+{
+  switch (outcome)
+  {
+  case Outcome::unfinished:
+    return "unfinished";
+  case Outcome::certified:
+    return "certified";
+  default:
+    return "not certified";
+  }
+}
+
+Judge::Judge(const double tolerance)
+  : tolerance_(tolerance)
+{
+}
+
+double Judge::residual_bound(const LevelRecord &level) const
+{
+  // A residual is a difference of terms that are larger than itself; five digits are asked for.
+  constexpr double largest_bound = 1e-5;
+  const double of_rounding = std::min(100. * rounding(level), largest_bound);
+  // Direct solves and sums over all cells lose some digits of their own.
+  return std::max({1e-8, 100. * tolerance_, of_rounding});
+}
+
+double Judge::largest_residual_bound(const std::vector<LevelRecord> &levels) const
+{
+  double bound = residual_bound(LevelRecord());
+  for (const LevelRecord &level : levels)
+    bound = std::max(bound, residual_bound(level));
+  return bound;
+}
+
+std::string Judge::doubt(const LevelRecord &level) const
+{
+  return first_objection(level_checks, level, *this);
+}
+
+StudyVerdict Judge::verdict(const std::vector<LevelRecord> &levels) const
+{
+  if (levels.empty())
+    return failed(levels, "No level has been solved.");
+  const std::string objection = first_objection(study_checks, levels, *this);
+  if (!objection.empty())
+    return failed(levels, objection);
+  return {Outcome::certified, "", largest_residual_bound(levels)};
+}
+
+StudyVerdict Judge::unfinished(const std::vector<LevelRecord> &levels) const
+{
+  return {Outcome::unfinished, "", largest_residual_bound(levels)};
+}
+
+StudyVerdict Judge::failed(const std::vector<LevelRecord> &levels, const std::string &reason) const
+{
+  return {Outcome::not_certified, reason, largest_residual_bound(levels)};
+}
+} // namespace Signorini

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Whether the answer of one level solves its equations.
+
+#include <signorini/verdict/residuals.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "checks.h"
+
+namespace Signorini
+{
+namespace
+{
+constexpr const char *causes_of_rounding = "the stiffness matrix is ill-conditioned: Poisson's "
+                                           "ratio near 1/2, moduli of very different size, "
+                                           "or a very slender body.";
+
+/** With less than six digits of U left, nothing that is computed from it can be trusted. */
+constexpr double largest_rounding = 1e-6;
+
+/** Above this, rounding explains large residuals. */
+constexpr double noticeable_rounding = 1e-10;
+} // namespace
+
+std::string check_overflow(const LevelRecord &level, const Judge &)
+{
+  if (std::isfinite(largest_residual(level.certificate)) && std::isfinite(level.dual.kkt))
+    return "";
+  return "numbers overflow: choose units in which moduli, lengths and loads are of size one.";
+}
+
+std::string check_rounding(const LevelRecord &level, const Judge &)
+{
+  if (rounding(level) <= largest_rounding)
+    return "";
+  std::ostringstream text;
+  text << "rounding changes displacements or forces by the relative amount " << rounding(level)
+       << " (allowed: 1e-6), because " << causes_of_rounding;
+  return text.str();
+}
+
+std::string check_dual_problem(const LevelRecord &level, const Judge &judge)
+{
+  if (level.dual.converged && level.dual.kkt <= judge.tolerance())
+    return "";
+  std::ostringstream text;
+  text << "the contact solver stopped after " << level.dual.iterations
+       << " iterations with the KKT residual " << level.dual.kkt << ", above the tolerance "
+       << judge.tolerance()
+       << ": raise Maximum iterations, take a Relaxation between 1 and 1.2, or the active set.";
+  return text.str();
+}
+
+std::string check_residuals(const LevelRecord &level, const Judge &judge)
+{
+  const double residual = largest_residual(level.certificate);
+  const double bound = judge.residual_bound(level);
+  if (residual <= bound)
+    return "";
+  std::ostringstream text;
+  text << "the largest residual of the certificate is " << residual << ", above " << bound;
+  if (rounding(level) > noticeable_rounding)
+    text << "; rounding leaves no more, because " << causes_of_rounding;
+  else
+    text << ".";
+  return text.str();
+}
+} // namespace Signorini

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Each judgement with what it says, their order, and the bound on residuals.
+
+#include <signorini/verdict/judge.h>
+#include <signorini/verdict/residuals.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+const Judge judge(1e-10);
+
+bool begins_with(const std::string &text, const std::string &beginning)
+{
+  return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+/** A residual that is not a number is not a small one, whichever it is. */
+void residuals(Checks &checks)
+{
+  double Certificate::*const members[] = {&Certificate::stationarity,
+                                          &Certificate::penetration,
+                                          &Certificate::sign,
+                                          &Certificate::complementarity,
+                                          &Certificate::duality_gap,
+                                          &Certificate::force_balance,
+                                          &Certificate::moment_balance};
+  bool noticed = true;
+  for (const auto member : members)
+  {
+    Certificate certificate;
+    certificate.*member = std::nan("");
+    noticed = noticed && std::isnan(largest_residual(certificate));
+    certificate.*member = 0.5;
+    noticed = noticed && largest_residual(certificate) == 0.5;
+  }
+  checks.that("the largest residual, and what is not a number", noticed);
+  Certificate curved;
+  curved.moment_balance = 0.5;
+  curved.moments_are_exact = false;
+  checks.near("moments of curved cells do not count", largest_residual(curved), 0., 0.);
+}
+
+void bounds(Checks &checks)
+{
+  LevelRecord level;
+  checks.near("without rounding", judge.residual_bound(level), 1e-8, 1e-22);
+  checks.near("of a large tolerance", Judge(1e-6).residual_bound(level), 1e-4, 1e-18);
+  level.linear.rounding_error = 1e-9;
+  checks.near("of rounding in U", judge.residual_bound(level), 1e-7, 1e-21);
+  level.certificate.rounding = 1e-8;
+  checks.near("of rounding in forces", judge.residual_bound(level), 1e-6, 1e-20);
+  level.certificate.rounding = 1.;
+  checks.near("never above 1e-5", judge.residual_bound(level), 1e-5, 1e-19);
+  checks.near("the largest of a study",
+              judge.verdict({LevelRecord(), level, LevelRecord()}).residual_bound,
+              1e-5,
+              1e-19);
+  checks.near("without levels", judge.unfinished({}).residual_bound, 1e-8, 1e-22);
+}
+
+/** From the last cause to the first: each one hides those behind it. */
+void doubts(Checks &checks)
+{
+  LevelRecord level;
+  checks.that("no doubt", judge.accepts(level) && judge.doubt(level).empty());
+  level.certificate.force_balance = 1e-3;
+  checks.that("a large residual",
+              judge.doubt(level) ==
+                "the largest residual of the certificate is 0.001, above 1e-08.");
+  level.linear.rounding_error = 1e-9;
+  checks.that("a large residual with rounding",
+              begins_with(judge.doubt(level),
+                          "the largest residual of the certificate is 0.001, above 1e-07; rounding "
+                          "leaves no more, because the stiffness matrix is ill-conditioned"));
+  level.dual.kkt = 1e-9;
+  level.dual.iterations = 7;
+  checks.that("a KKT residual above the tolerance",
+              begins_with(judge.doubt(level),
+                          "the contact solver stopped after 7 iterations with the KKT residual "
+                          "1e-09, above the tolerance 1e-10: raise Maximum iterations"));
+  level.dual = DualSolve();
+  level.dual.converged = false;
+  checks.that("no convergence", begins_with(judge.doubt(level), "the contact solver stopped"));
+  level.linear.rounding_error = 1e-5;
+  checks.that("rounding",
+              begins_with(judge.doubt(level),
+                          "rounding changes displacements or forces by the relative amount 1e-05 "
+                          "(allowed: 1e-6), because the stiffness matrix is ill-conditioned"));
+  level.dual.kkt = std::numeric_limits<double>::infinity();
+  checks.that("overflow", begins_with(judge.doubt(level), "numbers overflow"));
+}
+
+std::vector<LevelRecord> three_levels()
+{
+  std::vector<LevelRecord> levels(3);
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    levels[k].sizes.level = k + 2;
+    levels[k].estimate = ErrorEstimate{std::pow(0.5, k), 0.1 * std::pow(0.5, k)};
+  }
+  return levels;
+}
+
+/** From the last cause to the first, likewise. */
+void studies(Checks &checks)
+{
+  std::vector<LevelRecord> levels = three_levels();
+  const StudyVerdict good = judge.verdict(levels);
+  checks.that("certified", good.is_certified() && good.reason.empty());
+  levels[2].estimate->absolute = levels[1].estimate->absolute;
+  checks.that("one level without progress is none too many", judge.verdict(levels).is_certified());
+  for (LevelRecord &level : levels)
+    level.estimate->absolute = 1.;
+  checks.that("the estimate does not fall",
+              begins_with(judge.verdict(levels).reason, "The estimated error does not fall"));
+  checks.that("two levels do not show it", judge.verdict({levels[0], levels[1]}).is_certified());
+  levels[1].estimate->relative = 1e-9;
+  checks.that("an estimate that is rounding", judge.verdict(levels).is_certified());
+  levels[1].estimate->relative = 0.1;
+  levels[2].locking_number = 0.5;
+  checks.that("locking",
+              begins_with(judge.verdict(levels).reason, "The body is nearly incompressible") &&
+                judge.verdict(levels).reason.find("level 4: K/mu (h/l)^2 = 0.5, allowed: at most "
+                                                  "0.25;") != std::string::npos);
+  levels[2].dual.unique = false;
+  checks.that(
+    "many pressures",
+    begins_with(judge.verdict(levels).reason, "Level 4: the contact pressure is not unique"));
+  levels[1].dual.converged = false;
+  const StudyVerdict bad = judge.verdict(levels);
+  checks.that("a level in doubt", begins_with(bad.reason, "Level 3: the contact solver stopped"));
+  checks.that("not certified", bad.outcome == Outcome::not_certified && !bad.is_certified());
+  levels = three_levels();
+  levels[1].dual.unique = false;
+  checks.that("only the finest level's pressure must be unique",
+              judge.verdict(levels).is_certified());
+}
+
+void endings(Checks &checks)
+{
+  std::vector<LevelRecord> levels(1);
+  const StudyVerdict unfinished = judge.unfinished(levels);
+  checks.that("unfinished", !unfinished.is_certified() && unfinished.reason.empty());
+  const StudyVerdict failed = judge.failed(levels, "it failed.");
+  checks.that("failed", !failed.is_certified() && failed.reason == "it failed.");
+  const StudyVerdict empty = judge.verdict({});
+  checks.that("no level at all", !empty.is_certified() && !empty.reason.empty());
+  checks.that("words",
+              word_for(Outcome::unfinished) == std::string("unfinished") &&
+                word_for(Outcome::certified) == std::string("certified") &&
+                word_for(Outcome::not_certified) == std::string("not certified"));
+}
+} // namespace
+
+int main()
+{
+  Checks checks;
+  residuals(checks);
+  bounds(checks);
+  doubts(checks);
+  studies(checks);
+  endings(checks);
+  return checks.exit_code();
+}
