@@ -182,7 +182,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
   numbers.bound_30 = errors.post_h1;
 
   const dealii::TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
-  const auto inverse = factorise(A_1, linear_solver);
+  const auto inverse = factorise(A_1, 1., linear_solver);
   // a(u, phi_j) = f(phi_j) + [p, B phi_j].
   DistributedVector defect = test_on_contact(space, multipliers, n_points, exact_p);
   defect += loads;

@@ -140,5 +140,7 @@ Columns<ErrorEstimate> ErrorEstimate::columns()
 }
 
 template ErrorEstimate estimate_error(const DisplacementSpace<2> &, const NodalVector &);
+template ErrorEstimate estimate_error(const DisplacementSpace<3> &, const NodalVector &);
 template unsigned int best_interpolation(const DisplacementSpace<2> &, const NodalVector &);
+template unsigned int best_interpolation(const DisplacementSpace<3> &, const NodalVector &);
 } // namespace Signorini

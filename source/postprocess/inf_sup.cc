@@ -30,8 +30,9 @@ double measure_inf_sup(const DisplacementSpace<dim> &space,
                        const LinearSolver linear_solver)
 {
   const dealii::TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
-  const auto inverse = factorise(A_1, linear_solver, contact_unknowns(condensed_D));
-  auto DA_1D = to_lapack(compute_compliance(*inverse, space, condensed_D));
+  const auto inverse = factorise(A_1, 1., linear_solver, contact_unknowns(condensed_D));
+  double seconds = 0.;
+  auto DA_1D = to_lapack(make_compliance(*inverse, condensed_D, seconds)->dense());
   auto S = to_lapack(dual_gram_matrix(multipliers.surface()));
   std::vector<dealii::Vector<double>> no_eigenvectors;
   DA_1D.compute_generalized_eigenvalues_symmetric(S, no_eigenvectors);

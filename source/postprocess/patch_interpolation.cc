@@ -4,6 +4,9 @@
 #include <signorini/postprocess/patch_interpolation.h>
 
 #include <deal.II/base/polynomial.h>
+#include <deal.II/fe/fe_q.h>
+
+#include <algorithm>
 
 namespace Signorini
 {
@@ -19,10 +22,46 @@ unsigned int child_number(const CellIterator &parent, const int index)
   return c;
 }
 
-/** Coordinate d (0 or 1) of a vertex of the unit cell, or of a child's place in its parent. */
+/** Coordinate d (0 or 1) of a child's place in its parent. */
 unsigned int bit(const unsigned int number, const unsigned int d)
 {
   return (number >> d) & 1U;
+}
+/** The nodes of the element of degree p in one dimension, ascending from 0 to 1. */
+std::vector<dealii::Point<1>> nodes_on_line(const unsigned int degree)
+{
+  std::vector<dealii::Point<1>> nodes = dealii::FE_Q<1>(degree).get_unit_support_points();
+  std::sort(nodes.begin(), nodes.end(), [](const auto &a, const auto &b) { return a[0] < b[0]; });
+  return nodes;
+}
+
+/** The same on n cells next to each other, which fill [0, 1]. */
+std::vector<dealii::Point<1>> nodes_on_line(const unsigned int degree, const unsigned int n_cells)
+{
+  std::vector<dealii::Point<1>> nodes = {dealii::Point<1>(0.)};
+  const std::vector<dealii::Point<1>> on_cell = nodes_on_line(degree);
+  for (unsigned int c = 0; c < n_cells; ++c)
+    for (unsigned int i = 1; i < on_cell.size(); ++i)
+      nodes.emplace_back((c + on_cell[i][0]) / n_cells);
+  return nodes;
+}
+
+/** For every node of an element: how many nodes come before it in each direction. */
+template <int dim>
+std::vector<std::array<unsigned int, dim>> places_of_nodes(const dealii::FiniteElement<dim> &element)
+{
+  const std::vector<dealii::Point<1>> line = nodes_on_line(element.degree);
+  std::vector<std::array<unsigned int, dim>> places;
+  for (const dealii::Point<dim> &node : element.base_element(0).get_unit_support_points())
+  {
+    places.emplace_back();
+    for (unsigned int d = 0; d < dim; ++d)
+      places.back()[d] = static_cast<unsigned int>(
+        std::count_if(line.begin(), line.end(), [&](const auto &x) {
+          return x[0] < node[d] - 1e-10;
+        }));
+  }
+  return places;
 }
 } // namespace
 
@@ -32,8 +71,11 @@ PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
                                             const unsigned int n_generations)
   : space_(space)
   , n_generations_(n_generations)
-  , degree_(1U << n_generations)
-  , polynomials_(dealii::Polynomials::LagrangeEquidistant::generate_complete_basis(degree_))
+  , n_cells_(1U << n_generations)
+  , degree_(n_cells_ * space.element().degree)
+  , nodes_of_cell_(places_of_nodes(space.element()))
+  , polynomials_(dealii::Polynomials::generate_complete_Lagrange_basis(
+      nodes_on_line(space.element().degree, n_cells_)))
   , usual_points_(usual_rule.get_points())
   , ancestor_(space.dofs().end())
   , nodal_dofs_(polynomials_.n())
@@ -42,12 +84,12 @@ PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
 {
   Assert(space.mesh().n_nested_ancestors() >= n_generations,
          dealii::ExcMessage("patch interpolation needs the levels before"));
-  const unsigned int n_places = dealii::Utilities::pow(degree_, dim);
+  const unsigned int n_places = dealii::Utilities::pow(n_cells_, dim);
   for (unsigned int i = 0; i < n_places; ++i)
   {
     Place place;
-    for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= degree_)
-      place[d] = rest % degree_;
+    for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= n_cells_)
+      place[d] = rest % n_cells_;
     tables_.push_back(make_table(usual_points_, place));
   }
 }
@@ -78,11 +120,11 @@ PatchInterpolation<dim>::make_table(const std::vector<dealii::Point<dim>> &point
   {
     dealii::Point<dim> in_ancestor;
     for (unsigned int d = 0; d < dim; ++d)
-      in_ancestor[d] = (point[d] + place[d]) / degree_;
+      in_ancestor[d] = (point[d] + place[d]) / n_cells_;
     polynomials_.evaluate(in_ancestor, values, gradients, second, third, fourth);
     table.values.insert(table.values.end(), values.begin(), values.end());
     for (const dealii::Tensor<1, dim> &gradient : gradients)
-      table.gradients.push_back(gradient / degree_);
+      table.gradients.push_back(gradient / n_cells_);
   }
   return table;
 }
@@ -92,7 +134,7 @@ const typename PatchInterpolation<dim>::ShapeTable &
 PatchInterpolation<dim>::table(const dealii::Quadrature<dim> &quadrature, const Place &place)
 {
   if (quadrature.get_points() == usual_points_)
-    return tables_[lexicographic(place, degree_)];
+    return tables_[lexicographic(place, n_cells_)];
   cut_table_ = make_table(quadrature.get_points(), place);
   return cut_table_;
 }
@@ -114,11 +156,11 @@ void PatchInterpolation<dim>::find_nodes(const AncestorIterator &cell, const Pla
   CellIterator(cell)->get_dof_indices(cell_dofs_);
   for (unsigned int i = 0; i < cell_dofs_.size(); ++i)
   {
-    const auto component_and_vertex = space_.element().system_to_component_index(i);
-    Place node = place;
+    const auto [component, number] = space_.element().system_to_component_index(i);
+    Place node = nodes_of_cell_[number];
     for (unsigned int d = 0; d < dim; ++d)
-      node[d] += bit(component_and_vertex.second, d);
-    nodal_dofs_[lexicographic(node, degree_ + 1)][component_and_vertex.first] = cell_dofs_[i];
+      node[d] += space_.element().degree * place[d];
+    nodal_dofs_[lexicographic(node, degree_ + 1)][component] = cell_dofs_[i];
   }
 }
 
@@ -165,4 +207,5 @@ const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const NodalVector &U,
 }
 
 template class PatchInterpolation<2>;
+template class PatchInterpolation<3>;
 } // namespace Signorini

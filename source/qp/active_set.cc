@@ -35,13 +35,10 @@ Vector solve_on_set(const BoundConstrainedQP &qp, const ActiveSet &active)
     P[i] = 0.;
   const Vector minus_rhs = qp.gradient(P);
   dealii::LAPACKFullMatrix<double> C_AA(A.size(), A.size());
+  C_AA = submatrix(*qp.C, A);
   Vector P_A(A.size());
   for (unsigned int r = 0; r < A.size(); ++r)
-  {
     P_A[r] = -minus_rhs[A[r]];
-    for (unsigned int c = 0; c < A.size(); ++c)
-      C_AA(r, c) = qp.C(A[r], A[c]);
-  }
   C_AA.set_property(dealii::LAPACKSupport::symmetric);
   C_AA.compute_cholesky_factorization();
   C_AA.solve(P_A);

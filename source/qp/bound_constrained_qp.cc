@@ -10,30 +10,37 @@
 
 namespace Signorini
 {
+BoundConstrainedQP::BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C_,
+                                       Vector F_,
+                                       Vector bound_)
+  : C(std::move(C_))
+  , diagonal(C->diagonal())
+  , F(std::move(F_))
+  , bound(std::move(bound_))
+{
+  if (C->size() != F.size() || bound.size() != F.size())
+    throw std::invalid_argument("The sizes of C, F and the bound do not fit together.");
+  for (unsigned int i = 0; i < size(); ++i)
+    if (!(diagonal[i] > 0.))
+      throw std::invalid_argument("C has a diagonal entry that is not positive: row " +
+                                  std::to_string(i) + ".");
+}
+
+BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, Vector F_, Vector bound_)
+  : BoundConstrainedQP(std::make_shared<const DenseCompliance>(std::move(C_)),
+                       std::move(F_),
+                       std::move(bound_))
+{
+}
+
 BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, const Vector &F_)
   : BoundConstrainedQP(std::move(C_), F_, Vector(F_.size()))
 {
 }
 
-BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, Vector F_, Vector bound_)
-  : C(std::move(C_))
-  , F(std::move(F_))
-  , bound(std::move(bound_))
-{
-  if (C.m() != F.size() || C.n() != F.size() || bound.size() != F.size())
-    throw std::invalid_argument("The sizes of C, F and the bound do not fit together.");
-  for (unsigned int i = 0; i < size(); ++i)
-    if (!(C(i, i) > 0.))
-      throw std::invalid_argument("C has a diagonal entry that is not positive: row " +
-                                  std::to_string(i) + ".");
-}
-
 BoundConstrainedQP::Vector BoundConstrainedQP::gradient(const Vector &P) const
 {
-  Vector W(size());
-  if (size() == 0)
-    return W;
-  C.vmult(W, P);
+  Vector W = C->apply(P);
   W -= F;
   return W;
 }
@@ -54,10 +61,10 @@ double BoundConstrainedQP::kkt_residual(const Vector &P) const
   double size_of_F = 0.;
   for (unsigned int i = 0; i < size(); ++i)
   {
-    const double r = P[i] - std::min(bound[i], P[i] - W[i] / C(i, i));
+    const double r = P[i] - std::min(bound[i], P[i] - W[i] / diagonal[i]);
     residual += r * r;
     size_of_P += P[i] * P[i];
-    size_of_F += F[i] * F[i] / (C(i, i) * C(i, i));
+    size_of_F += F[i] * F[i] / (diagonal[i] * diagonal[i]);
   }
   const double scale = std::max(size_of_P, size_of_F);
   return scale > 0. ? std::sqrt(residual / scale) : std::sqrt(residual);
@@ -74,8 +81,7 @@ bool BoundConstrainedQP::has_unique_solution(const Vector &P) const
   const auto n = static_cast<unsigned int>(touching.size());
   if (n == 0)
     return true;
-  dealii::FullMatrix<double> C_TT(n, n);
-  C_TT.extract_submatrix_from(C, touching, touching);
+  const dealii::FullMatrix<double> C_TT = submatrix(*C, touching);
   dealii::LAPACKFullMatrix<double> L(n, n);
   L = C_TT;
   L.set_property(dealii::LAPACKSupport::symmetric);

@@ -32,14 +32,12 @@ Indices find_outside(const Indices &K, const unsigned int m, const Predicate &is
 }
 } // namespace
 
-QPResult solve_on_growing_set(const Vector &F,
+QPResult solve_on_growing_set(const ComplianceOperator &C,
+                              const Vector &F,
                               const Vector &start,
-                              const ColumnSource &columns,
-                              const QPSolver &solve,
-                              dealii::FullMatrix<double> &C)
+                              const QPSolver &solve)
 {
   const unsigned int m = F.size();
-  C.reinit(m, m);
   QPResult whole;
   whole.P = start.size() > 0 ? start : Vector(m);
   Indices K;
@@ -53,12 +51,9 @@ QPResult solve_on_growing_set(const Vector &F,
   whole.converged = joining.empty(); // then P = 0 it is
   for (bool first = true; !joining.empty(); first = false)
   {
-    columns(joining, C);
     K.insert(K.end(), joining.begin(), joining.end());
     std::sort(K.begin(), K.end());
-    dealii::FullMatrix<double> C_KK(K.size(), K.size());
-    C_KK.extract_submatrix_from(C, K, K);
-    const QPResult on_K = solve(BoundConstrainedQP(std::move(C_KK), restrict_to(K, F)),
+    const QPResult on_K = solve(BoundConstrainedQP(submatrix(C, K), restrict_to(K, F)),
                                 first && !has_start ? Vector() : restrict_to(K, whole.P));
     whole.P = 0.;
     for (unsigned int i = 0; i < K.size(); ++i)
@@ -68,9 +63,9 @@ QPResult solve_on_growing_set(const Vector &F,
     whole.converged = on_K.converged;
     whole.cycled = whole.cycled || on_K.cycled;
     whole.unique = on_K.unique;
-    Vector W(m);
-    C.vmult(W, whole.P);
-    joining = find_outside(K, m, [&](const unsigned int i) { return W[i] - F[i] > 0.; });
+    whole.active_set_failure = on_K.active_set_failure;
+    const Vector C_P = C.apply(whole.P);
+    joining = find_outside(K, m, [&](const unsigned int i) { return C_P[i] - F[i] > 0.; });
   }
   return whole;
 }

@@ -10,10 +10,11 @@ namespace Signorini
 {
 double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, dealii::Vector<double> &P)
 {
+  const dealii::FullMatrix<double> &C = qp.C->dense();
   double squared_increment = 0.;
   for (unsigned int i = 0; i < qp.size(); ++i)
   {
-    const double *row = &qp.C(i, 0);
+    const double *row = &C(i, 0);
     double CP_i = 0.;
     for (unsigned int j = 0; j < qp.size(); ++j)
       CP_i += row[j] * P[j];

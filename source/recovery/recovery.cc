@@ -25,4 +25,9 @@ template NodalVector recover_displacement(const StiffnessInverse &,
                                           const Coupling &,
                                           const dealii::Vector<double> &,
                                           const DistributedVector &);
+template NodalVector recover_displacement(const StiffnessInverse &,
+                                          const DisplacementSpace<3> &,
+                                          const Coupling &,
+                                          const dealii::Vector<double> &,
+                                          const DistributedVector &);
 } // namespace Signorini

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cholmod.h>
+#include <cmath>
 #include <new>
 
 namespace Signorini
@@ -259,20 +260,25 @@ public:
     return smallest;
   }
 
-  /** x = A^{-1} b. */
-  void solve(double *const x, const double *const b)
+  /** X = A^{-1} B for n right-hand sides, one column after another. */
+  void solve(std::vector<double> &X, std::vector<double> &B, const Long n)
   {
-    cholmod_dense right_hand_side = {};
-    right_hand_side.nrow = right_hand_side.d = right_hand_side.nzmax = n_;
-    right_hand_side.ncol = 1;
-    right_hand_side.x = const_cast<double *>(b); // CHOLMOD reads it only
-    right_hand_side.xtype = CHOLMOD_REAL;
-    right_hand_side.dtype = CHOLMOD_DOUBLE;
+    cholmod_dense right_hand_sides = {};
+    right_hand_sides.nrow = right_hand_sides.d = n_;
+    right_hand_sides.ncol = n;
+    right_hand_sides.nzmax = n_ * n;
+    right_hand_sides.x = B.data();
+    right_hand_sides.xtype = CHOLMOD_REAL;
+    right_hand_sides.dtype = CHOLMOD_DOUBLE;
     cholmod_l_solve2(
-      CHOLMOD_A, L_, &right_hand_side, nullptr, &x_, nullptr, &y_, &e_, &workspace_.common);
+      CHOLMOD_A, L_, &right_hand_sides, nullptr, &x_, nullptr, &y_, &e_, &workspace_.common);
     workspace_.check();
     const double *const solution = static_cast<double *>(x_->x);
-    std::copy(solution, solution + n_, x);
+    X.assign(solution, solution + n_ * n);
+  }
+  Long n_rows() const
+  {
+    return n_;
   }
 
 private:
@@ -306,40 +312,47 @@ private:
   cholmod_dense *e_ = nullptr;
 };
 
-CondensedInverse::CondensedInverse(const dealii::TrilinosWrappers::SparseMatrix &A,
+CondensedInverse::CondensedInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+                                   const double unit,
                                    const std::vector<Index> &last)
-  : StiffnessInverse(A)
-  , factor_(std::make_unique<Factor>(Rows(A), last))
+  : StiffnessInverse(matrix, unit)
+  , factor_(std::make_unique<Factor>(Rows(matrix), last))
 {
   const Long first = factor_->first_of_last();
   for (unsigned int row = 0; row < last.size(); ++row)
-    schur_rows_[factor_->order()[first + row]] = row;
-  if (!(factor_->smallest_pivot(A) > doubtful_pivot))
+    rows_[factor_->order()[first + row]] = row;
+  if (!(factor_->smallest_pivot(matrix) > doubtful_pivot))
     refuse_singular_matrix();
 }
 
 CondensedInverse::~CondensedInverse() = default;
 
-bool CondensedInverse::eliminates_last(const std::vector<Index> &unknowns) const
+std::optional<TrailingFactor>
+CondensedInverse::trailing_factor(const std::vector<Index> &unknowns) const
 {
-  return std::all_of(
-    unknowns.begin(), unknowns.end(), [&](const Index i) { return schur_rows_.count(i) == 1; });
-}
-
-dealii::LAPACKFullMatrix<double> CondensedInverse::schur_factor() const
-{
+  if (!std::all_of(
+        unknowns.begin(), unknowns.end(), [&](const Index i) { return rows_.count(i) == 1; }))
+    return {};
   const Long first = factor_->first_of_last();
-  const auto n = static_cast<unsigned int>(schur_rows_.size());
-  dealii::LAPACKFullMatrix<double> L_22(n, n);
+  const auto n = static_cast<unsigned int>(rows_.size());
+  TrailingFactor trailing = {dealii::LAPACKFullMatrix<double>(n, n), rows_};
+  const double root = std::sqrt(unit());
   factor_->for_each_entry(first, [&](const Long i, const Long j, const double L_ij) {
-    L_22(i - first, j - first) = L_ij;
+    trailing.L(i - first, j - first) = root * L_ij;
   });
-  L_22.set_property(dealii::LAPACKSupport::lower_triangular);
-  return L_22;
+  trailing.L.set_property(dealii::LAPACKSupport::lower_triangular);
+  return trailing;
 }
 
-void CondensedInverse::apply(Vector &x, const Vector &b) const
+void CondensedInverse::apply(std::vector<Vector> &x, const std::vector<Vector> &b) const
 {
-  factor_->solve(x.trilinos_vector()[0], b.trilinos_vector()[0]);
+  const auto n = static_cast<std::size_t>(factor_->n_rows());
+  std::vector<double> B, X;
+  B.reserve(n * b.size());
+  for (const Vector &right_hand_side : b)
+    B.insert(B.end(), right_hand_side.begin(), right_hand_side.end());
+  factor_->solve(X, B, static_cast<Long>(b.size()));
+  for (std::size_t k = 0; k < x.size(); ++k)
+    std::copy(X.begin() + k * n, X.begin() + (k + 1) * n, x[k].begin());
 }
 } // namespace Signorini

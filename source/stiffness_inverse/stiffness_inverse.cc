@@ -18,14 +18,6 @@ namespace Signorini
 {
 namespace
 {
-/** Residuals above this part of |b| are refined once. */
-constexpr double refine_above = 1e-12;
-/** Once refinement has changed x by less than this part, so has it for other right-hand sides with
- * residuals like that. */
-constexpr double harmless = 1e-9;
-/** A solution that refinement changes by more than this part is refused. */
-constexpr double refuse_above = 1e-4;
-
 /** A number in [-1, 1) without a pattern that a kernel could be orthogonal to (a hash of i). */
 double irregular_number(const dealii::types::global_dof_index i)
 {
@@ -37,31 +29,35 @@ double irregular_number(const dealii::types::global_dof_index i)
 class AmesosInverse final : public StiffnessInverse
 {
 public:
-  AmesosInverse(const dealii::TrilinosWrappers::SparseMatrix &A, const std::string &type)
-    : StiffnessInverse(A)
-    , n_threads_(type == "Amesos_Mumps" ? number_of_threads(A.get_mpi_communicator()) : 1)
+  AmesosInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+                const double unit,
+                const char *const type,
+                const unsigned int n_threads)
+    : StiffnessInverse(matrix, unit)
+    , n_threads_(n_threads)
     , solver_(control_, dealii::TrilinosWrappers::SolverDirect::AdditionalData(false, type))
   {
     const LibraryThreads threads(n_threads_);
     try
     {
-      solver_.initialize(A);
+      solver_.initialize(matrix);
     }
     catch (const dealii::ExceptionBase &)
     {
-      throw ComputationError("The factorisation of the stiffness matrix by " + type +
+      throw ComputationError("The factorisation of the stiffness matrix by " + std::string(type) +
                              " failed: the matrix is singular, or memory ran out.");
     }
     refuse_singular_matrix();
   }
 
 private:
-  void apply(Vector &x, const Vector &b) const override
+  void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const override
   {
     const LibraryThreads threads(n_threads_);
     try
     {
-      solver_.solve(x, b);
+      for (std::size_t k = 0; k < x.size(); ++k)
+        solver_.solve(x[k], b[k]);
     }
     catch (const dealii::ExceptionBase &)
     {
@@ -76,13 +72,22 @@ private:
 };
 } // namespace
 
-StiffnessInverse::StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &A)
-  : A_(A)
-  , scaling_(A.locally_owned_range_indices(), A.get_mpi_communicator())
+StiffnessInverse::StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+                                   const double unit,
+                                   const SolveAccuracy &accuracy)
+  : matrix_(matrix)
+  , unit_(unit)
+  , accuracy_(accuracy)
+  , scaling_(make_vector())
 {
-  for (const auto i : A.locally_owned_range_indices())
-    scaling_(i) = 1. / std::sqrt(A.diag_element(i));
+  for (const auto i : matrix.locally_owned_range_indices())
+    scaling_(i) = 1. / std::sqrt(matrix.diag_element(i));
   scaling_.compress(dealii::VectorOperation::insert);
+}
+
+StiffnessInverse::Vector StiffnessInverse::make_vector() const
+{
+  return Vector(matrix_.locally_owned_range_indices(), communicator());
 }
 
 double StiffnessInverse::scaled_norm(const Vector &r) const
@@ -94,53 +99,67 @@ double StiffnessInverse::scaled_norm(const Vector &r) const
 
 double StiffnessInverse::refine(Vector &x, const Vector &r) const
 {
-  Vector correction(r);
-  apply(correction, r);
-  x += correction;
+  std::vector<Vector> correction = {r};
+  apply(correction, {r});
+  x += correction[0];
   const double size = x.l2_norm();
-  return size > 0. ? correction.l2_norm() / size : 0.;
+  return size > 0. ? correction[0].l2_norm() / size : 0.;
+}
+
+StiffnessInverse::Check StiffnessInverse::improve(Vector &x, const Vector &b) const
+{
+  Vector r(b);
+  matrix_.residual(r, x, b);
+  const double size = scaled_norm(b);
+  Check check;
+  check.residual = size > 0. ? scaled_norm(r) / size : 0.;
+  if (check.residual < accuracy_.refine_above)
+    return check;
+  check.rounding_error = refine(x, r);
+  if (!(check.rounding_error < accuracy_.refuse_above))
+  {
+    std::ostringstream message;
+    message << "Rounding errors are too large in a linear solve: one step of refinement changes the "
+               "solution by the relative amount "
+            << check.rounding_error << ", allowed: " << accuracy_.refuse_above
+            << "; the stiffness matrix is singular or too ill-conditioned (Poisson's ratio near "
+               "1/2, moduli of very different size, a very slender body).";
+    throw ComputationError(message.str());
+  }
+  matrix_.residual(r, x, b);
+  check.residual = scaled_norm(r) / size;
+  return check;
+}
+
+void StiffnessInverse::solve(std::vector<Vector> &x, const std::vector<Vector> &b) const
+{
+  apply(x, b);
+  for (std::size_t k = 0; k < x.size(); ++k)
+  {
+    const Check check = improve(x[k], b[k]);
+    x[k] /= unit_;
+    ++n_solves_;
+    largest_residual_ = std::max(largest_residual_, check.residual);
+    rounding_error_ = std::max(rounding_error_, check.rounding_error);
+  }
 }
 
 void StiffnessInverse::solve(Vector &x, const Vector &b) const
 {
-  ++n_solves_;
-  apply(x, b);
-  Vector r(b);
-  A_.residual(r, x, b);
-  const double size = scaled_norm(b);
-  double residual = size > 0. ? scaled_norm(r) / size : 0.;
-  const bool is_known = residual <= largest_residual_ && rounding_error_ < harmless;
-  if (!(residual < refine_above || is_known))
-  {
-    const double change = refine(x, r);
-    rounding_error_ = std::max(rounding_error_, change);
-    if (!(change < refuse_above))
-    {
-      std::ostringstream message;
-      message
-        << "A linear solve is spoilt by rounding: refinement changes the solution by the part "
-        << change
-        << ", more than 1e-4; the stiffness matrix is singular or too ill-conditioned "
-           "(Poisson's ratio near 1/2, moduli of very different size, a very slender body).";
-      throw ComputationError(message.str());
-    }
-    A_.residual(r, x, b);
-    residual = scaled_norm(r) / size;
-  }
-  largest_residual_ = std::max(largest_residual_, residual);
+  std::vector<Vector> several = {x};
+  solve(several, {b});
+  x = several[0];
 }
 
 void StiffnessInverse::refuse_singular_matrix() const
 {
-  Vector b(A_.locally_owned_range_indices(), A_.get_mpi_communicator());
-  for (const auto i : A_.locally_owned_range_indices())
+  Vector b = make_vector();
+  for (const auto i : matrix_.locally_owned_range_indices())
     b(i) = irregular_number(i);
   b.compress(dealii::VectorOperation::insert);
-  Vector x(b);
-  solve(x, b);
-  n_solves_ = 0;
-  largest_residual_ = 0.;
-  rounding_error_ = 0.;
+  std::vector<Vector> x = {b};
+  apply(x, {b});
+  improve(x[0], b);
 }
 
 LinearSolver resolve(const LinearSolver solver, const unsigned int n_ranks)
@@ -151,21 +170,24 @@ LinearSolver resolve(const LinearSolver solver, const unsigned int n_ranks)
 }
 
 std::unique_ptr<StiffnessInverse>
-factorise(const dealii::TrilinosWrappers::SparseMatrix &A,
+factorise(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+          const double unit,
           const LinearSolver solver,
           const std::vector<dealii::types::global_dof_index> &contact_unknowns)
 {
-  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(A.get_mpi_communicator());
+  MPI_Comm communicator = matrix.get_mpi_communicator();
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   switch (resolve(solver, n_ranks))
   {
   case LinearSolver::condensed:
     AssertThrow(n_ranks == 1,
                 dealii::ExcMessage("The condensed factorisation works on one rank only."));
-    return std::make_unique<CondensedInverse>(A, contact_unknowns);
+    return std::make_unique<CondensedInverse>(matrix, unit, contact_unknowns);
   case LinearSolver::amesos_klu:
-    return std::make_unique<AmesosInverse>(A, "Amesos_Klu");
+    return std::make_unique<AmesosInverse>(matrix, unit, "Amesos_Klu", 1);
   default:
-    return std::make_unique<AmesosInverse>(A, "Amesos_Mumps");
+    return std::make_unique<AmesosInverse>(
+      matrix, unit, "Amesos_Mumps", number_of_threads(communicator));
   }
 }
 } // namespace Signorini

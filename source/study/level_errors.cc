@@ -11,7 +11,7 @@ template <int dim>
 void add_errors(const Parameters &parameters,
                 const Scene<dim> &scene,
                 const Discretization<dim> &discretization,
-                const ExactPressure<dim> *pressure,
+                const ExactPressure *pressure,
                 LevelSolution<dim> &solution)
 {
   if (!parameters.output.errors)
@@ -43,6 +43,6 @@ void add_errors(const Parameters &parameters,
 template void add_errors(const Parameters &,
                          const Scene<2> &,
                          const Discretization<2> &,
-                         const ExactPressure<2> *,
+                         const ExactPressure *,
                          LevelSolution<2> &);
 } // namespace Signorini

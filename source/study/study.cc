@@ -24,7 +24,7 @@ struct StudyContext
   const Parameters &parameters;
   const Scene<dim> &scene;
   /** Null if it is not known. */
-  std::unique_ptr<const ExactPressure<dim>> exact_pressure;
+  std::unique_ptr<const ExactPressure> exact_pressure;
   MPI_Comm communicator;
 };
 
@@ -41,7 +41,7 @@ LevelRecord run_level(const StudyContext<dim> &context,
                       const unsigned int level,
                       const Progress &progress,
                       ResultsWriter &writer,
-                      StartingPressure &pressure)
+                      PatchPressure &pressure)
 {
   const Parameters &parameters = context.parameters;
   progress("mesh");
@@ -50,7 +50,7 @@ LevelRecord run_level(const StudyContext<dim> &context,
     solve_level(parameters,
                 context.scene,
                 discretization,
-                parameters.solver.warm_start ? pressure : StartingPressure(),
+                parameters.solver.warm_start ? pressure : PatchPressure(),
                 progress);
   progress("errors");
   add_errors(parameters, context.scene, discretization, context.exact_pressure.get(), solution);
@@ -63,7 +63,7 @@ LevelRecord run_level(const StudyContext<dim> &context,
     writer.write_fields(discretization, context.scene, solution, last);
   }
   solution.record.resources = measure_resources();
-  pressure = {discretization.multipliers.partition().patches, solution.P};
+  pressure = {discretization.surface.patches(), solution.P};
   return solution.record;
 }
 
@@ -96,7 +96,7 @@ StudyResult run_study(const Parameters &parameters,
   StudyContext<dim> context = {parameters, scene, nullptr, communicator};
   const bool errors = parameters.output.errors;
   if (errors && scene.has_exact_pressure())
-    context.exact_pressure = std::make_unique<const ExactPressure<dim>>(scene);
+    context.exact_pressure = std::make_unique<const ExactPressure>(scene);
   // What can be wrong before the first level has been found: earlier results are not lost for it.
   ResultsWriter writer(parameters, judge, report.directory, communicator);
   StudyResult result;

@@ -10,6 +10,15 @@ enum class PlaneState
   stress
 };
 
+/** The method for the dual problem. */
+enum class ContactSolver
+{
+  /** Projected SOR. */
+  psor,
+  /** The primal-dual active set method. */
+  active_set
+};
+
 /** How the stiffness matrix is factorised. */
 enum class LinearSolver
 {

@@ -33,13 +33,6 @@ enum class Element
   q1_b_bar
 };
 
-/** The method for the dual problem. */
-enum class ContactSolver
-{
-  psor,
-  active_set
-};
-
 /** The levels for which VTU files are written. */
 enum class VtuLevels
 {

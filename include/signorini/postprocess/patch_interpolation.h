@@ -21,10 +21,11 @@ struct FieldValues
 
 /**
  * Interpolation of nodal values by one polynomial on all descendants of a cell. Without generations
- * it is u_h, with one it is pi^{2h} of (30): the function of degree two per direction on each cell
- * of T^{2h} that takes the 3^dim nodal values of its children. With k generations it has the degree
- * 2^k on the cells of the k-th mesh before T^h and takes the (2^k + 1)^dim nodal values of their
- * descendants. Evaluated cell by cell of T^h, without unknowns of its own.
+ * it is u_h. With one and elements of degree one it is pi^{2h} of (30): the function of degree two
+ * per direction on each cell of T^{2h} that takes the 3^dim nodal values of its children. With k
+ * generations and elements of degree p it has the degree 2^k p on the cells of the k-th mesh before
+ * T^h and takes the (2^k p + 1)^dim nodal values of their descendants. Evaluated cell by cell of
+ * T^h, without unknowns of its own.
  *
  * Needs Mesh::n_nested_ancestors() >= k. Copies share nothing: one for each thread.
  */
@@ -69,8 +70,12 @@ private:
 
   const DisplacementSpace<dim> &space_;
   unsigned int n_generations_;
-  /** Cells per direction of the ancestor, which is the degree, too. */
+  /** Cells per direction of the ancestor: 2^k. */
+  unsigned int n_cells_;
+  /** Degree per direction: 2^k p. */
   unsigned int degree_;
+  /** The place of every node of the element among its (p + 1)^dim nodes, in the element's order. */
+  std::vector<Place> nodes_of_cell_;
   dealii::TensorProductPolynomials<dim> polynomials_;
   std::vector<dealii::Point<dim>> usual_points_;
   /** For all places, lexicographically. */

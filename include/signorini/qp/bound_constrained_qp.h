@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/vector.h>
+#include <signorini/qp/compliance_operator.h>
+
+#include <memory>
+#include <optional>
+#include <string>
 
 namespace Signorini
 {
@@ -17,10 +20,13 @@ struct BoundConstrainedQP
 
   /** For the contact problem the bound is zero. @throws std::invalid_argument
    * if the sizes do not fit or a diagonal entry of C is not positive. */
-  BoundConstrainedQP(dealii::FullMatrix<double> C, const Vector &F);
+  BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C, Vector F, Vector bound);
   BoundConstrainedQP(dealii::FullMatrix<double> C, Vector F, Vector bound);
+  BoundConstrainedQP(dealii::FullMatrix<double> C, const Vector &F);
 
-  dealii::FullMatrix<double> C;
+  std::shared_ptr<const ComplianceOperator> C;
+  /** Of C. */
+  Vector diagonal;
   Vector F;
   Vector bound;
 
@@ -56,7 +62,9 @@ struct QPResult
   unsigned int increment_iterations = 0;
   /** Active set: whether a set came back and single exchanges had to end the search. */
   bool cycled = false;
-  /** Whether P is known to be the only solution, or nobody asked. */
+  /** Whether P is the only solution, as far as that was examined. */
   bool unique = true;
+  /** Why the active set method failed where projected SOR answered instead. */
+  std::optional<std::string> active_set_failure;
 };
 } // namespace Signorini

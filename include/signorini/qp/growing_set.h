@@ -8,10 +8,6 @@
 
 namespace Signorini
 {
-/** Fills the given columns of C, and the rows of the same numbers. */
-using ColumnSource =
-  std::function<void(const std::vector<unsigned int> &columns, dealii::FullMatrix<double> &C)>;
-
 /** A solver of the dual problem with a start, which may be empty. */
 using QPSolver =
   std::function<QPResult(const BoundConstrainedQP &qp, const dealii::Vector<double> &start)>;
@@ -23,11 +19,9 @@ using QPSolver =
  *
  * @param start K begins with the patches that press in it, and their neighbours; where nothing
  * presses, with F < 0.
- * @param C m x m; on return it holds the rows and columns of K, zeros elsewhere.
  */
-QPResult solve_on_growing_set(const dealii::Vector<double> &F,
+QPResult solve_on_growing_set(const ComplianceOperator &C,
+                              const dealii::Vector<double> &F,
                               const dealii::Vector<double> &start,
-                              const ColumnSource &columns,
-                              const QPSolver &solve,
-                              dealii::FullMatrix<double> &C);
+                              const QPSolver &solve);
 } // namespace Signorini

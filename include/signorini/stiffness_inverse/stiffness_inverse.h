@@ -3,31 +3,84 @@
 
 #include <signorini/base/options.h>
 
+#include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Signorini
 {
-/** A^{-1}, factorised once and applied many times. */
+/**
+ * What factors know about unknowns that were eliminated last. Written in blocks, 2 those unknowns,
+ *
+ *     A = (A_11 A_21^T)   S = A_22 - A_21 A_11^{-1} A_21^T = L L^T,
+ *         (A_21 A_22  ),
+ *
+ * and (A^{-1})_22 = S^{-1} is known without a single solve.
+ */
+struct TrailingFactor
+{
+  using Index = dealii::types::global_dof_index;
+
+  /** Lower triangular. */
+  dealii::LAPACKFullMatrix<double> L;
+  /** The row of L that belongs to an unknown. */
+  std::map<Index, unsigned int> rows;
+};
+
+/** How accurate solves are. */
+struct SolveAccuracy
+{
+  /** A residual above this part of the right-hand side is refined once. */
+  double refine_above = 1e-12;
+  /** A solution that refinement changes by more than this part is refused. */
+  double refuse_above = 1e-4;
+};
+
+/**
+ * A^{-1}, for A = unit × matrix. The answer to a right-hand side depends on nothing that was solved
+ * before.
+ *
+ * A new solver derives from this class and says how apply() works: by factors, or by iterations,
+ * which give their own SolveAccuracy.
+ */
 class StiffnessInverse
 {
 public:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
+  using Index = dealii::types::global_dof_index;
 
   virtual ~StiffnessInverse() = default;
 
   /**
-   * x = A^{-1} b. The residual of every solve is computed. Where it is not small, one step of
-   * iterative refinement is taken; its size tells how many digits of x rounding has spoilt.
+   * x = A^{-1} b for every pair. The residual of every solve is computed. Where it is not small, one
+   * step of iterative refinement is taken; its size tells how many digits of x are lost to rounding.
    * Collective.
-   * @throws ComputationError if fewer than four digits are left.
+   * @throws ComputationError if too few digits are left, see SolveAccuracy.
    */
+  void solve(std::vector<Vector> &x, const std::vector<Vector> &b) const;
+  /** The same for one right-hand side. */
   void solve(Vector &x, const Vector &b) const;
 
-  /** How many times solve() was called. */
+  /** What the factors know about the given unknowns; nothing if they were not eliminated last. */
+  virtual std::optional<TrailingFactor>
+  trailing_factor(const std::vector<Index> & /*unknowns*/) const
+  {
+    return {};
+  }
+
+  /** A vector of zeros with the distribution of the rows of A. */
+  Vector make_vector() const;
+  MPI_Comm communicator() const
+  {
+    return matrix_.get_mpi_communicator();
+  }
+
+  /** How many right-hand sides were solved. */
   unsigned int n_solves() const
   {
     return n_solves_;
@@ -45,7 +98,10 @@ public:
   }
 
 protected:
-  explicit StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &A);
+  /** @param matrix must outlive the object. */
+  StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+                   double unit,
+                   const SolveAccuracy &accuracy = {});
 
   /**
    * One solve, not counted, for a b that no kernel is orthogonal to: factors of a singular matrix
@@ -55,18 +111,35 @@ protected:
    */
   void refuse_singular_matrix() const;
 
-private:
-  /** x = A^{-1} b by the factors alone. */
-  virtual void apply(Vector &x, const Vector &b) const = 0;
+  double unit() const
+  {
+    return unit_;
+  }
 
+private:
+  /** What one solve has shown. */
+  struct Check
+  {
+    double residual = 0.;
+    double rounding_error = 0.;
+  };
+
+  /** x = matrix^{-1} b by the factors (or iterations) alone, for every pair. */
+  virtual void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const = 0;
+
+  /** Measures the residual, and refines x where it is not small. @throws ComputationError */
+  Check improve(Vector &x, const Vector &b) const;
+  /** Adds matrix^{-1} r to x. @return the size of that correction relative to x. */
+  double refine(Vector &x, const Vector &r) const;
   /** (sum r_i^2 / A_ii)^{1/2}: rows of stiff and of soft parts of a body count alike. */
   double scaled_norm(const Vector &r) const;
-  /** Adds A^{-1} r to x. @return the size of that correction relative to x. */
-  double refine(Vector &x, const Vector &r) const;
 
-  const dealii::TrilinosWrappers::SparseMatrix &A_;
-  /** A_ii^{-1/2}. */
+  const dealii::TrilinosWrappers::SparseMatrix &matrix_;
+  double unit_;
+  SolveAccuracy accuracy_;
+  /** The diagonal of the matrix to the power -1/2. */
   Vector scaling_;
+  // Reports; no answer depends on them.
   mutable unsigned int n_solves_ = 0;
   mutable double largest_residual_ = 0.;
   mutable double rounding_error_ = 0.;
@@ -76,14 +149,16 @@ private:
 LinearSolver resolve(LinearSolver solver, unsigned int n_ranks);
 
 /**
- * Factorises A, which must outlive the result. condensed works on one rank only.
+ * Factorises @p matrix, which must outlive the result, the inverse of unit × matrix. condensed works
+ * on one rank only.
  *
  * @param contact_unknowns those that the contact pressure acts on; the condensed factorisation
  *   eliminates them last. Collective.
  * @throws ComputationError if the factorisation fails.
  */
 std::unique_ptr<StiffnessInverse>
-factorise(const dealii::TrilinosWrappers::SparseMatrix &A,
+factorise(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+          double unit,
           LinearSolver solver,
           const std::vector<dealii::types::global_dof_index> &contact_unknowns = {});
 } // namespace Signorini

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <signorini/errors/dual_norm_errors.h>
-#include <signorini/multiplier/coupling.h>
-#include <signorini/multiplier/multiplier_space.h>
-#include <signorini/parameters/parameters.h>
 #include <signorini/record/level_record.h>
+#include <signorini/study/discretization.h>
 
 #include <deal.II/lac/full_matrix.h>
 
@@ -14,34 +12,6 @@
 
 namespace Signorini
 {
-/** T^h, V^h, Gamma_c^H, Q^H, D and G of one level. */
-template <int dim>
-struct Discretization
-{
-  Discretization(const Parameters &parameters,
-                 const Scene<dim> &scene,
-                 unsigned int level,
-                 MPI_Comm communicator);
-
-  /** Of the mesh and the setup. */
-  StageTimes times;
-  Mesh<dim> mesh;
-  /** Gauss points per direction for loads; errors take one more. */
-  unsigned int n_points;
-  DisplacementSpace<dim> space;
-  MultiplierSpace<dim> multipliers;
-  Coupling D;
-  Coupling condensed_D;
-  dealii::Vector<double> G;
-};
-
-/** The contact pressure of a level, as the next one starts from it. */
-struct StartingPressure
-{
-  std::vector<Patch> patches;
-  dealii::Vector<double> P;
-};
-
 /** The answer of one level with what it was computed from. */
 template <int dim>
 struct LevelSolution
@@ -51,7 +21,7 @@ struct LevelSolution
   NodalVector U;
   dealii::Vector<double> P;
   dealii::Vector<double> F;
-  /** Empty if nothing touches. */
+  /** Only with Output/Compliance, and empty if nothing touches. */
   dealii::FullMatrix<double> C;
   /** f_j for all j, not condensed. */
   DistributedVector loads;
@@ -70,7 +40,7 @@ template <int dim>
 LevelSolution<dim> solve_level(const Parameters &parameters,
                                const Scene<dim> &scene,
                                const Discretization<dim> &discretization,
-                               const StartingPressure &start,
+                               const PatchPressure &start,
                                const Progress &progress);
 
 /**
@@ -81,6 +51,6 @@ template <int dim>
 void add_errors(const Parameters &parameters,
                 const Scene<dim> &scene,
                 const Discretization<dim> &discretization,
-                const ExactPressure<dim> *pressure,
+                const ExactPressure *pressure,
                 LevelSolution<dim> &solution);
 } // namespace Signorini

@@ -28,7 +28,7 @@ struct StudyResult
 {
   std::vector<LevelRecord> levels;
   /** The contact pressure of the finest level. */
-  StartingPressure pressure;
+  PatchPressure pressure;
   StudyVerdict verdict;
 };
 

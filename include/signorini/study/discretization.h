@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/multiplier/coupling.h>
+#include <signorini/multiplier/multiplier_space.h>
+#include <signorini/parameters/parameters.h>
+#include <signorini/record/costs.h>
+
+namespace Signorini
+{
+/** T^h, V^h, Gamma_c^H, Q^H, D and G of one level. */
+template <int dim>
+struct Discretization
+{
+  /** Parameters and scene must outlive the object. @throws InputError for a partition that makes no
+   * sense on this level. */
+  Discretization(const Parameters &parameters,
+                 const Scene<dim> &scene,
+                 unsigned int level,
+                 MPI_Comm communicator);
+  Discretization(const Discretization &) = delete;
+  Discretization &operator=(const Discretization &) = delete;
+
+  /** Of the mesh and the setup. */
+  StageTimes times;
+  Mesh<dim> mesh;
+  /** Gauss points per direction for loads; errors take one more. */
+  unsigned int n_points;
+  DisplacementSpace<dim> space;
+  ContactSurface<dim> surface;
+  MultiplierSpace<dim> multipliers;
+  Coupling D;
+  /** D seen from the unconstrained degrees of freedom. */
+  Coupling condensed_D;
+  dealii::Vector<double> G;
+};
+} // namespace Signorini

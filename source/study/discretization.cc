@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The spaces and couplings of one level, and the partitions that are refused.
+
+#include <signorini/base/exceptions.h>
+#include <signorini/base/stage_timer.h>
+#include <signorini/study/discretization.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+namespace
+{
+/** On coarse meshes the data varies much from cell to cell, and accurate integrals cost nothing. */
+unsigned int additional_points(const unsigned int n_cells)
+{
+  return n_cells <= 64 ? 6 : (n_cells <= 1024 ? 3 : 0);
+}
+
+StrainOperator strain_operator(const Element element)
+{
+  return element == Element::q1_b_bar ? StrainOperator::mean_dilatation
+                                      : StrainOperator::symmetric_gradient;
+}
+
+/** C is singular anyway where patches are finer than faces; those that are far finer even on the
+ * finest level only cost time. */
+constexpr unsigned int most_patches_per_face = 4;
+
+template <int dim>
+void refuse_needless_patches(const Parameters &parameters,
+                             const unsigned int level,
+                             const ContactSurface<dim> &surface)
+{
+  const unsigned int finer = std::max(parameters.discretization.finest_level.value, level) - level;
+  const std::size_t n_faces = surface.faces().size() << ((dim - 1) * finer);
+  const std::size_t n_patches = surface.patches().size();
+  if (n_patches > most_patches_per_face * n_faces)
+    throw InputError(parameters.discretization.patches.where() + ": found " +
+                     std::to_string(n_patches) + " patches on the " + std::to_string(n_faces) +
+                     " contact faces of the finest level, allowed: at most " +
+                     std::to_string(most_patches_per_face) + " per face.");
+}
+
+/** A patch without a free node next to it cannot feel or do anything. */
+void refuse_blind_patches(const Parameters &parameters, const Coupling &condensed_D)
+{
+  for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
+    if (condensed_D.column(k).empty())
+      throw InputError(parameters.discretization.coarsest_level.where() + ": contact patch " +
+                       std::to_string(k) +
+                       " sees no free mesh node on the coarsest level, allowed: a finer coarsest "
+                       "level, fewer patches or a larger patch ratio.");
+}
+
+template <int dim>
+void refuse_unstable_patches(const Parameters &parameters, const ContactSurface<dim> &surface)
+{
+  if (parameters.solver.require_stability && surface.has_unstable_patch())
+    throw InputError(parameters.solver.require_stability.where() +
+                     ": a contact patch is no longer than a face (H = h), which is not inf-sup "
+                     "stable, allowed: a Patch ratio of at least 2 and levels on which every side "
+                     "has at least two faces per patch.");
+}
+} // namespace
+
+template <int dim>
+Discretization<dim>::Discretization(const Parameters &parameters,
+                                    const Scene<dim> &scene,
+                                    const unsigned int level,
+                                    MPI_Comm communicator)
+  : mesh(timed(times.mesh,
+               [&]() {
+                 return Mesh<dim>(
+                   scene.geometry, parameters.discretization.coarsest_level, level, communicator);
+               }))
+  , n_points(parameters.discretization.quadrature_points +
+             additional_points(mesh.triangulation().n_active_cells()))
+  , space(timed(times.setup,
+                [&]() {
+                  return DisplacementSpace<dim>(
+                    mesh, scene, strain_operator(parameters.discretization.element));
+                }))
+  , surface(timed(times.setup,
+                  [&]() {
+                    return ContactSurface<dim>(mesh,
+                                               scene,
+                                               {parameters.discretization.patch_ratio,
+                                                parameters.discretization.patches});
+                  }))
+  , multipliers(surface)
+  , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
+  , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
+  , G(timed(times.setup, [&]() { return assemble_gap(multipliers, n_points); }))
+{
+  refuse_blind_patches(parameters, condensed_D);
+  refuse_needless_patches(parameters, level, surface);
+  refuse_unstable_patches(parameters, surface);
+}
+
+template struct Discretization<2>;
+} // namespace Signorini
