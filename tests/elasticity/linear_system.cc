@@ -104,6 +104,13 @@ void loads(Checks &checks)
   checks.throws<InputError>("loads without a value", "Load/Body force: found the value", [] {
     System(loaded("sqrt(x - 0.1); 0", "", "0", ""), 2);
   });
+  checks.throws<InputError>(
+    "loads of the catalogue without a value", "the body force has the value nan at (", [] {
+      OneLevel level(loaded("0; 0", "", "0", ""), 1);
+      level.scene.body_force =
+        std::make_shared<dealii::Functions::ConstantFunction<2>>(std::nan(""), 2);
+      assemble_linear_system(level.space(), level.scene, 3);
+    });
 }
 
 /** (A x, y) = (A y, x), (A x, x) > 0, and nothing but a diagonal in constrained rows. */

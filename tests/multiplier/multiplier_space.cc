@@ -67,6 +67,13 @@ void gaps(Checks &checks)
   checks.throws<InputError>("gap without a value", "Contact/Gap: found the value", [] {
     OneLevel(square("sqrt(x - 0.02)", ""), 4);
   });
+  checks.throws<InputError>(
+    "gap of the catalogue without a value", "the gap has the value nan at (", [] {
+      OneLevel level(square("0", ""), 2);
+      for (auto &condition : level.scene.boundary)
+        condition.data = std::make_shared<dealii::Functions::ConstantFunction<2>>(std::nan(""), 1);
+      assemble_gap(level.multipliers(), 3);
+    });
 }
 
 /** Weights sum to the pieces' lengths, points lie on the side at their arc length. */
