@@ -5,8 +5,8 @@
 cmake_minimum_required(VERSION 3.25)
 
 # Every module with what it may include. qp is algebra only and includes nothing of the others.
-set(order base parameters scene catalogue scene_input mesh elasticity stiffness_inverse multiplier norms compliance
-          qp recovery postprocess errors record verdict output study)
+set(order base parameters scene catalogue scene_input mesh elasticity stiffness_inverse multiplier norms qp
+          compliance recovery postprocess errors record verdict output study)
 set(allowed_qp base qp)
 set(allowed_stiffness_inverse base stiffness_inverse)
 set(allowed_scene base scene)

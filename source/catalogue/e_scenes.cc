@@ -128,7 +128,7 @@ Scene<2> make_e2()
       return 0.05 * std::cos(2. * theta) + 0.5 * square_of_positive_part(0.3 - std::cos(theta));
     },
     [](const double theta) { return pressure_of_e2(theta)[0]; });
-  scene.kinks = {line_at_angle(std::acos(0.3)), line_at_angle(-std::acos(0.3))};
+  scene.kinks = Kinks<2>({line_at_angle(std::acos(0.3)), line_at_angle(-std::acos(0.3))});
   return scene;
 }
 
@@ -150,7 +150,7 @@ Scene<2> make_e3()
     displacement,
     [](const double theta) { return 0.5 * square_of_positive_part(0.6 + std::sin(theta)); },
     [](const double theta) { return pressure_of_e3(theta)[0]; });
-  scene.kinks = {line_at_angle(-std::asin(0.6)), line_at_angle(std::asin(0.6))};
+  scene.kinks = Kinks<2>({line_at_angle(-std::asin(0.6)), line_at_angle(std::asin(0.6))});
   return scene;
 }
 } // namespace Signorini

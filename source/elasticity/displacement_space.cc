@@ -32,8 +32,7 @@ dealii::AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh,
       rollers.insert(i);
   }
   dealii::AffineConstraints<double> conditions;
-  dealii::VectorTools::interpolate_boundary_values(
-    mesh.mapping(), dofs, displacements, conditions);
+  dealii::VectorTools::interpolate_boundary_values(mesh.mapping(), dofs, displacements, conditions);
   // Where a roller meets a clamped or prescribed side, the entries above stay.
   if (!rollers.empty())
     dealii::VectorTools::compute_no_normal_flux_constraints(
@@ -58,10 +57,10 @@ dealii::IndexSet held_dofs(const dealii::AffineConstraints<double> &conditions,
   return held;
 }
 
-/** The essential conditions with the constraints that make u_h continuous at hanging nodes. */
+/** Adds to the essential conditions what keeps u_h continuous at hanging nodes. */
 template <int dim>
-dealii::AffineConstraints<double> all_constraints(const dealii::DoFHandler<dim> &dofs,
-                                                  const dealii::AffineConstraints<double> &essential)
+dealii::AffineConstraints<double> with_hanging_nodes(dealii::AffineConstraints<double> essential,
+                                                     const dealii::DoFHandler<dim> &dofs)
 {
   if (!dofs.get_triangulation().has_hanging_nodes())
     return essential;
@@ -83,9 +82,9 @@ DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
   , dofs_(mesh.triangulation())
 {
   dofs_.distribute_dofs(element_);
-  const auto essential = essential_conditions(mesh, dofs_, scene);
+  auto essential = essential_conditions(mesh, dofs_, scene);
   supports_ = held_dofs(essential, dofs_.n_dofs());
-  constraints_ = all_constraints(dofs_, essential);
+  constraints_ = with_hanging_nodes(std::move(essential), dofs_);
 }
 
 template <int dim>

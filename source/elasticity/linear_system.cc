@@ -45,7 +45,7 @@ public:
       const BoundaryCondition<dim> &condition = scene_.boundary[cell->face(f)->boundary_id()];
       if (condition.role != Role::traction)
         continue;
-        add_force(face_values_.reinit(cell, f), *condition.data, "the traction", vector, resultant);
+      add_force(face_values_.reinit(cell, f), *condition.data, "the traction", vector, resultant);
     }
   }
 

@@ -80,11 +80,11 @@ SampledFunction sample_difference(const MultiplierSpace<2> &space,
   for (unsigned int tau = first; tau < last; ++tau)
     cuts.push_back(patches[tau].upper[0]);
   std::sort(cuts.begin(), cuts.end());
-  SampledFunction samples =
-    projected_p == nullptr ? sample(p, side, cuts, 6)
-                           : sample(dealii::Functions::ZeroFunction<2>(), side, cuts, 2);
-  const SampledFunction ones = sample(
-    dealii::Functions::ConstantFunction<2>(1.), side, cuts, projected_p == nullptr ? 6 : 2);
+  SampledFunction samples = projected_p == nullptr
+                              ? sample(p, side, cuts, 6)
+                              : sample(dealii::Functions::ZeroFunction<2>(), side, cuts, 2);
+  const SampledFunction ones =
+    sample(dealii::Functions::ConstantFunction<2>(1.), side, cuts, projected_p == nullptr ? 6 : 2);
   unsigned int tau = first;
   for (std::size_t q = 0; q < samples.arc_lengths.size(); ++q)
   {
@@ -137,10 +137,10 @@ dealii::Vector<double> ExactPressure::project(const MultiplierSpace<2> &space) c
 }
 
 DualNormErrors ExactPressure::errors_on_side(const MultiplierSpace<2> &space,
-                                                  const dealii::Vector<double> &P,
-                                                  const dealii::Vector<double> &projected_p,
-                                                  const unsigned int first,
-                                                  const unsigned int last) const
+                                             const dealii::Vector<double> &P,
+                                             const dealii::Vector<double> &projected_p,
+                                             const unsigned int first,
+                                             const unsigned int last) const
 {
   const std::vector<Patch<2>> &patches = space.surface().patches();
   const unsigned int number = patches[first].side, m = last - first;
@@ -165,8 +165,7 @@ DualNormErrors ExactPressure::errors_on_side(const MultiplierSpace<2> &space,
   {
     const SlobodeckijNorm grid(side.length(), (g + 1) * 8 * m);
     const auto dual_norm = [&](const dealii::Vector<double> *projection) {
-      const SampledFunction q =
-        sample_difference(space,
+      const SampledFunction q = sample_difference(space,
                                                   *scene_.boundary[number].exact_pressure,
                                                   scene_.kinks,
                                                   P,
@@ -185,7 +184,7 @@ DualNormErrors ExactPressure::errors_on_side(const MultiplierSpace<2> &space,
 }
 
 DualNormErrors ExactPressure::errors(const MultiplierSpace<2> &space,
-                                          const dealii::Vector<double> &P) const
+                                     const dealii::Vector<double> &P) const
 {
   const dealii::Vector<double> projected_p = project(space);
   DualNormErrors sum = {0., 0., 0., 0.};

@@ -101,8 +101,8 @@ double interpolation_trace(const DisplacementSpace<2> &space,
     const auto n_parts = static_cast<unsigned int>(std::ceil(n_intervals * share));
     for (unsigned int i = 0; i < n_parts; ++i)
     {
-      const SurfaceRule<2> rule = surface.rule(
-        surface.part(piece, i, n_parts), n_points, Grading::towards_kinks);
+      const SurfaceRule<2> rule =
+        surface.rule(surface.part(piece, i, n_parts), n_points, Grading::towards_kinks);
       const auto u_n = exact_normal_displacement(scene, rule);
       const auto interpolated =
         traces.normal_displacement(surface.faces()[piece.face], rule, interpolant);
@@ -131,13 +131,12 @@ double trace_defect(const Scene<2> &scene,
                     const unsigned int n_points)
 {
   dealii::Vector<double> b = D.transpose_product(interpolant);
-  b -= integrate_against_multipliers(
-    multipliers,
-    n_points,
-    Grading::towards_kinks,
-    [&](const Piece<2> & /*piece*/, const SurfaceRule<2> &rule) {
-      return exact_normal_displacement(scene, rule);
-    });
+  b -= integrate_against_multipliers(multipliers,
+                                     n_points,
+                                     Grading::towards_kinks,
+                                     [&](const Piece<2> & /*piece*/, const SurfaceRule<2> &rule) {
+                                       return exact_normal_displacement(scene, rule);
+                                     });
   const auto gram = dual_gram_matrix(multipliers.surface());
   dealii::LAPACKFullMatrix<double> S(gram.m(), gram.n());
   S = gram;
@@ -178,7 +177,8 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
   const DisplacementErrors errors =
     compute_displacement_errors(space, scene, interpolant, n_points);
   numbers.interpolation_h1 = errors.h1;
-  numbers.interpolation_trace = interpolation_trace(space, scene, multipliers.surface(), interpolant);
+  numbers.interpolation_trace =
+    interpolation_trace(space, scene, multipliers.surface(), interpolant);
   numbers.bound_30 = errors.post_h1;
 
   const dealii::TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);

@@ -37,8 +37,8 @@ FaceInterval interval_of(const ContactFace<2> &face, const Side<2> &side)
   double last = side.arc_length(mesh_face->vertex(1));
   if (side.is_closed())
   {
-    const double middle = side.arc_length(mesh_face->vertex(0) +
-                                          0.5 * (mesh_face->vertex(1) - mesh_face->vertex(0)));
+    const double middle =
+      side.arc_length(mesh_face->vertex(0) + 0.5 * (mesh_face->vertex(1) - mesh_face->vertex(0)));
     for (double *const end : {&first, &last})
       *end += side.length() * std::round((middle - *end) / side.length());
   }

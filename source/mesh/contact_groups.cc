@@ -36,8 +36,9 @@ unsigned int generations(const Partition &partition)
   while ((2U << n) <= partition.ratio)
     ++n;
   if (partition.patches_per_side > 0 || (1U << n) != partition.ratio)
-    throw ComputationError("In space, contact patches are groups of faces of the mesh: H/h must be a "
-                           "power of two, and patches that are aligned with nothing do not exist.");
+    throw ComputationError(
+      "In space, contact patches are groups of faces of the mesh: H/h must be a "
+      "power of two, and patches that are aligned with nothing do not exist.");
   return n;
 }
 
@@ -108,8 +109,7 @@ SurfaceRule<3> ContactSurface<3>::rule(const Piece<3> &piece,
 {
   const dealii::QGauss<2> gauss(n_points);
   const dealii::FE_Nothing<3> no_functions;
-  dealii::FEFaceValues<3> values(
-    mesh_.mapping(), no_functions, gauss, dealii::update_JxW_values);
+  dealii::FEFaceValues<3> values(mesh_.mapping(), no_functions, gauss, dealii::update_JxW_values);
   values.reinit(faces_[piece.face].cell, faces_[piece.face].face_no);
   SurfaceRule<3> rule = at(piece, gauss.get_points());
   rule.weights = values.get_JxW_values();

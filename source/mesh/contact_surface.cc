@@ -26,9 +26,8 @@ std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Sc
         if (scene.boundary[side].role == Role::contact)
           faces.push_back({cell, f, side});
       }
-  std::stable_sort(faces.begin(), faces.end(), [](const auto &a, const auto &b) {
-    return a.side < b.side;
-  });
+  std::stable_sort(
+    faces.begin(), faces.end(), [](const auto &a, const auto &b) { return a.side < b.side; });
   return faces;
 }
 

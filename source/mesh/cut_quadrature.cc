@@ -245,7 +245,7 @@ dealii::Quadrature<3> cut_quadrature(const Kinks<3> & /*kinks*/,
                                      const unsigned int /*n_points*/)
 {
   AssertThrow(false, dealii::ExcMessage("planes do not cut hexahedra yet"));
-  return {};
+  return dealii::Quadrature<3>();
 }
 
 dealii::Quadrature<1> split_quadrature(const dealii::Quadrature<1> &rule,

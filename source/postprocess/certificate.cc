@@ -144,8 +144,8 @@ void balance(const DisplacementSpace<dim> &space,
   const double largest = std::max({sum_of_sizes, applied.force.norm(), contact.force.norm()});
   const double scale = forces.vanish() ? forces.magnitude : largest;
   certificate.force_balance = relative(sum.force.norm(), scale);
-  certificate.moment_balance = relative(sum.moment_about(centre).norm(),
-                                        scale * (scene.geometry.diameter() + centre.norm()));
+  certificate.moment_balance =
+    relative(sum.moment_about(centre).norm(), scale * (scene.geometry.diameter() + centre.norm()));
 }
 
 /** Signs, penetration and complementarity of P and W = D^T U - G. */
@@ -213,12 +213,8 @@ Certificate certify(const DisplacementSpace<dim> &space,
   certificate.moments_are_exact = !space.mesh().is_curved();
   const NodalForces forces = nodal_forces(space, scene, system, D, solution);
   certificate.stationarity = stationarity(space, forces);
-  balance(space,
-          scene,
-          system.applied,
-          contact_resultant(multipliers, solution.P),
-          forces,
-          certificate);
+  balance(
+    space, scene, system.applied, contact_resultant(multipliers, solution.P), forces, certificate);
 
   dealii::Vector<double> W = D.transpose_product(solution.U);
   W -= solution.G;

@@ -48,7 +48,8 @@ std::vector<dealii::Point<1>> nodes_on_line(const unsigned int degree, const uns
 
 /** For every node of an element: how many nodes come before it in each direction. */
 template <int dim>
-std::vector<std::array<unsigned int, dim>> places_of_nodes(const dealii::FiniteElement<dim> &element)
+std::vector<std::array<unsigned int, dim>>
+places_of_nodes(const dealii::FiniteElement<dim> &element)
 {
   const std::vector<dealii::Point<1>> line = nodes_on_line(element.degree);
   std::vector<std::array<unsigned int, dim>> places;
@@ -56,10 +57,8 @@ std::vector<std::array<unsigned int, dim>> places_of_nodes(const dealii::FiniteE
   {
     places.emplace_back();
     for (unsigned int d = 0; d < dim; ++d)
-      places.back()[d] = static_cast<unsigned int>(
-        std::count_if(line.begin(), line.end(), [&](const auto &x) {
-          return x[0] < node[d] - 1e-10;
-        }));
+      places.back()[d] = static_cast<unsigned int>(std::count_if(
+        line.begin(), line.end(), [&](const auto &x) { return x[0] < node[d] - 1e-10; }));
   }
   return places;
 }

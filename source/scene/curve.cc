@@ -31,15 +31,15 @@ Curve::Curve(const dealii::Point<2> &start,
 }
 
 Curve Curve::arc(const dealii::Point<2> &centre,
-                         const double radius,
-                         const double first,
-                         const double last,
-                         const Body body)
+                 const double radius,
+                 const double first,
+                 const double last,
+                 const Body body)
 {
   const double orientation = body == Body::inside ? 1. : -1.;
   Curve curve(centre + radius * direction(first),
-            centre + radius * direction(last),
-            orientation * direction(first));
+              centre + radius * direction(last),
+              orientation * direction(first));
   curve.length_ = radius * (last - first);
   curve.circle_ = Circle{centre, radius, first, orientation};
   return curve;
@@ -79,9 +79,9 @@ double Curve::arc_length(const dealii::Point<2> &x) const
 }
 
 std::vector<double> Curve::crossings(const dealii::Tensor<1, 2> &m,
-                                         const double position,
-                                         const double from,
-                                         const double to) const
+                                     const double position,
+                                     const double from,
+                                     const double to) const
 {
   std::vector<double> found;
   const auto add = [&](const double s) {

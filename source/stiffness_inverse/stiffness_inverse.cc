@@ -119,11 +119,12 @@ StiffnessInverse::Check StiffnessInverse::improve(Vector &x, const Vector &b) co
   if (!(check.rounding_error < accuracy_.refuse_above))
   {
     std::ostringstream message;
-    message << "Rounding errors are too large in a linear solve: one step of refinement changes the "
-               "solution by the relative amount "
-            << check.rounding_error << ", allowed: " << accuracy_.refuse_above
-            << "; the stiffness matrix is singular or too ill-conditioned (Poisson's ratio near "
-               "1/2, moduli of very different size, a very slender body).";
+    message
+      << "Rounding errors are too large in a linear solve: one step of refinement changes the "
+         "solution by the relative amount "
+      << check.rounding_error << ", allowed: " << accuracy_.refuse_above
+      << "; the stiffness matrix is singular or too ill-conditioned (Poisson's ratio near "
+         "1/2, moduli of very different size, a very slender body).";
     throw ComputationError(message.str());
   }
   matrix_.residual(r, x, b);

@@ -81,13 +81,12 @@ Discretization<dim>::Discretization(const Parameters &parameters,
                   return DisplacementSpace<dim>(
                     mesh, scene, strain_operator(parameters.discretization.element));
                 }))
-  , surface(timed(times.setup,
-                  [&]() {
-                    return ContactSurface<dim>(mesh,
-                                               scene,
-                                               {parameters.discretization.patch_ratio,
-                                                parameters.discretization.patches});
-                  }))
+  , surface(timed(
+      times.setup,
+      [&]() {
+        return ContactSurface<dim>(
+          mesh, scene, {parameters.discretization.patch_ratio, parameters.discretization.patches});
+      }))
   , multipliers(surface)
   , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
   , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))

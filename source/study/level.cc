@@ -137,8 +137,7 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
     pressure = find_pressure(parameters, discretization, *inverse, start, progress, solution);
   solution.P = pressure.P;
   solution.U = free.nothing_touches() ? free.U : timed(times.recovery, [&]() {
-    return recover_displacement(
-      *inverse, space, discretization.condensed_D, solution.P, system.f);
+    return recover_displacement(*inverse, space, discretization.condensed_D, solution.P, system.f);
   });
   solution.loads = system.loads;
   record.linear = {inverse->n_solves(), inverse->largest_residual(), inverse->rounding_error()};

@@ -27,7 +27,7 @@ void check_linear_solver(const Given<LinearSolver> &solver, const unsigned int n
 template <int dim>
 void check_coarsest_level(const Given<unsigned int> &coarsest_level, const Geometry<dim> &geometry)
 {
-  if (!geometry.classify_after_refinement)
+  if (!geometry.number_after_refinement)
     return;
   dealii::Triangulation<dim> mesh;
   geometry.make_coarse_mesh(mesh);

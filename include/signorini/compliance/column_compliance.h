@@ -8,8 +8,8 @@
 namespace Signorini
 {
 /**
- * C = D^T A^{-1} D by columns C_k = D^T A^{-1} D_k, one solve each, computed when they are asked for
- * and kept. Columns are symmetrised among each other.
+ * C = D^T A^{-1} D by columns C_k = D^T A^{-1} D_k, one solve each, computed when they are asked
+ * for and kept. Columns are symmetrised among each other.
  */
 class ColumnCompliance final : public ComplianceOperator
 {

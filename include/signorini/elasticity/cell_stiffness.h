@@ -12,8 +12,8 @@ namespace Signorini
  * a(phi_j, phi_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
  *
  * Two Gauss points per direction are exact for a constant tensor on a parallelogram or
- * parallelepiped; four are taken otherwise. With a constant tensor, congruent cells share one matrix: on a mesh of squares it is
- * integrated once.
+ * parallelepiped; four are taken otherwise. With a constant tensor, congruent cells share one
+ * matrix: on a mesh of squares it is integrated once.
  */
 template <int dim>
 class CellStiffness

@@ -53,8 +53,8 @@ private:
   std::unique_ptr<dealii::FEValues<dim>> cut_;
 };
 
-/** Shape functions at the Gauss points of a face; where a kink cuts the face, at the Gauss points of
- * its parts. */
+/** Shape functions at the Gauss points of a face; where a kink cuts the face, at the Gauss points
+ * of its parts. */
 template <int dim>
 class FaceValues
 {

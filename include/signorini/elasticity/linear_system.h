@@ -10,7 +10,8 @@ namespace Signorini
 {
 /**
  * A U = f. The matrix is that of a body of size one and modulus one, A = unit × matrix, so that
- * neither units nor sizes of numbers matter to a factorisation. All vectors are in the user's units.
+ * neither units nor sizes of numbers matter to a factorisation. All vectors are in the user's
+ * units.
  */
 template <int dim>
 struct LinearSystem

@@ -136,8 +136,9 @@ public:
    * A rule on the side itself for functions that are given in space: @p n_points Gauss points per
    * direction on every part into which kinks cut the piece.
    */
-  SurfaceRule<dim>
-  rule(const Piece<dim> &piece, unsigned int n_points, Grading grading = Grading::none) const;
+  SurfaceRule<dim> rule(const Piece<dim> &piece,
+                        unsigned int n_points,
+                        Grading grading = Grading::none) const;
 
   /** The i-th of n equal parts of a piece, without its points on the mesh. In the plane. */
   Piece<dim> part(const Piece<dim> &piece, unsigned int i, unsigned int n) const;

@@ -38,9 +38,9 @@ public:
     return *mapping_;
   }
   /**
-   * The map onto the body of size one, (x - lower)/l with the length l of size(). A stiffness matrix
-   * that is integrated with it depends neither on the unit of length nor on the place of the origin,
-   * to the last digit.
+   * The map onto the body of size one, (x - lower)/l with the length l of size(). A stiffness
+   * matrix that is integrated with it depends neither on the unit of length nor on the place of the
+   * origin, to the last digit.
    */
   const dealii::Mapping<dim> &unit_mapping() const
   {

@@ -76,8 +76,9 @@ inline SpectralNorm spectral_norm_on(const Side<2> &side)
 }
 
 /** The arc lengths at which the patches [first, last) of one side begin and end. */
-std::vector<double>
-patch_ends(const std::vector<Patch<2>> &patches, unsigned int first, unsigned int last);
+std::vector<double> patch_ends(const std::vector<Patch<2>> &patches,
+                               unsigned int first,
+                               unsigned int last);
 
 /** Calls visit(first, last) for the patches [first, last) of each side. */
 template <typename Visitor>

@@ -33,9 +33,9 @@ struct ContactSegment
 
 /** The contact boundary piece by piece, side after side, in the order of arc length. */
 std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
-                                                    const MultiplierSpace<2> &multipliers,
-                                                    const NodalVector &U,
-                                                    const dealii::Vector<double> &P);
+                                               const MultiplierSpace<2> &multipliers,
+                                               const NodalVector &U,
+                                               const dealii::Vector<double> &P);
 
 /** contact-LL.csv: one row per middle of a piece. */
 void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment> &line);

@@ -63,8 +63,8 @@ Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
                            const dealii::Point<2> &upper_right,
                            const std::vector<unsigned int> &cells);
 
-/** Box with @p cells coarse cells per direction; sides left and right (x), front and back (y), bottom
- * and top (z). */
+/** Box with @p cells coarse cells per direction; sides left and right (x), front and back (y),
+ * bottom and top (z). */
 Geometry<3> make_box(const dealii::Point<3> &lower,
                      const dealii::Point<3> &upper,
                      const std::vector<unsigned int> &cells);

@@ -21,8 +21,7 @@ public:
                    const std::vector<Index> &last);
   ~CondensedInverse() override;
 
-  std::optional<TrailingFactor>
-  trailing_factor(const std::vector<Index> &unknowns) const override;
+  std::optional<TrailingFactor> trailing_factor(const std::vector<Index> &unknowns) const override;
 
 private:
   class Factor;

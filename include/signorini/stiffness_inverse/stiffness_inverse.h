@@ -57,9 +57,9 @@ public:
   virtual ~StiffnessInverse() = default;
 
   /**
-   * x = A^{-1} b for every pair. The residual of every solve is computed. Where it is not small, one
-   * step of iterative refinement is taken; its size tells how many digits of x are lost to rounding.
-   * Collective.
+   * x = A^{-1} b for every pair. The residual of every solve is computed. Where it is not small,
+   * one step of iterative refinement is taken; its size tells how many digits of x are lost to
+   * rounding. Collective.
    * @throws ComputationError if too few digits are left, see SolveAccuracy.
    */
   void solve(std::vector<Vector> &x, const std::vector<Vector> &b) const;
@@ -149,8 +149,8 @@ private:
 LinearSolver resolve(LinearSolver solver, unsigned int n_ranks);
 
 /**
- * Factorises @p matrix, which must outlive the result, the inverse of unit × matrix. condensed works
- * on one rank only.
+ * Factorises @p matrix, which must outlive the result, the inverse of unit × matrix. condensed
+ * works on one rank only.
  *
  * @param contact_unknowns those that the contact pressure acts on; the condensed factorisation
  *   eliminates them last. Collective.
