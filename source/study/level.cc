@@ -12,6 +12,8 @@
 #include <signorini/recovery/recovery.h>
 #include <signorini/study/level.h>
 
+#include <deal.II/lac/exceptions.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -79,8 +81,11 @@ bool nothing_touches(const dealii::Vector<double> &F)
   return std::none_of(F.begin(), F.end(), [](const double opening) { return opening < 0.; });
 }
 
+/** What went wrong, in half a sentence. */
 std::string message_of(const dealii::ExceptionBase &exception)
 {
+  if (dynamic_cast<const dealii::LACExceptions::ExcSingular *>(&exception) != nullptr)
+    return "the compliance of the patches in contact is singular";
   std::ostringstream text;
   exception.print_info(text);
   return one_line(trim(text.str()));

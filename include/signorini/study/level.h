@@ -23,7 +23,7 @@ struct Discretization
                  unsigned int level,
                  MPI_Comm communicator);
 
-  /** Of the mesh and the setup. */
+  /** What the mesh and the setup took. */
   StageTimes times;
   Mesh<dim> mesh;
   /** Gauss points per direction for loads; errors take one more. */
