@@ -12,9 +12,10 @@ namespace Signorini
 namespace
 {
 /** C = D^T S^{-1} D = W^T W with S = L L^T, W = L^{-1} D. */
-dealii::FullMatrix<double> compliance_from(const TrailingFactor &factor,
-                                           const Coupling &condensed_D)
+dealii::FullMatrix<double> compliance_from(TrailingFactor &factor, const Coupling &condensed_D)
 {
+  // A matrix of LAPACK that was moved has forgotten it.
+  factor.L.set_property(dealii::LAPACKSupport::lower_triangular);
   const unsigned int m = condensed_D.n_columns();
   dealii::LAPACKFullMatrix<double> W(factor.L.m(), m);
   for (unsigned int k = 0; k < m; ++k)
@@ -44,7 +45,7 @@ std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse
                                                           const ColumnProgress &progress)
 {
   const StageTimer timer(seconds);
-  if (const auto factor = inverse.trailing_factor(contact_unknowns(condensed_D)))
+  if (auto factor = inverse.trailing_factor(contact_unknowns(condensed_D)))
     return std::make_shared<const DenseCompliance>(compliance_from(*factor, condensed_D));
   return std::make_shared<const ColumnCompliance>(inverse, condensed_D, seconds, progress);
 }

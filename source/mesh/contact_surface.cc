@@ -76,18 +76,20 @@ void ContactSurface<dim>::place_points()
   const dealii::QGauss<dim - 1> gauss(2);
   const dealii::FE_Nothing<dim> no_functions;
   std::unique_ptr<dealii::FEFaceValues<dim>> values;
+  std::vector<dealii::Point<dim - 1>> last_points;
   for (Piece<dim> &piece : pieces_)
   {
     const dealii::Quadrature<dim - 1> rule =
       on_box(gauss, piece.lower_on_face, piece.upper_on_face);
     // Nearly all pieces are whole faces or the same part of one.
-    if (values == nullptr || piece.on_mesh.on_face != rule.get_points())
+    if (values == nullptr || rule.get_points() != last_points)
       values = std::make_unique<dealii::FEFaceValues<dim>>(mesh_.mapping(),
                                                            no_functions,
                                                            rule,
                                                            dealii::update_quadrature_points |
                                                              dealii::update_normal_vectors |
                                                              dealii::update_JxW_values);
+    last_points = rule.get_points();
     values->reinit(faces_[piece.face].cell, faces_[piece.face].face_no);
     SurfaceRule<dim> &on_mesh = piece.on_mesh;
     on_mesh.on_face = rule.get_points();

@@ -340,7 +340,6 @@ CondensedInverse::trailing_factor(const std::vector<Index> &unknowns) const
   factor_->for_each_entry(first, [&](const Long i, const Long j, const double L_ij) {
     trailing.L(i - first, j - first) = root * L_ij;
   });
-  trailing.L.set_property(dealii::LAPACKSupport::lower_triangular);
   return trailing;
 }
 

@@ -147,8 +147,8 @@ void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,
   if (directory_.empty())
     return;
   write_on_first_rank(communicator_, [&]() {
-    // If the disk fills up in between, the certificate does not promise more than the table holds,
-    // and a reason is told at any rate.
+    // The disk may fill up in between. Then the certificate must not promise more than the table
+    // holds; the reason why a study is not certified must not get lost.
     if (verdict.reason.empty())
       write_convergence_of(levels);
     write_certificate_of(levels, verdict);

@@ -156,10 +156,17 @@ test_exhausted() {
   check "  and it is said" says 'NOT certified'
 }
 
+test_replaced() {
+  run 0 a1.prm --output replaced --set 'Discretization/Finest level=2' --set 'Discretization/Patches=7'
+  check "  a solver that was not chosen says so" says 'projected SOR answered instead'
+  check "  and the certificate, too" grep -q '"contact_solver_replaced": true' replaced/certificate.json
+}
+
 write_inputs
 test_answers
 test_refusals
 test_run
 test_exhausted
+test_replaced
 echo "$failures failures"
 [ "$failures" -eq 0 ]

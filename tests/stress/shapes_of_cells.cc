@@ -72,7 +72,7 @@ void smallest(Checks &checks)
   const Measured one_patch = measure(block, {"Discretization/Patch ratio=100"});
   table.add("one patch, 64 x 64 cells", one_patch);
   checks.that("one patch: certified", one_patch.is_certified());
-  checks.that("one patch: it is one", one_patch.finest().multipliers == 1);
+  checks.that("one patch: it is one", one_patch.finest().sizes.multipliers == 1);
 }
 } // namespace
 

@@ -145,9 +145,9 @@ public:
       << "|---|---|---|---|---|---|---|---|---|---|\n";
   }
 
-  void add(const std::string &value, const Measured &measured)
+  void add(const std::string &setting, const Measured &measured)
   {
-    file_ << "| " << value << " | ";
+    file_ << "| " << setting << " | ";
     if (measured.study.levels.empty())
     {
       file_ << "| | | | | | | | " << verdict(measured) << " |\n" << std::flush;

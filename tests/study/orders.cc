@@ -132,6 +132,9 @@ void check_patches_finer_than_the_mesh(Checks &checks)
   fine.emplace_back("Discretization/Patches=7");
   const StudyResult result = solve(a1, fine);
   checks.that("seven patches on four faces: certified", result.verdict.is_certified());
+  checks.that("seven patches on four faces: C is singular, and the record says who answered",
+              result.levels.back().dual.active_set_failure.value_or("").find("singular") !=
+                std::string::npos);
   checks.that("seven patches on four faces: unstable", result.levels.back().sizes.unstable);
 }
 
