@@ -8,7 +8,7 @@
 #include <signorini/qp/growing_set.h>
 #include <signorini/qp/psor.h>
 
-#include <deal.II/base/exceptions.h>
+#include <deal.II/lac/exceptions.h>
 
 #include <sstream>
 
@@ -20,6 +20,8 @@ using Vector = dealii::Vector<double>;
 
 std::string message_of(const dealii::ExceptionBase &exception)
 {
+  if (dynamic_cast<const dealii::LACExceptions::ExcSingular *>(&exception) != nullptr)
+    return "the compliance of the patches in contact is singular";
   std::ostringstream text;
   exception.print_info(text);
   return one_line(trim(text.str()));
