@@ -76,8 +76,16 @@ CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Sce
   , constant_(material_.is_constant())
   , curved_(mesh_.is_curved())
   , kinks_(constant_ ? Kinks<dim>() : scene.kinks)
-  , affine_values_(mesh_.unit_mapping(), space.element(), kinks_, 2, stiffness_flags)
-  , general_values_(mesh_.unit_mapping(), space.element(), kinks_, 4, stiffness_flags)
+  , affine_values_(mesh_.unit_mapping(),
+                   space.element(),
+                   kinks_,
+                   space.element().degree + 1,
+                   stiffness_flags)
+  , general_values_(mesh_.unit_mapping(),
+                    space.element(),
+                    kinks_,
+                    space.element().degree + 3,
+                    stiffness_flags)
   , matrix_(space.element().n_dofs_per_cell())
 {
 }
@@ -131,8 +139,8 @@ const dealii::FullMatrix<double> &CellStiffness<dim>::operator()(const CellItera
   if (is_congruent(cell))
     return matrix_;
   shape_ = shape_of<dim>(cell);
-  const bool exact_with_two_points = constant_ && !curved_ && is_affine<dim>(shape_);
-  integrate((exact_with_two_points ? affine_values_ : general_values_).reinit(cell));
+  const bool exact_with_few_points = constant_ && !curved_ && is_affine<dim>(shape_);
+  integrate((exact_with_few_points ? affine_values_ : general_values_).reinit(cell));
   return matrix_;
 }
 

@@ -75,10 +75,11 @@ dealii::AffineConstraints<double> with_hanging_nodes(dealii::AffineConstraints<d
 template <int dim>
 DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
                                           const Scene<dim> &scene,
-                                          const StrainOperator strain_operator)
+                                          const StrainOperator strain_operator,
+                                          const unsigned int degree)
   : mesh_(mesh)
   , strain_operator_(strain_operator)
-  , element_(dealii::FE_Q<dim>(1), dim)
+  , element_(dealii::FE_Q<dim>(degree), dim)
   , dofs_(mesh.triangulation())
 {
   dofs_.distribute_dofs(element_);

@@ -56,7 +56,7 @@ public:
     : U_(U)
     , values_(space.mesh().mapping(),
               space.element(),
-              dealii::QGauss<dim>((1U << fine) + 1),
+              dealii::QGauss<dim>((space.element().degree << fine) + 1),
               dealii::update_values | dealii::update_gradients | dealii::update_inverse_jacobians |
                 dealii::update_JxW_values)
     , v_(space, values_.get_quadrature(), fine)

@@ -11,9 +11,9 @@ namespace Signorini
 /**
  * a(phi_j, phi_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
  *
- * Two Gauss points per direction are exact for a constant tensor on a parallelogram or
- * parallelepiped; four are taken otherwise. With a constant tensor, congruent cells share one
- * matrix: on a mesh of squares it is integrated once.
+ * For elements of degree p, p + 1 Gauss points per direction are exact for a constant tensor on a
+ * parallelogram or parallelepiped; p + 3 are taken otherwise. With a constant tensor, congruent
+ * cells share one matrix: on a mesh of squares it is integrated once.
  */
 template <int dim>
 class CellStiffness

@@ -43,16 +43,19 @@ void replace_trace(dealii::SymmetricTensor<2, dim> &strain, const double dilatat
 }
 
 /**
- * V^h: FE_Q(1) for each component, with the essential conditions of clamped, prescribed and roller
+ * V^h: FE_Q for each component, with the essential conditions of clamped, prescribed and roller
  * sides.
  */
 template <int dim>
 class DisplacementSpace
 {
 public:
+  /** @param degree of the element per direction; the method of the paper and its orders are those
+   * of degree one. */
   DisplacementSpace(const Mesh<dim> &mesh,
                     const Scene<dim> &scene,
-                    StrainOperator strain_operator = StrainOperator::symmetric_gradient);
+                    StrainOperator strain_operator = StrainOperator::symmetric_gradient,
+                    unsigned int degree = 1);
 
   const Mesh<dim> &mesh() const
   {
