@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// DEAL_II_NUM_THREADS is wrong input like any other: one sentence, exit code 1.
+// A wrong DEAL_II_NUM_THREADS gives one sentence and exit code 1, like other wrong input.
 //
 // deal.II reads the variable while its library is loaded, before main(), and ends the program by
-// std::terminate() if it is not a positive number. Only functions in .preinit_array of the program
-// come earlier; the C++ library is not ready for use then.
+// std::terminate() and a stack trace if it is not a positive number. Only functions in
+// .preinit_array of the program come earlier; the C++ library is not ready for use then.
 
 #include <cstdlib>
 #include <cstring>

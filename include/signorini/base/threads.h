@@ -18,7 +18,8 @@ unsigned int number_of_threads(MPI_Comm communicator);
 /**
  * consume(produce(i)) for i = 0, ..., n - 1: @p produce on @p n_threads threads at once, @p consume
  * on this one and in order, so that sums have the same digits for any number of threads.
- * @throws what either throws.
+ * @throws what either throws. (dealii::WorkStream ends the program when a worker throws; here wrong
+ * data at a quadrature point must become a message.)
  */
 template <typename Result>
 void produce_in_parallel(const unsigned int n_threads,

@@ -8,8 +8,9 @@
 namespace Signorini
 {
 /*
- * What happens when a signal ends the program. A signal handler takes no arguments, so what it
- * needs is kept in global variables: those of interruption.cc are the only ones of the program.
+ * How the program ends on a signal. Long runs are killed often, by a user or a queue, and a half
+ * written file must not look like a result. A signal handler takes no arguments, so it needs global
+ * variables: those of interruption.cc are the only ones of the program.
  */
 
 /**
