@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// C = D^T S^{-1} D read from the factor is C = D^T A^{-1} D by one solve per column, and columns are
-// solved for only where they are asked for.
+// C = D^T S^{-1} D read from the factor is C = D^T A^{-1} D by one solve per column, and columns
+// are solved for only where they are asked for.
 
 #include <signorini/compliance/column_compliance.h>
 #include <signorini/compliance/compliance.h>
 #include <signorini/elasticity/linear_system.h>
 #include <signorini/norms/h1_gram_matrix.h>
+#include <signorini/qp/dual_solver.h>
 #include <signorini/recovery/recovery.h>
 #include <signorini/stiffness_inverse/condensed_inverse.h>
 
@@ -56,20 +57,15 @@ void compare(Checks &checks,
   {
     const auto inverse = factorise(A, unit, solver);
     const std::string other = to_text(solver);
-    checks.near(name + ": C as by " + other,
-                relative_distance(C, compliance(*inverse)),
-                0.,
-                1e-12);
+    checks.near(name + ": C as by " + other, relative_distance(C, compliance(*inverse)), 0., 1e-12);
     checks.that(name + ": a solve per patch by " + other, inverse->n_solves() == C.m());
     const NodalVector V = recover_displacement(*inverse, level.space(), D, P, zero);
     checks.near(name + ": U as by " + other, distance(U, V), 0., 1e-12 * V.l2_norm());
   }
   // Without the contact unknowns the columns are solved for.
   const auto plain = factorise(A, unit, LinearSolver::condensed);
-  checks.near(name + ": C by solves with CHOLMOD",
-              relative_distance(compliance(*plain), C),
-              0.,
-              1e-12);
+  checks.near(
+    name + ": C by solves with CHOLMOD", relative_distance(compliance(*plain), C), 0., 1e-12);
 }
 
 void compare(Checks &checks, const std::string &name, const std::string &text, const unsigned int n)
@@ -170,8 +166,8 @@ void columns_on_demand(Checks &checks)
     const dealii::FullMatrix<double> two = by_columns.columns({m - 3, 5});
     double largest = 0.;
     for (unsigned int i = 0; i < m; ++i)
-      largest = std::max(
-        {largest, std::abs(two(i, 0) - C(i, m - 3)), std::abs(two(i, 1) - C(i, 5))});
+      largest =
+        std::max({largest, std::abs(two(i, 0) - C(i, m - 3)), std::abs(two(i, 1) - C(i, 5))});
     checks.near(name + ": columns in the order asked for", largest, 0., 1e-12 * size);
     checks.that(name + ": a third solve", inverse->n_solves() == 3 && !by_columns.is_explicit());
     const dealii::FullMatrix<double> block = submatrix(by_columns, {2, 5});
@@ -180,10 +176,8 @@ void columns_on_demand(Checks &checks)
                   std::abs(block(0, 1) - C(2, 5)) + std::abs(block(1, 0) - C(5, 2)),
                 0.,
                 1e-12 * size);
-    checks.near(name + ": diagonal",
-                distance(by_columns.diagonal(), known->diagonal()),
-                0.,
-                1e-12 * size);
+    checks.near(
+      name + ": diagonal", distance(by_columns.diagonal(), known->diagonal()), 0., 1e-12 * size);
     checks.near(name + ": all of C", relative_distance(by_columns.dense(), C), 0., 1e-12);
     checks.near(name + ": symmetric", asymmetry(by_columns.dense()), 0., 0.);
     checks.near(name + ": C P for all patches",
@@ -194,6 +188,34 @@ void columns_on_demand(Checks &checks)
                 inverse->n_solves() == m && n_done == m && by_columns.is_explicit());
   }
 }
+
+/** The dual problem on a growing set of patches: no column is solved for twice, and not all are. */
+void growing_set(Checks &checks)
+{
+  const OneLevel level(boundary("set Clamped = top\nset Contact = bottom\n"), 5);
+  const LinearSystem<2> system = assemble_linear_system(level.space(), level.scene, 2);
+  const auto &D = level.discretization.condensed_D;
+  const auto condensed =
+    factorise(system.matrix, system.unit, LinearSolver::condensed, contact_unknowns(D));
+  const auto columns = factorise(system.matrix, system.unit, LinearSolver::amesos_klu);
+  double seconds = 0.;
+  const auto C = make_compliance(*condensed, D, seconds);
+  const auto by_columns = make_compliance(*columns, D, seconds);
+  const unsigned int m = C->size();
+  dealii::Vector<double> F(m);
+  for (unsigned int k = 0; k < m; ++k)
+    F[k] = k < 3 ? -1. / m : 1. / m;
+  const QPResult known = solve_dual_problem(C, F, {}, DualSolverOptions());
+  const QPResult found = solve_dual_problem(by_columns, F, {}, DualSolverOptions());
+  checks.near("growing set: the same pressure",
+              distance(found.P, known.P),
+              0.,
+              1e-10 * known.P.linfty_norm());
+  checks.that("growing set: something presses", known.P.linfty_norm() > 0.);
+  checks.between("growing set: few columns", columns->n_solves(), 1, m / 2);
+  by_columns->dense();
+  checks.that("growing set: no column twice", columns->n_solves() == m);
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -203,6 +225,7 @@ int main(int argc, char **argv)
   Checks checks;
   blocks(checks);
   columns_on_demand(checks);
+  growing_set(checks);
   const std::string clamped = boundary("set Clamped = top\nset Contact = bottom\n");
   for (const unsigned int n : {1U, 2U, 4U})
     compare(checks, "level " + std::to_string(n), clamped, n);

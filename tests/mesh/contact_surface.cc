@@ -70,8 +70,7 @@ double parameter_error(const ContactFace<2> &face, const Side<2> &side, const Su
   double largest = 0.;
   for (std::size_t q = 0; q < rule.size(); ++q)
   {
-    const Point x =
-      line->vertex(0) + rule.on_face[q][0] * (line->vertex(1) - line->vertex(0));
+    const Point x = line->vertex(0) + rule.on_face[q][0] * (line->vertex(1) - line->vertex(0));
     largest = std::max({largest,
                         x.distance(side.point(rule.on_side[q])),
                         x.distance(rule.points[q]),
@@ -111,10 +110,10 @@ void test_faces(Checks &checks,
             std::min(piece.lower_on_face[0], piece.upper_on_face[0]) == 0. &&
             std::max(piece.lower_on_face[0], piece.upper_on_face[0]) == 1.;
     const Piece<2> half = surface.part(piece, 0, 2);
-    off = std::max(
-      {off,
-       std::abs(std::abs(half.upper_on_face[0] - half.lower_on_face[0]) - 0.5),
-       std::abs(half.upper[0] - half.lower[0] - 0.5 * (interval.end - interval.start))});
+    off =
+      std::max({off,
+                std::abs(std::abs(half.upper_on_face[0] - half.lower_on_face[0]) - 0.5),
+                std::abs(half.upper[0] - half.lower[0] - 0.5 * (interval.end - interval.start))});
   }
   for (unsigned int i = 0; i < reached.size(); ++i)
     hole = std::max(hole, std::abs(reached[i] - geometry.sides[i].length()));
@@ -206,10 +205,8 @@ void test_ratios(Checks &checks)
   const Mesh<2> mesh(geometry, 0, 2, MPI_COMM_WORLD);
   const double h = 0.375;
   const Scene<2> bottom = touching(geometry, {2});
-  checks.near("only contact sides are found",
-              ContactSurface<2>(mesh, bottom, by_faces).faces().size(),
-              8,
-              0);
+  checks.near(
+    "only contact sides are found", ContactSurface<2>(mesh, bottom, by_faces).faces().size(), 8, 0);
   struct Row
   {
     unsigned int ratio;
@@ -274,10 +271,7 @@ void test_equal_patches(Checks &checks)
   }
   const Scene<2> both = touching(geometry, {0, 2});
   const ContactSurface<2> surface(mesh, both, equally(3));
-  compare(checks,
-          "equal patches on two sides",
-          surface,
-          {1. / 3., 1. / 3., 1. / 3., 1., 1., 1.});
+  compare(checks, "equal patches on two sides", surface, {1. / 3., 1. / 3., 1. / 3., 1., 1., 1.});
   test_pieces(checks, "equal patches on two sides", geometry, surface);
 
   // Lengths that are no binary fractions: ends that differ by rounding make no pieces.

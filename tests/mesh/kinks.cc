@@ -224,8 +224,8 @@ void test_ends(Checks &checks)
   checks.that("ends: no negative weights", smallest >= 0.);
   const Cell near = mesh.begin_active(), far = mesh.last();
   checks.that("ends: cells beside a line are affected near contact only",
-              !lines_cross<2>(kinks, near) && needs_cuts<2>(kinks, near) && !needs_cuts<2>(kinks, far) &&
-                !needs_cuts<2>(without_contact, near));
+              !lines_cross<2>(kinks, near) && needs_cuts<2>(kinks, near) &&
+                !needs_cuts<2>(kinks, far) && !needs_cuts<2>(without_contact, near));
 }
 
 double distance(const std::vector<double> &found, const std::vector<double> &expected)

@@ -99,8 +99,7 @@ void rules(Checks &checks)
       {
         sums[piece.patch] += rule.weights[q];
         off_side = std::max(off_side, std::abs((rule.points[q] - side.start()) * side.normal(0.)));
-        off_arc =
-          std::max(off_arc, std::abs(side.arc_length(rule.points[q]) - rule.on_side[q][0]));
+        off_arc = std::max(off_arc, std::abs(side.arc_length(rule.points[q]) - rule.on_side[q][0]));
       }
     }
     const std::string name = grading == Grading::none ? "plain rule" : "graded rule";
@@ -124,7 +123,8 @@ void square_roots(Checks &checks)
       double integral = 0.;
       for (const Piece<2> &piece : level.discretization.surface.pieces())
       {
-        const auto rule = level.discretization.surface.rule(piece, n_points, Grading::towards_kinks);
+        const auto rule =
+          level.discretization.surface.rule(piece, n_points, Grading::towards_kinks);
         for (std::size_t q = 0; q < rule.points.size(); ++q)
           integral += std::sqrt(std::max(kink - rule.points[q][0], 0.)) * rule.weights[q];
       }
@@ -152,9 +152,8 @@ void basis(Checks &checks)
     for (const double r : {0.1, 0.8})
     {
       const dealii::Point<1> s((patch + r) / 5.);
-      off = std::max({off,
-                      std::abs(space.shape_value(k, s) - 1.),
-                      std::abs(space.value(P, patch, s) - P[k])});
+      off = std::max(
+        {off, std::abs(space.shape_value(k, s) - 1.), std::abs(space.value(P, patch, s) - P[k])});
     }
     off = std::max(off, std::abs(integrals[k] - 0.2));
     integral += P[k] * integrals[k];
@@ -177,8 +176,8 @@ void basis(Checks &checks)
     for (unsigned int k = 0; k < space.n_multipliers(); ++k)
     {
       const double mean = 3. * (k + 0.5) / 5. - 1.;
-      largest = std::max(
-        {largest, std::abs(moments[k] - 0.2 * mean), std::abs(projection[k] - mean)});
+      largest =
+        std::max({largest, std::abs(moments[k] - 0.2 * mean), std::abs(projection[k] - mean)});
     }
     checks.near("moments and projection of a linear function", largest, 0., 1e-14);
   }

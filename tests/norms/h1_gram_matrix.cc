@@ -104,10 +104,8 @@ void linear_fields(Checks &checks)
     // |grad v|^2 = 0.09 + 0.49 + 1.21 + 0.16.
     const double square = integral(linear, linear) + 1.95 * area;
     checks.near(name + ": a linear field", body.product(v, v), square, 1e-12 * square);
-    checks.near(name + ": a rotation",
-                body.product(r, r),
-                integral(rotation, rotation) + 2. * area,
-                1e-11);
+    checks.near(
+      name + ": a rotation", body.product(r, r), integral(rotation, rotation) + 2. * area, 1e-11);
     // grad v : grad r = 1.1 + 0.7.
     checks.near(name + ": a linear field and a rotation",
                 body.product(v, r),

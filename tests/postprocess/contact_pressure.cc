@@ -161,12 +161,15 @@ void transfer(Checks &checks)
   for (unsigned int tau = 0; tau < 28; ++tau)
     largest = std::max(largest, std::abs(halved[tau] - P[tau / 2]));
   checks.near("halved patches inherit", largest, 0., 1e-14);
-  checks.near(
-    "back from the halves", distance(transfer_pressure({equal(14), halved}, equal(7)), P), 0., 1e-14);
+  checks.near("back from the halves",
+              distance(transfer_pressure({equal(14), halved}, equal(7)), P),
+              0.,
+              1e-14);
   const Vector coarse = transfer_pressure({equal(2), vector({-1., -3., -2., -6.})}, equal(1));
   checks.near("means", distance(coarse, vector({-2., -4.})), 0., 1e-15);
-  const Vector uneven = transfer_pressure({patches_between(bottom, {0., 0.2, 1.}), vector({-1., -2.})},
-                                          patches_between(bottom, {0., 0.5, 1.}));
+  const Vector uneven =
+    transfer_pressure({patches_between(bottom, {0., 0.2, 1.}), vector({-1., -2.})},
+                      patches_between(bottom, {0., 0.5, 1.}));
   checks.near("weighted mean", uneven[0], -(0.2 * 1. + 0.3 * 2.) / 0.5, 1e-15);
   for (const unsigned int n : {1U, 3U, 5U, 9U, 100U})
     for (const unsigned int side : {left, bottom})

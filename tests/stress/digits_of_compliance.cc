@@ -35,7 +35,8 @@ compare(Checks &checks, std::ofstream &table, const std::string &name, const std
   const OneLevel level(text, 5);
   const LinearSystem<2> system = assemble_linear_system(level.space(), level.scene, 3);
   const Coupling &D = level.discretization.condensed_D;
-  const auto condensed = factorise(system.matrix, system.unit, LinearSolver::condensed, contact_unknowns(D));
+  const auto condensed =
+    factorise(system.matrix, system.unit, LinearSolver::condensed, contact_unknowns(D));
   const auto columns = factorise(system.matrix, system.unit, LinearSolver::amesos_klu);
   double seconds = 0.;
   const dealii::FullMatrix<double> C = make_compliance(*condensed, D, seconds)->dense();

@@ -169,7 +169,8 @@ double missing_decrease(const BoundConstrainedQP &qp,
     psor_sweep(qp, relaxation, P);
     double expected = 0.;
     for (unsigned int i = 0; i < P.size(); ++i)
-      expected += (1. / relaxation - 0.5) * qp.diagonal[i] * (P[i] - before[i]) * (P[i] - before[i]);
+      expected +=
+        (1. / relaxation - 0.5) * qp.diagonal[i] * (P[i] - before[i]) * (P[i] - before[i]);
     const double next = qp.energy(P);
     worst = std::max(worst, (next - energy + expected) / std::abs(P * qp.F));
     energy = next;
