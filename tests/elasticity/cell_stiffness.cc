@@ -39,7 +39,7 @@ struct Body
     : scene(make_scene(parse_parameters(text, "test")))
     , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
     , space(mesh, scene, strain_operator)
-    , stiffness(space, *scene.material, Kinks<2>(scene.kinks))
+    , stiffness(space, scene)
     , unit(stiffness_unit(space, *scene.material))
   {
   }
@@ -174,7 +174,7 @@ void congruent_cells(Checks &checks)
     double largest = 0.;
     for (const auto &cell : body.mesh.triangulation().active_cell_iterators())
     {
-      CellStiffness<2> fresh(body.space, *body.scene.material, Kinks<2>(body.scene.kinks));
+      CellStiffness<2> fresh(body.space, body.scene);
       largest = std::max(largest, distance(body.stiffness(cell), fresh(cell)));
     }
     checks.near("congruent cells share the right matrix", largest, 0., 1e-12);

@@ -24,7 +24,7 @@ const std::string pressed_patch_test = entry("Constants", "Values", "E=2.5, nu=0
 
 LemmaNumbers numbers(const OneLevel &level, const DistributedVector &loads)
 {
-  const ExactPressure<2> pressure(level.scene);
+  const ExactPressure pressure(level.scene);
   return compute_lemma_numbers(level.space(),
                                level.scene,
                                level.multipliers(),

@@ -180,9 +180,9 @@ void square_root(Checks &checks)
     double squared = 0.5 * c * c;
     for (unsigned int tau = 0; tau < 7; ++tau)
     {
-      const Patch &patch = level.multipliers().partition().patches[tau];
-      squared += P[tau] * P[tau] * patch.length() -
-                 2. * P[tau] * (integral(patch.end) - integral(patch.start));
+      const Patch<2> &patch = level.discretization.surface.patches()[tau];
+      squared += P[tau] * P[tau] * patch.measure -
+                 2. * P[tau] * (integral(patch.upper[0]) - integral(patch.lower[0]));
     }
     checks.near("square root up to " + text,
                 compute_pressure_errors(level.multipliers(), P, 4).l2,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Quadrature on the pieces into which lines cut cells and faces, against closed forms.
 
-#include <signorini/mesh/kinks.h>
+#include <signorini/mesh/cut_quadrature.h>
 #include <signorini/scene/geometry.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -55,7 +55,7 @@ void test_rectangle(Checks &checks)
     for (unsigned int j = 0; j <= 2; ++j)
       checks.near("rectangle: max(x-c,0)^" + std::to_string(k) + " y^" + std::to_string(j),
                   integrate(cell,
-                            kinks.quadrature(cell, 3),
+                            cut_quadrature<2>(kinks, cell, 3),
                             [&](const Point &x) {
                               return positive_power(x[0] - 0.3, k) * std::pow(x[1], j);
                             }),
@@ -72,16 +72,16 @@ void test_rectangle(Checks &checks)
   };
   checks.near("rectangle: crossing lines",
               integrate(cell,
-                        several.quadrature(cell, 2),
+                        cut_quadrature<2>(several, cell, 2),
                         [](const Point &x) {
                           return std::abs(x[0] - 0.3) * std::abs(x[0] - 0.6) *
                                  std::abs(x[1] - 0.5) * std::abs(x[1] - 1.7);
                         }),
               signed_integral(0.3, 0.6, 1.) * signed_integral(0.5, 1.7, 2.),
               1e-14);
-  checks.near("rectangle: nine pieces", several.quadrature(cell, 2).size(), 9 * 4, 0);
+  checks.near("rectangle: nine pieces", cut_quadrature<2>(several, cell, 2).size(), 9 * 4, 0);
   checks.near("rectangle: a missed cell keeps its rule",
-              Kinks<2>(lines({2.}, {0.})).quadrature(cell, 3).size(),
+              cut_quadrature<2>(Kinks<2>(lines({2.}, {0.})), cell, 3).size(),
               9,
               0);
 }
@@ -103,7 +103,7 @@ void test_quadrilateral(Checks &checks)
     {"outside", Kinks<2>(lines({-1., 5.}, {3.}))}};
   for (const auto &row : rows)
   {
-    const dealii::Quadrature<2> rule = row.second.quadrature(cell, 4);
+    const dealii::Quadrature<2> rule = cut_quadrature<2>(row.second, cell, 4);
     checks.near("quadrilateral, " + row.first + ": area",
                 integrate(cell, rule, [](const Point &) { return 1.; }),
                 4.,
@@ -126,7 +126,7 @@ void test_quadrilateral(Checks &checks)
     checks.that("quadrilateral, " + row.first + ": points inside, no negative weights", inside);
   }
   const Kinks<2> kinks(lines({1.}, {1.}));
-  const dealii::Quadrature<2> rule = kinks.quadrature(cell, 4);
+  const dealii::Quadrature<2> rule = cut_quadrature<2>(kinks, cell, 4);
   for (unsigned int k = 1; k <= 4; ++k)
   {
     const double p = std::pow(2., k + 1);
@@ -158,10 +158,10 @@ void test_mesh(Checks &checks)
     const Integrand f = [&](const Point &x) {
       return positive_power(x[0] - xi, 1) * positive_power(eta - x[1], 2);
     };
-    const bool cross = kinks.cross(cell);
+    const bool cross = lines_cross<2>(kinks, cell);
     crossed += cross ? 1 : 0;
     plain += integrate(cell, gauss, f);
-    by_pieces += integrate(cell, cross ? kinks.quadrature(cell, 3) : gauss, f);
+    by_pieces += integrate(cell, cross ? cut_quadrature<2>(kinks, cell, 3) : gauss, f);
   }
   const double exact = (1. - xi) * (1. - xi) / 2. * eta * eta * eta / 3.;
   checks.near("mesh: integral on the pieces", by_pieces / exact, 1., 1e-12);
@@ -174,11 +174,11 @@ void test_cross(Checks &checks)
   dealii::Triangulation<2> mesh;
   make_rectangle(Point(0., 0.), Point(1., 1.), {2, 2}).make_coarse_mesh(mesh);
   const Cell first = mesh.begin_active();
-  checks.that("line through the cell", Kinks<2>(lines({0.25}, {})).cross(first));
-  checks.that("line along an edge", !Kinks<2>(lines({0.5, 0.}, {0.5})).cross(first));
-  checks.that("line elsewhere", !Kinks<2>(lines({0.75}, {-0.2})).cross(first));
-  checks.that("line across y", Kinks<2>(lines({0.75}, {0.1})).cross(first));
-  checks.that("no line", !Kinks<2>(lines({}, {})).cross(first));
+  checks.that("line through the cell", lines_cross<2>(Kinks<2>(lines({0.25}, {})), first));
+  checks.that("line along an edge", !lines_cross<2>(Kinks<2>(lines({0.5, 0.}, {0.5})), first));
+  checks.that("line elsewhere", !lines_cross<2>(Kinks<2>(lines({0.75}, {-0.2})), first));
+  checks.that("line across y", lines_cross<2>(Kinks<2>(lines({0.75}, {0.1})), first));
+  checks.that("no line", !lines_cross<2>(Kinks<2>(lines({}, {})), first));
 }
 
 /** 1/r and r, integrated over [0,a] x [0,c] with r counted from the origin. */
@@ -196,19 +196,19 @@ double integral_of_distance(const double a, const double c)
 void test_ends(Checks &checks)
 {
   const double xi = 0.3;
-  Scene<2> scene;
-  scene.geometry = make_rectangle(Point(0., 0.), Point(1., 1.), {4, 4});
-  scene.boundary.resize(4);
-  scene.kinks = lines({xi}, {});
+  const Geometry<2> geometry = make_rectangle(Point(0., 0.), Point(1., 1.), {4, 4});
   dealii::Triangulation<2> mesh;
-  scene.geometry.make_coarse_mesh(mesh);
-  const Kinks<2> without_contact = Kinks<2>::of_scene(scene);
-  scene.boundary[2].role = Role::contact;
-  const Kinks<2> kinks = Kinks<2>::of_scene(scene);
+  geometry.make_coarse_mesh(mesh);
+  const Kinks<2> without_contact(lines({xi}, {}));
+  Kinks<2> kinks(without_contact);
+  kinks.add_ends_on(geometry.sides[2]);
+  checks.that("ends: where the line meets the contact side",
+              without_contact.ends().empty() && kinks.ends().size() == 1 &&
+                kinks.ends()[0].distance(Point(xi, 0.)) < 1e-15);
   double inverse = 0., distance = 0., area = 0., smallest = 1.;
   for (const Cell &cell : mesh.active_cell_iterators())
   {
-    const dealii::Quadrature<2> rule = kinks.quadrature(cell, 4);
+    const dealii::Quadrature<2> rule = cut_quadrature<2>(kinks, cell, 4);
     const auto r = [&](const Point &x) { return std::hypot(x[0] - xi, x[1]); };
     area += integrate(cell, rule, [](const Point &) { return 1.; });
     distance += integrate(cell, rule, r);
@@ -224,8 +224,8 @@ void test_ends(Checks &checks)
   checks.that("ends: no negative weights", smallest >= 0.);
   const Cell near = mesh.begin_active(), far = mesh.last();
   checks.that("ends: cells beside a line are affected near contact only",
-              !kinks.cross(near) && kinks.affect(near) && !kinks.affect(far) &&
-                !without_contact.affect(near));
+              !lines_cross<2>(kinks, near) && needs_cuts<2>(kinks, near) &&
+                !needs_cuts<2>(kinks, far) && !needs_cuts<2>(without_contact, near));
 }
 
 double distance(const std::vector<double> &found, const std::vector<double> &expected)
@@ -266,11 +266,11 @@ void test_segments(Checks &checks)
 void test_sides(Checks &checks)
 {
   const Kinks<2> kinks(lines({0.5, 0.25}, {0.8}));
-  const Side<2> bottom("bottom", Point(-1., 0.), Point(1., 0.), Point(0., -1.));
+  const Side<2> bottom("bottom", Curve(Point(-1., 0.), Point(1., 0.), Point(0., -1.)));
   checks.near("cut of a side", distance(kinks.cut(bottom, 0., 2.), {0., 1.25, 1.5, 2.}), 0., 1e-15);
   checks.near("cut of a part", distance(kinks.cut(bottom, 1.3, 1.6), {1.3, 1.5, 1.6}), 0., 1e-15);
   checks.near("ends are no cuts", distance(kinks.cut(bottom, 1.25, 1.5), {1.25, 1.5}), 0., 1e-15);
-  const Side<2> column("column", Point(0.6, 0.), Point(0.6, 2.), Point(1., 0.));
+  const Side<2> column("column", Curve(Point(0.6, 0.), Point(0.6, 2.), Point(1., 0.)));
   checks.that("touch",
               kinks.touch(bottom, 1.25, 1.3) && kinks.touch(column, 0., 0.8) &&
                 !kinks.touch(bottom, 0., 2.));
@@ -278,7 +278,7 @@ void test_sides(Checks &checks)
   // On the circle of radius 2 about (1, 0) from the angle -pi the line y = 0.8 is met where
   // sin(angle) = 0.4, x = 0.5 and x = 0.25 where cos(angle) = -0.25 and -0.375.
   const double pi = dealii::numbers::PI;
-  const auto circle = Side<2>::arc("circle", Point(1., 0.), 2., -pi, pi, Body::inside);
+  const Side<2> circle("circle", Curve::arc(Point(1., 0.), 2., -pi, pi, Body::inside));
   std::vector<double> expected = {0., 4. * pi};
   for (const double angle : {std::asin(0.4),
                              pi - std::asin(0.4),
@@ -307,7 +307,7 @@ void test_sides(Checks &checks)
   // Over x < 1/2 it is 1/6, over x > 1/2 it is 1/2.
   checks.near("an oblique line",
               integrate(mesh.begin_active(),
-                        slope.quadrature(mesh.begin_active(), 3),
+                        cut_quadrature<2>(slope, mesh.begin_active(), 3),
                         [](const Point &x) { return std::abs(x[1] - 2. * x[0]); }),
               2. / 3.,
               1e-14);

@@ -92,10 +92,10 @@ void moments(Checks &checks, const std::string &name, const OneLevel &level)
     double largest = 0.;
     for (unsigned int tau = 0; tau < DtU.size(); ++tau)
     {
-      const Patch &patch = level.multipliers().partition().patches[tau];
-      const Side<2> &side = level.multipliers().side(patch);
+      const Patch<2> &patch = level.discretization.surface.patches()[tau];
+      const Side<2> &side = level.discretization.surface.side(patch);
       const double expected =
-        fields[k](side.point(patch.middle())) * side.normal(0.) * patch.length();
+        fields[k](side.point(patch.centre())) * side.normal(0.) * patch.measure;
       largest = std::max(largest, std::abs(DtU[tau] - expected));
     }
     checks.near(name + names[k], largest, 0., 1e-14);

@@ -27,10 +27,10 @@ void check_gap(Checks &checks,
   double largest = 0.;
   for (unsigned int tau = 0; tau < level.multipliers().n_multipliers(); ++tau)
   {
-    const Patch &patch = level.multipliers().partition().patches[tau];
+    const Patch<2> &patch = level.discretization.surface.patches()[tau];
     largest = std::max(largest,
-                       std::abs(level.discretization.G[tau] - antiderivative(patch.end) +
-                                antiderivative(patch.start)));
+                       std::abs(level.discretization.G[tau] - antiderivative(patch.upper[0]) +
+                                antiderivative(patch.lower[0])));
   }
   checks.near(name, largest, 0., 1e-15);
 }
@@ -87,29 +87,28 @@ void rules(Checks &checks)
     "set Kinks at y = 1.7\nend\n",
     2);
   const auto &space = level.multipliers();
-  for (const bool graded : {false, true})
+  for (const Grading grading : {Grading::none, Grading::towards_kinks})
   {
     dealii::Vector<double> sums(space.n_multipliers());
     double off_side = 0., off_arc = 0.;
-    for (const Piece &piece : space.partition().pieces)
+    for (const Piece<2> &piece : space.surface().pieces())
     {
-      const Side<2> &side = space.side(space.partition().patches[piece.patch]);
-      const auto rule = space.rule(piece, 3, graded);
+      const Side<2> &side = space.surface().side(space.surface().patches()[piece.patch]);
+      const auto rule = space.surface().rule(piece, 3, grading);
       for (std::size_t q = 0; q < rule.points.size(); ++q)
       {
         sums[piece.patch] += rule.weights[q];
         off_side = std::max(off_side, std::abs((rule.points[q] - side.start()) * side.normal(0.)));
-        off_arc =
-          std::max(off_arc, std::abs(side.arc_length(rule.points[q]) - rule.arc_lengths[q]));
+        off_arc = std::max(off_arc, std::abs(side.arc_length(rule.points[q]) - rule.on_side[q][0]));
       }
     }
-    const std::string name = graded ? "graded rule" : "plain rule";
-    checks.near(name + ": weights sum to |tau|", distance(sums, space.lengths()), 0., 1e-14);
+    const std::string name = grading == Grading::none ? "plain rule" : "graded rule";
+    checks.near(name + ": weights sum to |tau|", distance(sums, space.integrals()), 0., 1e-14);
     checks.near(name + ": points on the side", off_side + off_arc, 0., 1e-14);
   }
   // side1 and side3 have the lengths sqrt(2.5) and sqrt(4.5).
-  checks.near("|tau| on side1", space.lengths()[0], std::sqrt(2.5) / 5., 1e-15);
-  checks.near("|tau| on side3", space.lengths()[14], std::sqrt(4.5) / 5., 1e-15);
+  checks.near("|tau| on side1", space.integrals()[0], std::sqrt(2.5) / 5., 1e-15);
+  checks.near("|tau| on side3", space.integrals()[14], std::sqrt(4.5) / 5., 1e-15);
 }
 
 /** int sqrt((c - x)_+) = 2/3 c^{3/2}, the behaviour of the pressure at the end of contact. */
@@ -122,9 +121,10 @@ void square_roots(Checks &checks)
     for (const unsigned int n_points : {4U, 8U})
     {
       double integral = 0.;
-      for (const Piece &piece : level.multipliers().partition().pieces)
+      for (const Piece<2> &piece : level.discretization.surface.pieces())
       {
-        const auto rule = level.multipliers().rule(piece, n_points, true);
+        const auto rule =
+          level.discretization.surface.rule(piece, n_points, Grading::towards_kinks);
         for (std::size_t q = 0; q < rule.points.size(); ++q)
           integral += std::sqrt(std::max(kink - rule.points[q][0], 0.)) * rule.weights[q];
       }
@@ -133,6 +133,53 @@ void square_roots(Checks &checks)
                   2. / 3. * std::pow(kink, 1.5),
                   1e-8);
     }
+  }
+}
+
+/** The basis: its values, integrals and bounds, and the projection of a linear function. */
+void basis(Checks &checks)
+{
+  const OneLevel level(square("0", "set Patches = 5\n"), 3);
+  const auto &space = level.multipliers();
+  const auto P = RandomNumbers(3).vector(space.n_multipliers());
+  checks.that("as many multipliers as patches",
+              space.n_multipliers() == 5 * space.n_per_patch && space.first_of(3) == 3);
+  double off = 0., integral = 0., exact = 0.;
+  const dealii::Vector<double> integrals = space.integrals();
+  for (unsigned int k = 0; k < space.n_multipliers(); ++k)
+  {
+    const unsigned int patch = space.patch_of(k);
+    for (const double r : {0.1, 0.8})
+    {
+      const dealii::Point<1> s((patch + r) / 5.);
+      off = std::max(
+        {off, std::abs(space.shape_value(k, s) - 1.), std::abs(space.value(P, patch, s) - P[k])});
+    }
+    off = std::max(off, std::abs(integrals[k] - 0.2));
+    integral += P[k] * integrals[k];
+    exact += P[k] / 5.;
+  }
+  checks.near("values and integrals of the basis", off, 0., 1e-15);
+  checks.near("int p_H = sum P_k int psi_k", integral, exact, 1e-15);
+  checks.near("no tension", space.upper_bounds().linfty_norm(), 0., 0.);
+  for (const Grading grading : {Grading::none, Grading::towards_kinks})
+  {
+    const auto moments = integrate_against_multipliers(
+      space, 3, grading, [](const Piece<2> &, const SurfaceRule<2> &rule) {
+        std::vector<double> values;
+        for (const auto &x : rule.points)
+          values.push_back(3. * x[0] - 1.);
+        return values;
+      });
+    const auto projection = space.project(moments);
+    double largest = 0.;
+    for (unsigned int k = 0; k < space.n_multipliers(); ++k)
+    {
+      const double mean = 3. * (k + 0.5) / 5. - 1.;
+      largest =
+        std::max({largest, std::abs(moments[k] - 0.2 * mean), std::abs(projection[k] - mean)});
+    }
+    checks.near("moments and projection of a linear function", largest, 0., 1e-14);
   }
 }
 } // namespace
@@ -145,5 +192,6 @@ int main(int argc, char **argv)
   gaps(checks);
   rules(checks);
   square_roots(checks);
+  basis(checks);
   return checks.exit_code();
 }

@@ -2,10 +2,13 @@
 // The dual problem with columns on demand: the same answer from fewer columns.
 
 #include <signorini/qp/active_set.h>
+#include <signorini/qp/dual_solver.h>
 #include <signorini/qp/growing_set.h>
 
-#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <set>
+#include <stdexcept>
 
 #include "random_numbers.h"
 #include "tests.h"
@@ -21,23 +24,77 @@ QPResult by_active_set(const BoundConstrainedQP &qp, const Vector &start)
   return solve_by_active_set(qp, start, ActiveSetOptions());
 }
 
-/** Hands out columns of a matrix and remembers which. */
-struct Columns
+/** Hands out columns of a matrix and remembers which: what was asked for once is kept. */
+class Columns final : public ComplianceOperator
 {
-  const Matrix &from;
-  std::vector<unsigned int> asked = {};
-  unsigned int n_calls = 0;
-
-  void operator()(const std::vector<unsigned int> &columns, Matrix &C)
+public:
+  explicit Columns(const Matrix &from)
+    : from_(from)
+    , kept_(from.m(), from.n())
   {
-    ++n_calls;
-    for (const unsigned int j : columns)
-    {
-      asked.push_back(j);
-      for (unsigned int i = 0; i < from.m(); ++i)
-        C(i, j) = C(j, i) = from(i, j);
-    }
   }
+
+  unsigned int size() const override
+  {
+    return from_.m();
+  }
+  Vector apply(const Vector &P) const override
+  {
+    Vector product(size());
+    for (unsigned int j = 0; j < size(); ++j)
+      if (P[j] != 0.)
+      {
+        keep(j);
+        for (unsigned int i = 0; i < size(); ++i)
+          product[i] += kept_(i, j) * P[j];
+      }
+    return product;
+  }
+  Vector diagonal() const override
+  {
+    throw std::logic_error("the whole diagonal costs all columns");
+  }
+  Matrix columns(const Indices &numbers) const override
+  {
+    Matrix found(size(), numbers.size());
+    for (unsigned int k = 0; k < numbers.size(); ++k)
+    {
+      keep(numbers[k]);
+      for (unsigned int i = 0; i < size(); ++i)
+        found(i, k) = kept_(i, numbers[k]);
+    }
+    return found;
+  }
+  const Matrix &dense() const override
+  {
+    throw std::logic_error("all of C costs all columns");
+  }
+  bool is_explicit() const override
+  {
+    return false;
+  }
+
+  /** In ascending order. */
+  const std::set<unsigned int> &asked() const
+  {
+    return asked_;
+  }
+  const Matrix &kept() const
+  {
+    return kept_;
+  }
+
+private:
+  void keep(const unsigned int j) const
+  {
+    if (asked_.insert(j).second)
+      for (unsigned int i = 0; i < size(); ++i)
+        kept_(i, j) = from_(i, j);
+  }
+
+  const Matrix &from_;
+  mutable Matrix kept_;
+  mutable std::set<unsigned int> asked_;
 };
 
 /** Solves with columns on demand and compares with the whole matrix. @return the columns asked for.
@@ -50,24 +107,30 @@ unsigned int compare(Checks &checks,
 {
   const BoundConstrainedQP qp(C, F);
   const QPResult whole = by_active_set(qp, Vector());
-  Columns columns{C};
-  Matrix partial;
-  const QPResult found = solve_on_growing_set(F, start, std::ref(columns), by_active_set, partial);
+  const Columns columns(C);
+  const QPResult found = solve_on_growing_set(columns, F, start, by_active_set);
   Vector difference = found.P;
   difference -= whole.P;
   checks.near(name + ": P", difference.linfty_norm(), 0., 1e-10 * whole.P.linfty_norm());
   checks.that(name + ": converged", found.converged);
   checks.near(name + ": KKT residual of the whole problem", qp.kkt_residual(found.P), 0., 1e-12);
-  std::sort(columns.asked.begin(), columns.asked.end());
-  checks.that(name + ": no column twice",
-              std::adjacent_find(columns.asked.begin(), columns.asked.end()) ==
-                columns.asked.end());
+  // The same through solve_dual_problem(), which sees that columns are expensive.
+  const auto again = std::make_shared<const Columns>(C);
+  const QPResult chosen = solve_dual_problem(again, F, start, DualSolverOptions());
+  difference = chosen.P;
+  difference -= found.P;
+  checks.near(name + ": the dual solver works on the same set", difference.linfty_norm(), 0., 0.);
+  checks.that(name + ": and asks for the same columns", again->asked() == columns.asked());
+  bool needed = true;
+  for (unsigned int j = 0; j < F.size(); ++j)
+    needed = needed && (whole.P[j] == 0. || columns.asked().count(j) == 1);
+  checks.that(name + ": every pressing patch was asked for", needed);
   double missing = 0.;
-  for (const unsigned int j : columns.asked)
+  for (const unsigned int j : columns.asked())
     for (unsigned int i = 0; i < F.size(); ++i)
-      missing = std::max(missing, std::abs(partial(i, j) - C(i, j)));
+      missing = std::max(missing, std::abs(columns.kept()(i, j) - C(i, j)));
   checks.near(name + ": C holds its columns", missing, 0., 0.);
-  return columns.asked.size();
+  return columns.asked().size();
 }
 
 /** Like a compliance: positive definite, entries that decay away from the diagonal. */
@@ -78,6 +141,41 @@ Matrix make_compliance(const unsigned int m)
     for (unsigned int j = 0; j < m; ++j)
       C(i, j) = std::exp(-0.2 * std::abs(double(i) - double(j)));
   return C;
+}
+
+/** solve_dual_problem() by both methods, and where C is singular. */
+void choice(Checks &checks, const Matrix &C, const Vector &F)
+{
+  const unsigned int m = F.size();
+  DualSolverOptions psor;
+  psor.method = ContactSolver::psor;
+  const auto by = [](const Matrix &matrix, const Vector &load, const DualSolverOptions &options) {
+    return solve_dual_problem(
+      std::make_shared<const DenseCompliance>(matrix), load, Vector(), options);
+  };
+  const QPResult sets = by(C, F, DualSolverOptions()), sweeps = by(C, F, psor);
+  Vector difference = sets.P;
+  difference -= sweeps.P;
+  checks.near("both methods", difference.linfty_norm(), 0., 1e-8);
+  checks.that("the one that was chosen",
+              sets.increment_iterations == 0 && sweeps.increment_iterations > 0 &&
+                !sets.active_set_failure && !sweeps.active_set_failure);
+  // All entries 1: only the sum of P is known, and it is -1.
+  Matrix ones(m, m);
+  Vector load(m);
+  for (unsigned int i = 0; i < m; ++i)
+  {
+    load[i] = -1.;
+    for (unsigned int j = 0; j < m; ++j)
+      ones(i, j) = 1.;
+  }
+  DualSolverOptions singular;
+  singular.may_be_singular = true;
+  const QPResult replaced = by(ones, load, singular);
+  checks.that("C is singular: projected SOR answers, and it is said",
+              replaced.converged && replaced.active_set_failure.has_value());
+  checks.that("C is singular: the answer is not unique", !replaced.unique);
+  checks.near("C is singular: the sum of P", replaced.P.mean_value() * m, -1., 1e-8);
 }
 } // namespace
 
@@ -118,12 +216,12 @@ int main()
       checks, "random " + std::to_string(k), C, shifted, k % 2 == 0 ? Vector() : random.vector(m));
   }
 
-  Columns columns{C};
-  Matrix partial;
+  const Columns columns(C);
   Vector open(m);
   open = 1.;
-  const QPResult nothing =
-    solve_on_growing_set(open, Vector(), std::ref(columns), by_active_set, partial);
-  checks.that("nothing touches: no column", columns.asked.empty() && nothing.P.linfty_norm() == 0.);
+  const QPResult nothing = solve_on_growing_set(columns, open, Vector(), by_active_set);
+  checks.that("nothing touches: no column",
+              columns.asked().empty() && nothing.P.linfty_norm() == 0.);
+  choice(checks, C, F);
   return checks.exit_code();
 }

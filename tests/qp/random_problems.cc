@@ -63,7 +63,7 @@ Vector solve_on(const BoundConstrainedQP &qp, const unsigned int set)
     const bool active = ((set >> i) & 1U) == 1;
     rhs[i] = active ? qp.F[i] : qp.bound[i];
     for (unsigned int j = 0; j < m; ++j)
-      system(i, j) = active ? qp.C(i, j) : (i == j ? 1. : 0.);
+      system(i, j) = active ? qp.C->dense()(i, j) : (i == j ? 1. : 0.);
   }
   system.gauss_jordan();
   system.vmult(P, rhs);
@@ -173,7 +173,7 @@ bool plain_method_cycles(const BoundConstrainedQP &qp, unsigned int set)
     const Vector P = solve_on(qp, set), W = qp.gradient(P);
     unsigned int next = 0;
     for (unsigned int i = 0; i < qp.size(); ++i)
-      if (P[i] - W[i] / qp.C(i, i) < qp.bound[i] - 1e-12)
+      if (P[i] - W[i] / qp.diagonal[i] < qp.bound[i] - 1e-12)
         next |= 1U << i;
     if (next == set)
       return false;

@@ -180,7 +180,7 @@ void test_curved_geometry(Checks &checks)
   check_curved_mesh(checks, "half disc", half);
   check_arc(checks,
             "arc across the negative x-axis",
-            Side<2>::arc("arc", Point(3., -1.), 0.5, 0.9 * pi, 1.4 * pi, Body::outside),
+            Side<2>("arc", Curve::arc(Point(3., -1.), 0.5, 0.9 * pi, 1.4 * pi, Body::outside)),
             Point(3., -1.),
             0.5,
             0.9 * pi,

@@ -123,10 +123,12 @@ void test_a1(Checks &checks)
                 condition(a1, "top").role == Role::clamped &&
                 a1.contact_sides() == std::vector<unsigned int>{2});
   checks.that("A1 is known exactly", a1.has_exact_pressure());
+  const std::vector<KinkLine<2>> &lines = a1.kinks.lines();
   checks.that("A1 kinks and those of the parameters",
-              a1.kinks.size() == 2 && std::abs(a1.kinks[0].position - xi) < 1e-15 &&
-                a1.kinks[0].normal[0] == 1. && a1.kinks[1].position == 0.25 &&
-                a1.kinks[1].normal[1] == 1.);
+              lines.size() == 2 && std::abs(lines[0].position - xi) < 1e-15 &&
+                lines[0].normal[0] == 1. && lines[1].position == 0.25 && lines[1].normal[1] == 1.);
+  checks.that("A1 contact may end where a kink meets its side",
+              a1.kinks.ends().size() == 1 && a1.kinks.ends()[0].distance(Point(xi, 0.)) < 1e-15);
 }
 
 /** Contact conditions, u = 0 on the clamped side, and p = sigma_n along the contact side. */

@@ -34,7 +34,7 @@ struct System
     : scene(std::move(given_scene))
     , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
     , space(mesh, scene)
-    , A(std::move(assemble_linear_system(space, scene, 3).A))
+    , A(std::move(assemble_linear_system(space, scene, 3).matrix))
   {
   }
 
@@ -97,7 +97,7 @@ void known_answers(Checks &checks)
   for (const LinearSolver solver : solvers())
   {
     const std::string name = to_text(solver);
-    const auto inverse = factorise(system.A, solver);
+    const auto inverse = factorise(system.A, 1., solver);
     checks.that(name + ": no solve yet", inverse->n_solves() == 0);
     inverse->solve(x, b);
     checks.near(name + ": known answer", relative_distance(x, exact), 0., 1e-12);
@@ -113,6 +113,73 @@ void known_answers(Checks &checks)
     checks.near(name + ": b = 0", x.linfty_norm(), 0., 0.);
     checks.that(name + ": solves are counted", inverse->n_solves() == 4);
     checks.between(name + ": residual", inverse->largest_residual(), 1e-18, 1e-12);
+    factorise(system.A, 4., solver)->solve(x, b);
+    x *= 4.;
+    checks.near(name + ": the inverse of 4 A", relative_distance(x, exact), 0., 1e-12);
+  }
+}
+
+/** Whether two vectors agree bit by bit, on all ranks. */
+bool same(DistributedVector a, const DistributedVector &b)
+{
+  a -= b;
+  return a.linfty_norm() == 0.;
+}
+
+/** Loads as smooth and as rough as they come, very large and very small ones. */
+std::vector<DistributedVector> different_loads(const System &system)
+{
+  std::vector<DistributedVector> loads;
+  for (const unsigned int seed : {11U, 12U, 13U})
+    loads.push_back(system.random_vector(seed));
+  loads[1] *= 1e12;
+  // A force at one node, and A times something rough: the answers differ by orders of magnitude.
+  dealii::Vector<double> one(system.space.dofs().n_dofs());
+  one[one.size() / 2] = 1e-9;
+  loads.push_back(system.distribute(one));
+  loads.push_back(system.space.make_vector());
+  system.A.vmult(loads.back(), system.random_vector(14));
+  return loads;
+}
+
+/** What was solved before changes no bit of an answer; several at once are several.
+ * @param is_refined whether steps of refinement are needed. */
+void without_history(Checks &checks,
+                     const std::string &body,
+                     const System &system,
+                     const bool is_refined,
+                     const double tolerance)
+{
+  const std::vector<DistributedVector> loads = different_loads(system);
+  for (const LinearSolver solver : solvers())
+  {
+    const std::string name = body + ", " + to_text(solver);
+    const auto inverse = factorise(system.A, 1., solver);
+    std::vector<DistributedVector> first;
+    for (const DistributedVector &b : loads)
+    {
+      first.push_back(inverse->make_vector());
+      inverse->solve(first.back(), b);
+    }
+    checks.that(name + (is_refined ? ": refined" : ": not refined"),
+                (inverse->rounding_error() > 0.) == is_refined);
+    bool unchanged = true;
+    for (std::size_t k = loads.size(); k-- > 0;)
+    {
+      DistributedVector x = inverse->make_vector();
+      x = 1e5;
+      inverse->solve(x, loads[k]);
+      unchanged = unchanged && same(x, first[k]);
+    }
+    checks.that(name + ": the same answer after other loads", unchanged);
+    std::vector<DistributedVector> several(loads.size(), inverse->make_vector());
+    const unsigned int n_solves = inverse->n_solves();
+    inverse->solve(several, loads);
+    double largest = 0.;
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      largest = std::max(largest, relative_distance(several[k], first[k]));
+    checks.near(name + ": several at once", largest, 0., tolerance);
+    checks.that(name + ": each of several counts", inverse->n_solves() == n_solves + loads.size());
   }
 }
 
@@ -127,7 +194,7 @@ void singular(Checks &checks, const std::string &body, const System &system)
     for (const auto &b : right_hand_sides)
       checks.throws<ComputationError>(
         body + ", " + b.first + ", " + to_text(solver), "singular", [&]() {
-          const auto inverse = factorise(system.A, solver);
+          const auto inverse = factorise(system.A, 1., solver);
           DistributedVector x = system.space.make_vector();
           inverse->solve(x, b.second);
         });
@@ -137,7 +204,7 @@ void singular(Checks &checks, const std::string &body, const System &system)
 void choice(Checks &checks)
 {
   const System system(held(), 2);
-  const auto automatic = factorise(system.A, LinearSolver::automatic);
+  const auto automatic = factorise(system.A, 1., LinearSolver::automatic);
   checks.that("automatic is condensed on one rank only",
               (dynamic_cast<const CondensedInverse *>(automatic.get()) != nullptr) == one_rank());
   checks.that("automatic is resolved",
@@ -154,25 +221,29 @@ void choice(Checks &checks)
     "automatic, amesos_mumps, amesos_klu.",
     [&]() { solve("\n" + clamped + entry("Solver", "Linear solver", "condensed")); });
   checks.throws<dealii::ExceptionBase>("the factorisation knows, too", "on one rank only", [&]() {
-    factorise(system.A, LinearSolver::condensed);
+    factorise(system.A, 1., LinearSolver::condensed);
   });
 }
 
 /** Ill-conditioned but regular: a slender bar, clamped at one end. */
-void slender_bar(Checks &checks)
+Scene<2> bar()
 {
-  Parameters parameters =
+  return make_scene(
     parse_parameters("subsection Geometry\nset Upper right = 30, 1\nset Cells = 30, 1\nend\n"
                      "subsection Boundary\nset Clamped = left\nset Contact = bottom\nend\n",
-                     "test");
-  const System system(make_scene(parameters), 1);
+                     "test"));
+}
+
+void slender_bar(Checks &checks)
+{
+  const System system(bar(), 1);
   const DistributedVector exact = system.random_vector(7);
   DistributedVector b = system.space.make_vector(), x = b;
   system.A.vmult(b, exact);
   for (const LinearSolver solver : solvers())
   {
     const std::string name = to_text(solver);
-    const auto inverse = factorise(system.A, solver);
+    const auto inverse = factorise(system.A, 1., solver);
     inverse->solve(x, b);
     checks.between("slender bar, " + name, inverse->largest_residual(), 0., 1e-12);
   }
@@ -187,6 +258,8 @@ int main(int argc, char **argv)
   known_answers(checks);
   choice(checks);
   slender_bar(checks);
+  without_history(checks, "square", System(held(), 3), false, 1e-13);
+  without_history(checks, "slender bar", System(bar(), 1), true, 1e-9);
   for (const unsigned int level : {0U, 1U, 3U, 5U})
   {
     singular(checks, "loose body, level " + std::to_string(level), System(loose(), level));

@@ -111,13 +111,13 @@ inline Measured measure(const std::string &text, const std::vector<std::string> 
   measured.study = solve(text, all);
   if (measured.study.levels.empty())
     return measured;
-  all.emplace_back("Output/Inf-sup constant=false");
+  all.insert(all.end(), {"Output/Inf-sup constant=false", "Output/Compliance=true"});
   const Parameters parameters = parse_parameters(text, "test", all);
   const Scene<2> scene = make_scene(parameters);
   const Discretization<2> discretization(
     parameters, scene, measured.finest().sizes.level, MPI_COMM_WORLD);
   const LevelSolution<2> level =
-    solve_level(parameters, scene, discretization, StartingPressure(), [](const std::string &) {});
+    solve_level(parameters, scene, discretization, PatchPressure(), [](const std::string &) {});
   if (level.C.m() == 0)
     return measured;
   const BoundConstrainedQP qp(level.C, level.F);

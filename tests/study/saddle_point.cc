@@ -68,7 +68,7 @@ public:
     , m_(level.multipliers().n_multipliers())
   {
     dealii::DynamicSparsityPattern pattern(n_ + m_);
-    for (const auto &entry : system_.A)
+    for (const auto &entry : system_.matrix)
       pattern.add(entry.row(), entry.column());
     for (unsigned int i = 0; i < m_; ++i)
     {
@@ -84,9 +84,9 @@ public:
     NodalVector k(n_);
     level.space().constraints().distribute(k);
     prescribed_ = level.discretization.D.transpose_product(k);
-    const Vector lengths = level.multipliers().lengths();
+    const Vector lengths = level.multipliers().integrals();
     for (unsigned int i = 0; i < m_; ++i)
-      weights_.push_back(system_.A.linfty_norm() / (lengths[i] * lengths[i]));
+      weights_.push_back(system_.matrix.linfty_norm() / (lengths[i] * lengths[i]));
   }
 
   MixedSolution solve() const
@@ -106,7 +106,7 @@ public:
           solution.converged && std::abs(solution.P[i] - std::min(0., predicted)) <= small;
       }
     }
-    // A and f are in units of stiffness, and so was P.
+    // The system was solved for A/unit and f/unit, and so for P/unit.
     solution.P *= system_.unit;
     return solution;
   }
@@ -116,10 +116,10 @@ private:
   {
     dealii::SparseMatrix<double> matrix(pattern_);
     Vector x(n_ + m_);
-    for (const auto &entry : system_.A)
+    for (const auto &entry : system_.matrix)
       matrix.set(entry.row(), entry.column(), entry.value());
     for (unsigned int j = 0; j < n_; ++j)
-      x[j] = system_.f(j);
+      x[j] = system_.f(j) / system_.unit;
     for (unsigned int i = 0; i < m_; ++i)
     {
       for (const auto &entry : level_.discretization.condensed_D.column(i))
@@ -169,7 +169,8 @@ double missing_decrease(const BoundConstrainedQP &qp,
     psor_sweep(qp, relaxation, P);
     double expected = 0.;
     for (unsigned int i = 0; i < P.size(); ++i)
-      expected += (1. / relaxation - 0.5) * qp.C(i, i) * (P[i] - before[i]) * (P[i] - before[i]);
+      expected +=
+        (1. / relaxation - 0.5) * qp.diagonal[i] * (P[i] - before[i]) * (P[i] - before[i]);
     const double next = qp.energy(P);
     worst = std::max(worst, (next - energy + expected) / std::abs(P * qp.F));
     energy = next;
@@ -200,6 +201,7 @@ Vector check_scene(LargestValues &largest, const std::string &name, const std::s
     std::string with_solver = text;
     with_solver += entry("Solver", "Contact solver", solver);
     with_solver += entry("Solver", "Tolerance", "1e-12");
+    with_solver += entry("Output", "Compliance", "true");
     const OneLevel level(with_solver, number);
     const LevelSolution<2> solution = level.solve();
     const double P_distance = distance(solution.P, mixed.P);
