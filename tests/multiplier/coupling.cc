@@ -2,6 +2,7 @@
 // D_{j tau} = int_tau phi_j.n: hand-computed entries, moments of constant and linear fields on
 // sides in every direction, and the coupling seen from the free degrees of freedom.
 
+#include <signorini/elasticity/trace_values.h>
 #include <signorini/multiplier/coupling.h>
 
 #include <map>
@@ -77,7 +78,8 @@ void hand_computed(Checks &checks)
   check_column(checks, "[2/3, 1]", thirds, 2, {{0.5, -1. / 9.}, {1., -2. / 9.}});
 }
 
-/** int_tau u.n for a constant and a linear u: the mid-point rule is exact for both. */
+/** int_tau u.n for a constant and a linear u: the mid-point rule is exact for both. And u.n itself.
+ */
 void moments(Checks &checks, const std::string &name, const OneLevel &level)
 {
   const Tensor<2, 2> slope({{0.3, -0.7}, {1.1, 0.4}});
@@ -87,8 +89,8 @@ void moments(Checks &checks, const std::string &name, const OneLevel &level)
   const char *const names[] = {": constant field", ": linear field"};
   for (unsigned int k = 0; k < 2; ++k)
   {
-    const auto DtU =
-      level.discretization.D.transpose_product(nodal_values(level.space(), fields[k]));
+    const NodalVector U = nodal_values(level.space(), fields[k]);
+    const auto DtU = level.discretization.D.transpose_product(U);
     double largest = 0.;
     for (unsigned int tau = 0; tau < DtU.size(); ++tau)
     {
@@ -99,6 +101,17 @@ void moments(Checks &checks, const std::string &name, const OneLevel &level)
       largest = std::max(largest, std::abs(DtU[tau] - expected));
     }
     checks.near(name + names[k], largest, 0., 1e-14);
+    TraceValues<2> traces(level.space());
+    double off = 0.;
+    for (const Piece<2> &piece : level.discretization.surface.pieces())
+    {
+      const auto &face = level.discretization.surface.faces()[piece.face];
+      const auto u_n = traces.normal_displacement(face, piece.on_mesh, U);
+      const Tensor<1, 2> n = level.scene.geometry.sides[face.side].normal(0.);
+      for (std::size_t q = 0; q < u_n.size(); ++q)
+        off = std::max(off, std::abs(u_n[q] - fields[k](piece.on_mesh.points[q]) * n));
+    }
+    checks.near(name + names[k] + ", u.n", off, 0., 1e-14);
   }
 }
 

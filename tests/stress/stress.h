@@ -8,6 +8,7 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -83,10 +84,15 @@ struct Measured
   {
     return study.verdict.is_certified();
   }
-  /** Whether the answer is withheld, and the message holds this. */
+  /** Whether the answer is withheld, and the message holds this; it may be how a sentence begins.
+   */
   bool names(const std::string &cause) const
   {
-    return !study.verdict.is_certified() && study.verdict.reason.find(cause) != std::string::npos;
+    std::string reason = study.verdict.reason;
+    if (!reason.empty())
+      reason[0] = static_cast<char>(std::tolower(reason[0]));
+    return !study.verdict.is_certified() && (reason.find(cause) != std::string::npos ||
+                                             study.verdict.reason.find(cause) != std::string::npos);
   }
 };
 
