@@ -50,14 +50,18 @@ void add_traction_side(const dealii::FEFaceValues<2> &values,
       given.moments[4 * edge + 2 + c] += s * weighted;
     }
   const auto linear = linear_traction(given.moments, edge, mesh.edges()[edge].length);
-  double square = 0.;
+  const Vector2 &normal = mesh.edges()[edge].normal;
+  double shear_square = 0., normal_square = 0.;
   for (unsigned int i = 0; i < points.size(); ++i)
   {
     const double s = position(points[i]);
     const Vector2 difference = Vector2({t[i][0], t[i][1]}) - (1. - s) * linear[0] - s * linear[1];
-    square += difference.norm_square() * values.JxW(i);
+    const double of_normal = difference * normal;
+    normal_square += of_normal * of_normal * values.JxW(i);
+    shear_square += (difference - of_normal * normal).norm_square() * values.JxW(i);
   }
-  given.rest[edge] = std::sqrt(square);
+  given.normal_rest[edge] = std::sqrt(normal_square);
+  given.shear_rest[edge] = std::sqrt(shear_square);
 }
 
 void add_traction_sides(const DisplacementSpace<2> &space,
@@ -156,7 +160,7 @@ void add_contact_sides(const EdgeMesh &mesh,
       squares[part.edge] += edge.length * (part.to - part.from) * (a * a + 4. * m * m + b * b) / 6.;
     }
   for (std::size_t e = 0; e < squares.size(); ++e)
-    given.rest[e] += std::sqrt(squares[e]);
+    given.normal_rest[e] += std::sqrt(squares[e]);
 }
 
 /** Linear equations a.c = value for a vector c of the plane, as many as determine it. */
@@ -217,6 +221,7 @@ GivenTractions given_tractions(const DisplacementSpace<2> &space,
                                const unsigned int n_points)
 {
   GivenTractions given = {std::vector<double>(mesh.n_moments(), 0.),
+                          std::vector<double>(mesh.edges().size(), 0.),
                           std::vector<double>(mesh.edges().size(), 0.)};
   add_traction_sides(space, scene, mesh, n_points, given);
   add_contact_sides(mesh, pressed_parts(mesh, multipliers, P), given);

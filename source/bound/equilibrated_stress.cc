@@ -271,7 +271,8 @@ StressBound EquilibratedStress::bound() const
     const auto add_rest = [&](const OscillationConstants &constants) {
       rest = loads_.empty() ? 0. : constants.body * loads_[c].rest;
       for (unsigned int k = 0; k < 4; ++k)
-        rest += constants.edge[k] * given_.rest[cell.edges[k]];
+        rest += constants.normal[k] * given_.normal_rest[cell.edges[k]] +
+                constants.edge[k] * given_.shear_rest[cell.edges[k]];
       rest /= std::sqrt(eigenvalue);
     };
     add_rest(OscillationConstants(data.shape));

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -51,6 +52,26 @@ double trace_constant(const dealii::Point<2> &a,
   const double poincare = std::max(to_P, length) / PI;
   return std::sqrt(length / area * (poincare * poincare + to_P * poincare));
 }
+
+/** The depth of the largest rectangle on edge k that lies in the cell; 0 if there is none. */
+double depth(const CellShape &shape, const unsigned int k)
+{
+  const auto &a = shape.corners[k], &b = shape.corners[(k + 1) % 4];
+  const Vector2 along = (b - a) / a.distance(b);
+  const Vector2 left = shape.corners[(k + 3) % 4] - a, right = shape.corners[(k + 2) % 4] - b;
+  constexpr double rounding = 1e-12;
+  if (left * along > rounding * left.norm() || right * along < -rounding * right.norm())
+    return 0.;
+  return std::min(cross(along, left), cross(along, right));
+}
+
+/** The constant of Airy's function on a rectangle. */
+double beam_constant(const double L, const double largest_depth)
+{
+  const double d = std::min(largest_depth, 0.73 * L);
+  return std::sqrt(13. / 35. * d + 12. / (5. * d) * L * L / (4. * PI * PI) +
+                   12. / std::pow(d, 3) * std::pow(L, 4) / 500.56);
+}
 } // namespace
 
 OscillationConstants::OscillationConstants(const CellShape &shape)
@@ -63,6 +84,8 @@ OscillationConstants::OscillationConstants(const CellShape &shape)
     const auto &a = x[k], &b = x[(k + 1) % 4];
     edge[k] =
       korn * std::min(trace_constant(a, b, x[(k + 2) % 4]), trace_constant(a, b, x[(k + 3) % 4]));
+    const double d = depth(shape, k);
+    normal[k] = d > 0. ? std::min(edge[k], beam_constant(a.distance(b), d)) : edge[k];
   }
 }
 } // namespace Signorini

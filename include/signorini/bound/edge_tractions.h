@@ -13,9 +13,9 @@ struct GivenTractions
 {
   /** Their moments on edges of EdgeFreedom::none, zero on others (see EdgeMesh). */
   std::vector<double> moments;
-  /** ‖t - t_h‖_{L2(e)} for every edge; t_h is the linear function with the moments of t. What is
-   * left has neither force nor moment. */
-  std::vector<double> rest;
+  /** The norms in L2(e) of the normal component and of the shear of t - t_h for every edge; t_h is
+   * the linear function with the moments of t. What is left has neither force nor moment. */
+  std::vector<double> normal_rest, shear_rest;
 };
 
 /**

@@ -27,6 +27,14 @@ namespace Signorini
  * 3. On the triangle T = conv(e, P) with another corner P of K: (x - P).n is 2|T|/|e| on e and zero
  *    on the two other edges, so that (2|T|/|e|) ‖v‖_e² = int_T div((x - P) |v|²) <= 2 ‖v‖_T² +
  *    2 l ‖v‖_T ‖grad v‖_T with l = max_T |x - P|, and ‖v‖_T <= (h_T/pi) ‖grad v‖_T.
+ *
+ * Normal tractions r_e n on an edge with right or obtuse angles at both ends need neither: with x
+ * along e, y inwards and a rectangle [0,L] x [0,d] in K, Airy's function F(x) psi(y/d) with
+ * F'' = r_e, psi(s) = (1 - s)² (1 + 2 s) has F = F' = 0 at both ends, as r_e has neither force nor
+ * moment; its stress (F psi''/d², F'' psi, -F' psi'/d) has the traction r_e n on e and none on the
+ * three other edges of the rectangle, outside of which it is continued by zero. By the clamped beam
+ * ‖F‖² <= L⁴/500.56 ‖r_e‖² and by Wirtinger ‖F'‖ <= L/(2 pi) ‖r_e‖, so that its square is at most
+ * (13/35 d + 12/(5 d) L²/(4 pi²) + 12/d³ L⁴/500.56) ‖r_e‖². The best d is close to 0.73 L.
  */
 struct OscillationConstants
 {
@@ -34,6 +42,7 @@ struct OscillationConstants
 
   double korn;
   double body;
-  std::array<double, 4> edge;
+  /** For tractions in any direction, and for normal ones. */
+  std::array<double, 4> edge, normal;
 };
 } // namespace Signorini
