@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/bound/composite_cell.h>
+
+#include <vector>
+
+namespace Signorini
+{
+/** Hooke's law at a point: s = stiffness e, e = compliance s. */
+struct Law
+{
+  explicit Law(const dealii::SymmetricTensor<4, 2> &hooke);
+
+  Components stress(const Components &strain) const;
+  Components strain(const Components &stress) const;
+
+  std::array<Components, 3> stiffness, compliance;
+  /** The smallest c with e:E:e >= c e:e. */
+  double smallest_eigenvalue;
+};
+
+/** A quadrature point of a cell with what does not depend on the place of the cell. */
+struct StressPoint
+{
+  /** The triangle, and psi there (see midpoint_functions()). */
+  unsigned int triangle;
+  std::array<double, 3> psi;
+  double weight;
+  /** From corner 0. */
+  dealii::Tensor<1, 2> offset;
+  /** Of the bilinear shape functions of the four corners. */
+  std::array<dealii::Tensor<1, 2>, 4> gradients;
+  /** Reference coordinates in [-1,1]^2: corners are (-1,-1), (1,-1), (1,1), (-1,1). */
+  dealii::Point<2> reference;
+};
+
+/** Gradients of the bilinear shape functions of the corners. */
+std::array<dealii::Tensor<1, 2>, 4> shape_gradients(const CellShape &shape,
+                                                    const dealii::Point<2> &reference);
+
+/** Strain (e11, e22, 2 e12) from gradients of the shape functions and values at the corners. */
+Components strain_of(const std::array<dealii::Tensor<1, 2>, 4> &gradients,
+                     const std::array<dealii::Tensor<1, 2>, 4> &values);
+
+/** A point on the edge from corner k to corner k + 1. */
+struct EdgePoint
+{
+  /** Share of the edge between corner k and the point. */
+  double position;
+  /** From corner 0. */
+  dealii::Tensor<1, 2> offset;
+  std::array<dealii::Tensor<1, 2>, 4> gradients;
+};
+
+/** Two Gauss points on every edge. */
+std::array<std::array<EdgePoint, 2>, 4> edge_points(const CellShape &shape);
+
+/** How a rule is chosen. */
+struct RuleKind
+{
+  /** Hooke's tensor is the same everywhere. */
+  bool constant_law;
+  /** The stress has quadratic parts. */
+  bool quadratic;
+};
+
+/**
+ * Points on the four triangles of a cell. With a constant law on a parallelogram squares of
+ * stresses and strains are integrated exactly: with the three mid-points per triangle, six points
+ * where stresses are quadratic. Otherwise 4 x 4 Gauss points per triangle for a constant law and
+ * 5 x 5 for others, on each of the parts into which the lines cut a triangle.
+ */
+std::vector<StressPoint> make_rule(const CellShape &shape,
+                                   const RuleKind &kind,
+                                   const std::vector<KinkLine<2>> &lines);
+} // namespace Signorini

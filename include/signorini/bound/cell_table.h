@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/bound/cell_rule.h>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+/** What stresses on a cell need, the same for all cells of its shape. */
+struct CellData
+{
+  CellData(const CellShape &shape, const RuleKind &kind, const std::vector<KinkLine<2>> &lines)
+    : shape(shape)
+    , composite(shape)
+    , points(make_rule(shape, kind, lines))
+    , on_edges(edge_points(shape))
+  {
+  }
+  CellShape shape;
+  CompositeCell composite;
+  std::vector<StressPoint> points;
+  /** Two Gauss points on every edge. */
+  std::array<std::array<EdgePoint, 2>, 4> on_edges;
+};
+
+/** The complementary energy of stresses without loads, bᵀ S b = ‖tau(b)‖², row by row. */
+using CellEnergy = std::array<double, CompositeCell::n_moments * CompositeCell::n_moments>;
+
+/**
+ * Makes CellData, once for congruent cells as long as there are few shapes, and Hooke's laws at
+ * their points.
+ */
+class CellTable
+{
+public:
+  CellTable(const EdgeMesh &mesh, const Scene<2> &scene, bool quadratic);
+
+  /** Of cell number @p cell; valid until the next call. */
+  const CellData &operator()(unsigned int cell);
+  /** At the points of the cell that was asked for last; one for all points where Hooke's tensor
+   * is constant. */
+  const std::vector<Law> &laws(unsigned int cell, const CellData &data);
+
+  /** At a point. */
+  Law law(const dealii::Point<2> &x) const
+  {
+    return kind_.constant_law ? laws_[0] : Law(material_.hooke(x));
+  }
+
+  bool constant_law() const
+  {
+    return kind_.constant_law;
+  }
+  /** Cells with the same number have the same CellData; it is not below n_shapes() for cells that
+   * share it with no other. */
+  unsigned int shape_of(const unsigned int cell) const
+  {
+    return shape_of_[cell];
+  }
+  unsigned int n_shapes() const
+  {
+    return shared_.size();
+  }
+
+private:
+  /** The number of the cell's shape among the shared ones; a new one if there is room. */
+  unsigned int classify(unsigned int cell);
+
+  /** Beyond that many shapes, cells are taken one by one. */
+  static constexpr std::size_t most_shapes = 64;
+
+  const EdgeMesh &mesh_;
+  const Material<2> &material_;
+  std::vector<KinkLine<2>> lines_;
+  RuleKind kind_;
+  std::vector<std::array<dealii::Tensor<1, 2>, 3>> edges_of_shape_;
+  std::vector<std::unique_ptr<CellData>> shared_;
+  std::vector<unsigned int> shape_of_;
+  std::unique_ptr<CellData> single_;
+  std::vector<Law> laws_;
+};
+
+CellEnergy make_energy(const CellData &data, const std::vector<Law> &laws);
+} // namespace Signorini

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/bound/cell_loads.h>
+#include <signorini/bound/cell_table.h>
+#include <signorini/bound/edge_tractions.h>
+
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/** What a stress in equilibrium says about the error of a displacement. All in units of energy
+ * (force x length per thickness) or roots of it. */
+struct StressBound
+{
+  /** ‖sigma(u_h) - tau‖_{C^{-1},K} for every cell, in the order of active cells. */
+  std::vector<double> misfit;
+  /** osc_K: there is a stress of at most this norm that balances, together with tau, the loads
+   * themselves. */
+  std::vector<double> oscillation;
+  /** sum_K (misfit_K + osc_K)². */
+  double square = 0.;
+  /** sum_K osc_K². */
+  double oscillation_square = 0.;
+  /** J*(tau) = 1/2 sum_K (‖tau‖_{C^{-1},K} + osc_K)² - int_{Gamma_D} tau n.u_h, without the part
+   * -int_{Gamma_c} p_H g. */
+  double complementary_energy = 0.;
+  /** The largest force at a vertex that the stress does not balance, relative to the largest force
+   * that a cell exerts on a vertex: what the linear solver left. */
+  double algebra = 0.;
+  /** Steps of the improvement. */
+  unsigned int steps = 0;
+};
+
+/** How long the stress is improved. */
+struct ImprovementOptions
+{
+  unsigned int most_steps = 20;
+  /** Stop when a step takes less than this share of the square of the misfit. */
+  double least_share = 0.01;
+};
+
+/** What a bound of the stress is made from; everything must outlive it. */
+struct StressData
+{
+  const DisplacementSpace<2> &space;
+  const Scene<2> &scene;
+  const MultiplierSpace<2> &multipliers;
+  const NodalVector &U;
+  const dealii::Vector<double> &P;
+  /** Gauss points per direction for loads, as in the system. */
+  unsigned int n_points;
+};
+
+/**
+ * A stress tau with div tau + f_h = 0 on every cell, continuous tractions, tau n = t_h on traction
+ * sides, tau n = p_h n on contact sides and without shear on rollers, close to sigma(u_h). f_h, t_h
+ * and p_h are projections of f, t and p_H whose rest has neither force nor moment on any cell or
+ * edge (CellLoad, GivenTractions).
+ *
+ * 1. Moments of tractions from the residuals of (u_h, p_H) around every vertex (EdgeMoments).
+ * 2. Inside of the cells composite quadrilaterals (CompositeCell).
+ * 3. A few steps of conjugate gradients to the least ‖sigma(u_h) - tau‖_{C^{-1}} (StarSolver). All
+ *    iterates are in equilibrium.
+ *
+ * With exact balance, there is for every cell a tau_r with ‖tau_r‖_{C^{-1},K} <= osc_K such that
+ * tau + tau_r balances f, t and p_H n themselves (OscillationConstants): then the inequality of
+ * Prager and Synge holds with (misfit_K + osc_K)². This also covers patches that end inside a face.
+ *
+ * Hooke's tensor is sampled at quadrature points, and so are loads. All ranks compute the same.
+ */
+class EquilibratedStress
+{
+public:
+  /** Why there is none, one sentence; empty if there is. */
+  static std::string objection(const StressData &data);
+
+  explicit EquilibratedStress(const StressData &data,
+                              const ImprovementOptions &options = ImprovementOptions());
+
+  StressBound bound() const;
+
+  const EdgeMesh &mesh() const
+  {
+    return mesh_;
+  }
+  /** The moments of the tractions of tau on edges; see EdgeMesh. */
+  const std::vector<double> &moments() const
+  {
+    return moments_;
+  }
+  /** Components of tau at the points of a cell. */
+  std::vector<Components> stress(unsigned int cell, const CellData &data) const;
+  /** f_h of a cell; zero without a body force. */
+  CellLoad load(unsigned int cell) const;
+
+private:
+  using CornerValues = std::array<dealii::Tensor<1, 2>, 4>;
+
+  CornerValues displacement(const EdgeCell &cell) const;
+  /** R_K^i = int_K sigma_h:grad phi_i - int_K f phi_i, with the quadrature of the system. */
+  std::vector<EdgeMoments::CornerForces> residuals() const;
+  /** Moments of the mean of sigma_h n from both sides of edges. */
+  std::vector<double> mean_tractions() const;
+  void improve(const ImprovementOptions &options);
+  CompositeCell::Stresses stresses(unsigned int cell, const CellData &data) const;
+
+  StressData data_;
+  EdgeMesh mesh_;
+  mutable CellTable table_;
+  std::vector<CellLoad> loads_;
+  GivenTractions given_;
+  std::vector<double> moments_;
+  double algebra_ = 0.;
+  unsigned int steps_ = 0;
+};
+} // namespace Signorini

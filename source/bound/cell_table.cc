@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Congruent cells share what stresses need.
+
+#include <signorini/bound/cell_table.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+namespace
+{
+/** The lines that run through the interior of a cell. */
+std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const EdgeCell &cell)
+{
+  std::vector<KinkLine<2>> result;
+  for (const KinkLine<2> &line : lines)
+  {
+    double low = 0., high = 0., size = 0.;
+    for (const auto &corner : cell.corners)
+    {
+      low = std::min(low, line.signed_distance(corner));
+      high = std::max(high, line.signed_distance(corner));
+      size = std::max(size, corner.distance(cell.corners[0]));
+    }
+    if (low < -Kinks<2>::tolerance * size && high > Kinks<2>::tolerance * size)
+      result.push_back(line);
+  }
+  return result;
+}
+} // namespace
+
+CellTable::CellTable(const EdgeMesh &mesh, const Scene<2> &scene, const bool quadratic)
+  : mesh_(mesh)
+  , material_(*scene.material)
+  , kind_{scene.material->is_constant(), quadratic}
+{
+  if (!kind_.constant_law)
+    lines_ = scene.kinks.lines();
+  else
+    laws_.emplace_back(material_.hooke(mesh.cells()[0].corners[0]));
+  shape_of_.reserve(mesh.cells().size());
+  for (unsigned int c = 0; c < mesh.cells().size(); ++c)
+    shape_of_.push_back(classify(c));
+}
+
+unsigned int CellTable::classify(const unsigned int cell)
+{
+  const auto &corners = mesh_.cells()[cell].corners;
+  const std::array<dealii::Tensor<1, 2>, 3> edges = {
+    {corners[1] - corners[0], corners[2] - corners[0], corners[3] - corners[0]}};
+  const double tolerance = 1e-12 * edges[1].norm();
+  const auto is_same = [&](const auto &others) {
+    for (unsigned int i = 0; i < 3; ++i)
+      if ((edges[i] - others[i]).norm() > tolerance)
+        return false;
+    return true;
+  };
+  const unsigned int alone = most_shapes + cell;
+  if (!crossing(lines_, mesh_.cells()[cell]).empty())
+    return alone;
+  // The cell before is most likely of the same shape.
+  if (cell > 0 && shape_of_[cell - 1] < edges_of_shape_.size() &&
+      is_same(edges_of_shape_[shape_of_[cell - 1]]))
+    return shape_of_[cell - 1];
+  const auto found = std::find_if(edges_of_shape_.begin(), edges_of_shape_.end(), is_same);
+  if (found != edges_of_shape_.end())
+    return found - edges_of_shape_.begin();
+  if (edges_of_shape_.size() == most_shapes)
+    return alone;
+  edges_of_shape_.push_back(edges);
+  shared_.push_back(
+    std::make_unique<CellData>(CellShape(corners), kind_, std::vector<KinkLine<2>>()));
+  return edges_of_shape_.size() - 1;
+}
+
+const CellData &CellTable::operator()(const unsigned int cell)
+{
+  if (shape_of_[cell] < most_shapes)
+    return *shared_[shape_of_[cell]];
+  const EdgeCell &here = mesh_.cells()[cell];
+  single_ = std::make_unique<CellData>(CellShape(here.corners), kind_, crossing(lines_, here));
+  return *single_;
+}
+
+const std::vector<Law> &CellTable::laws(const unsigned int cell, const CellData &data)
+{
+  if (kind_.constant_law)
+    return laws_;
+  laws_.clear();
+  for (const StressPoint &point : data.points)
+    laws_.emplace_back(material_.hooke(mesh_.cells()[cell].corners[0] + point.offset));
+  return laws_;
+}
+
+CellEnergy make_energy(const CellData &data, const std::vector<Law> &laws)
+{
+  // Per triangle the products of the nine components.
+  std::array<std::array<double, 81>, 4> products{};
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+  {
+    const StressPoint &point = data.points[i];
+    const Law &law = laws[laws.size() == 1 ? 0 : i];
+    for (unsigned int r = 0; r < 9; ++r)
+      for (unsigned int s = 0; s < 9; ++s)
+        products[point.triangle][9 * r + s] +=
+          point.weight * point.psi[r / 3] * point.psi[s / 3] * law.compliance[r % 3][s % 3];
+  }
+  constexpr unsigned int n = CompositeCell::n_moments;
+  CellEnergy energy{};
+  for (unsigned int j = 0; j < n; ++j)
+  {
+    CompositeCell::Stresses strain{};
+    const CompositeCell::Stresses &stress = data.composite.column(j);
+    for (unsigned int k = 0; k < 4; ++k)
+      for (unsigned int r = 0; r < 9; ++r)
+        for (unsigned int s = 0; s < 9; ++s)
+          strain[9 * k + r] += products[k][9 * r + s] * stress[9 * k + s];
+    const CellMoments row = data.composite.transposed(strain);
+    std::copy(row.begin(), row.end(), energy.begin() + n * j);
+  }
+  return energy;
+}
+} // namespace Signorini

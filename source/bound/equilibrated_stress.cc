@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The stress of the bound, from the residuals of the discrete solution.
+
+#include <signorini/bound/equilibrated_stress.h>
+#include <signorini/bound/oscillation.h>
+#include <signorini/bound/star_solver.h>
+#include <signorini/elasticity/cell_stiffness.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+using Vector2 = dealii::Tensor<1, 2>;
+
+double product(const std::vector<double> &a, const std::vector<double> &b)
+{
+  double sum = 0.;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += a[i] * b[i];
+  return sum;
+}
+
+/** a += factor b. */
+void add(std::vector<double> &a, const double factor, const std::vector<double> &b)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] += factor * b[i];
+}
+
+double product(const Components &a, const Components &b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Components difference(const Components &a, const Components &b)
+{
+  return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+}
+
+const Law &law_at(const std::vector<Law> &laws, const std::size_t i)
+{
+  return laws[laws.size() == 1 ? 0 : i];
+}
+
+/** Adds half of the moments of a traction that is sampled at the points of an edge. */
+void add_edge(const std::array<EdgePoint, 2> &points,
+              const std::array<Vector2, 2> &tractions,
+              const unsigned int k,
+              CellMoments &moments)
+{
+  for (unsigned int i = 0; i < 2; ++i)
+    for (unsigned int c = 0; c < 2; ++c)
+    {
+      moments[4 * k + c] += 0.25 * (1. - points[i].position) * tractions[i][c];
+      moments[4 * k + 2 + c] += 0.25 * points[i].position * tractions[i][c];
+    }
+}
+} // namespace
+
+std::string EquilibratedStress::objection(const StressData &data)
+{
+  return EdgeMesh::objection(data.space.mesh());
+}
+
+EquilibratedStress::EquilibratedStress(const StressData &data, const ImprovementOptions &options)
+  : data_(data)
+  , mesh_(data.space, data.scene)
+  , table_(mesh_, data.scene, data.scene.body_force != nullptr)
+  , loads_(make_loads(data.space, data.scene, mesh_, data.n_points))
+  , given_(given_tractions(data.space, data.scene, mesh_, data.multipliers, data.P, data.n_points))
+{
+  const auto R = residuals();
+  const EdgeMoments start(mesh_, R, given_.moments, mean_tractions());
+  moments_ = start.moments();
+  double largest = 0.;
+  for (const auto &forces : R)
+    for (const Vector2 &force : forces)
+      largest = std::max(largest, force.norm());
+  for (std::size_t v = 0; v < start.rest().size(); ++v)
+    if (largest > 0.)
+      algebra_ =
+        std::max(algebra_, start.rest()[v].norm() * mesh_.stars()[v].cells.size() / largest);
+  improve(options);
+}
+
+CellLoad EquilibratedStress::load(const unsigned int cell) const
+{
+  return loads_.empty() ? CellLoad() : loads_[cell];
+}
+
+EquilibratedStress::CornerValues EquilibratedStress::displacement(const EdgeCell &cell) const
+{
+  CornerValues values;
+  for (unsigned int a = 0; a < 4; ++a)
+    for (unsigned int c = 0; c < 2; ++c)
+      values[a][c] = data_.U[mesh_.dofs()[cell.vertices[a]][c]];
+  return values;
+}
+
+std::vector<EdgeMoments::CornerForces> EquilibratedStress::residuals() const
+{
+  constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}};
+  CellStiffness<2> stiffness(data_.space, data_.scene);
+  const double unit = stiffness_unit(data_.space, *data_.scene.material);
+  std::vector<EdgeMoments::CornerForces> R(mesh_.cells().size());
+  unsigned int number = 0;
+  for (const auto &cell : data_.space.mesh().triangulation().active_cell_iterators())
+  {
+    const dealii::FullMatrix<double> &K = stiffness(cell);
+    const CornerValues u = displacement(mesh_.cells()[number]);
+    for (unsigned int a = 0; a < 4; ++a)
+      for (unsigned int c = 0; c < 2; ++c)
+      {
+        double sum = 0.;
+        for (unsigned int b = 0; b < 4; ++b)
+          for (unsigned int d = 0; d < 2; ++d)
+            sum += K(2 * vertex_in_circle[a] + c, 2 * vertex_in_circle[b] + d) * u[b][d];
+        R[number][a][c] = unit * sum;
+      }
+    if (!loads_.empty())
+      for (unsigned int a = 0; a < 4; ++a)
+        R[number][a] -= loads_[number].nodal[a];
+    ++number;
+  }
+  return R;
+}
+
+std::vector<double> EquilibratedStress::mean_tractions() const
+{
+  std::vector<double> moments(mesh_.n_moments(), 0.);
+  for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
+  {
+    const EdgeCell &cell = mesh_.cells()[c];
+    const CellData &data = table_(c);
+    const CornerValues u = displacement(cell);
+    CellMoments here{};
+    for (unsigned int k = 0; k < 4; ++k)
+    {
+      const Vector2 d = cell.corners[(k + 1) % 4] - cell.corners[k];
+      std::array<Vector2, 2> tractions;
+      for (unsigned int i = 0; i < 2; ++i)
+      {
+        const EdgePoint &point = data.on_edges[k][i];
+        const Components s =
+          table_.law(cell.corners[0] + point.offset).stress(strain_of(point.gradients, u));
+        tractions[i] = Vector2({s[0] * d[1] - s[2] * d[0], s[2] * d[1] - s[1] * d[0]});
+        // At the boundary there is no other side.
+        if (mesh_.edges()[cell.edges[k]].side != Edge::no_side)
+          tractions[i] *= 2.;
+      }
+      add_edge(data.on_edges[k], tractions, k, here);
+    }
+    add_moments(cell, here, moments);
+  }
+  return moments;
+}
+
+CompositeCell::Stresses EquilibratedStress::stresses(const unsigned int cell,
+                                                     const CellData &data) const
+{
+  CellMoments moments = moments_on(mesh_.cells()[cell], moments_);
+  if (loads_.empty())
+    return data.composite.stress(moments);
+  const CellMoments of_load = loads_[cell].moments(data.shape);
+  for (unsigned int j = 0; j < moments.size(); ++j)
+    moments[j] -= of_load[j];
+  return data.composite.stress(moments, loads_[cell].constant);
+}
+
+std::vector<Components> EquilibratedStress::stress(const unsigned int cell,
+                                                   const CellData &data) const
+{
+  const CompositeCell::Stresses linear = stresses(cell, data);
+  std::vector<Components> values;
+  values.reserve(data.points.size());
+  for (const StressPoint &point : data.points)
+  {
+    Components s = stress_at(linear, point.triangle, point.psi);
+    if (!loads_.empty() && data.shape.affine)
+    {
+      const Components more = loads_[cell].stress(data.shape, point.reference);
+      for (unsigned int i = 0; i < 3; ++i)
+        s[i] += more[i];
+    }
+    values.push_back(s);
+  }
+  return values;
+}
+
+void EquilibratedStress::improve(const ImprovementOptions &options)
+{
+  if (options.most_steps == 0)
+    return;
+  // r = -(the gradient of half the square of the misfit).
+  std::vector<double> r(moments_.size(), 0.), z(r.size()), q(r.size());
+  CellEnergies energies(table_, mesh_.cells().size());
+  double square = 0.;
+  for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
+  {
+    const CellData &data = table_(c);
+    const std::vector<Law> &laws = table_.laws(c, data);
+    const std::vector<Components> tau = stress(c, data);
+    const CornerValues u = displacement(mesh_.cells()[c]);
+    CompositeCell::Stresses dual{};
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+    {
+      const StressPoint &point = data.points[i];
+      const Law &law = law_at(laws, i);
+      const Components strain = strain_of(point.gradients, u);
+      const Components misfit = difference(law.stress(strain), tau[i]);
+      const Components of_misfit = law.strain(misfit);
+      square += point.weight * product(misfit, of_misfit);
+      for (unsigned int m = 0; m < 3; ++m)
+        for (unsigned int l = 0; l < 3; ++l)
+          dual[9 * point.triangle + 3 * m + l] += point.weight * point.psi[m] * of_misfit[l];
+    }
+    add_moments(mesh_.cells()[c], data.composite.transposed(dual), r);
+    if (!energies.knows(c))
+      energies.set(c, make_energy(data, laws));
+  }
+  const StarSolver solver(mesh_, energies);
+  solver.apply(r, z);
+  std::vector<double> p = z;
+  double rz = product(r, z);
+  while (rz > 0. && steps_ < options.most_steps)
+  {
+    multiply(mesh_, energies, p, q);
+    const double alpha = rz / product(p, q), decrease = alpha * rz;
+    if (!(decrease > 0.))
+      return;
+    ++steps_;
+    add(moments_, alpha, p);
+    square -= decrease;
+    if (decrease < options.least_share * square || square < 0.)
+      return;
+    add(r, -alpha, q);
+    solver.apply(r, z);
+    const double new_rz = product(r, z), beta = new_rz / rz;
+    rz = new_rz;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      p[i] = z[i] + beta * p[i];
+  }
+}
+
+StressBound EquilibratedStress::bound() const
+{
+  StressBound result;
+  result.algebra = algebra_;
+  result.steps = steps_;
+  for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
+  {
+    const EdgeCell &cell = mesh_.cells()[c];
+    const CellData &data = table_(c);
+    const std::vector<Law> &laws = table_.laws(c, data);
+    const std::vector<Components> tau = stress(c, data);
+    const CornerValues u = displacement(cell);
+    double misfit = 0., energy = 0., eigenvalue = laws[0].smallest_eigenvalue;
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+    {
+      const StressPoint &point = data.points[i];
+      const Law &law = law_at(laws, i);
+      const Components s = difference(law.stress(strain_of(point.gradients, u)), tau[i]);
+      misfit += point.weight * product(s, law.strain(s));
+      energy += point.weight * product(tau[i], law.strain(tau[i]));
+      eigenvalue = std::min(eigenvalue, law.smallest_eigenvalue);
+    }
+    double rest = 0.;
+    const auto add_rest = [&](const OscillationConstants &constants) {
+      rest = loads_.empty() ? 0. : constants.body * loads_[c].rest;
+      for (unsigned int k = 0; k < 4; ++k)
+        rest += constants.normal[k] * given_.normal_rest[cell.edges[k]] +
+                constants.edge[k] * given_.shear_rest[cell.edges[k]];
+      rest /= std::sqrt(eigenvalue);
+    };
+    add_rest(OscillationConstants(data.shape));
+    result.misfit.push_back(std::sqrt(misfit));
+    result.oscillation.push_back(rest);
+    result.square += std::pow(std::sqrt(misfit) + rest, 2);
+    result.oscillation_square += rest * rest;
+    result.complementary_energy += 0.5 * std::pow(std::sqrt(energy) + rest, 2);
+    for (unsigned int k = 0; k < 4; ++k)
+      if (mesh_.edges()[cell.edges[k]].side != Edge::no_side &&
+          mesh_.edges()[cell.edges[k]].freedom == EdgeFreedom::any)
+        for (unsigned int end = 0; end < 2; ++end)
+          for (unsigned int d = 0; d < 2; ++d)
+            result.complementary_energy -=
+              moments_on(cell, moments_)[4 * k + 2 * end + d] * u[(k + end) % 4][d];
+  }
+  return result;
+}
+} // namespace Signorini

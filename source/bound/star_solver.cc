@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Exact solves on the stars of vertices.
+
+#include <signorini/bound/star_solver.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+using Vector2 = dealii::Tensor<1, 2>;
+
+/** The first component that spoke j has at its centre (end 0) or outer end (1), in a star. */
+unsigned int in_star(const unsigned int spoke, const unsigned int end)
+{
+  return 4 * spoke + 2 * end;
+}
+
+/** For the two spokes of cell j: where the 8 moments are in the cell and in the star, and their
+ * sign there. */
+struct StarEntry
+{
+  unsigned int in_cell, in_star;
+  double sign;
+};
+
+std::array<StarEntry, 8> entries(const Star &star, const unsigned int j)
+{
+  const unsigned int k = star.cells[j].number, left = (k + 3) % 4;
+  std::array<StarEntry, 8> result;
+  for (unsigned int end = 0; end < 2; ++end)
+    for (unsigned int c = 0; c < 2; ++c)
+    {
+      // Edge k begins at the centre, edge k - 1 ends there.
+      result[2 * end + c] = {4 * k + 2 * end + c, in_star(j, end) + c, 1.};
+      result[4 + 2 * end + c] = {
+        4 * left + 2 * (1 - end) + c, in_star(star.left_of(j), end) + c, -1.};
+    }
+  return result;
+}
+
+/** One column per moment that the star may change. */
+dealii::FullMatrix<double> free_moments(const EdgeMesh &mesh, const Star &star)
+{
+  std::vector<std::pair<unsigned int, Vector2>> columns;
+  for (unsigned int j = 0; j < star.spokes.size(); ++j)
+  {
+    const Edge &edge = mesh.edges()[star.spokes[j].edge];
+    for (unsigned int end = 0; end < 2; ++end)
+      if (edge.freedom == EdgeFreedom::normal)
+        columns.emplace_back(in_star(j, end), edge.normal);
+      else if (edge.freedom == EdgeFreedom::any)
+        for (unsigned int c = 0; c < 2; ++c)
+          columns.emplace_back(in_star(j, end), Vector2({c == 0 ? 1. : 0., c == 1 ? 1. : 0.}));
+  }
+  dealii::FullMatrix<double> basis(4 * star.spokes.size(), columns.size());
+  for (unsigned int i = 0; i < columns.size(); ++i)
+    for (unsigned int c = 0; c < 2; ++c)
+      basis(columns[i].first + c, i) = columns[i].second[c];
+  return basis;
+}
+
+/** Forces and moments of the cells of a star: three rows per cell. */
+dealii::FullMatrix<double> balances(const EdgeMesh &mesh, const Star &star)
+{
+  dealii::FullMatrix<double> rows(3 * star.cells.size(), 4 * star.spokes.size());
+  for (unsigned int j = 0; j < star.cells.size(); ++j)
+  {
+    const EdgeCell &cell = mesh.cells()[star.cells[j].cell];
+    const dealii::Point<2> &centre = cell.corners[star.cells[j].number];
+    const double size = cell.corners[0].distance(cell.corners[2]);
+    for (const StarEntry &entry : entries(star, j))
+    {
+      const unsigned int edge = entry.in_cell / 4, end = entry.in_cell % 4 / 2;
+      const unsigned int c = entry.in_cell % 2;
+      const Vector2 arm = (cell.corners[(edge + end) % 4] - centre) / size;
+      rows(3 * j + c, entry.in_star) += entry.sign;
+      rows(3 * j + 2, entry.in_star) += entry.sign * (c == 0 ? -arm[1] : arm[0]);
+    }
+  }
+  return rows;
+}
+
+dealii::FullMatrix<double> product(const dealii::FullMatrix<double> &A,
+                                   const dealii::FullMatrix<double> &B)
+{
+  dealii::FullMatrix<double> C(A.m(), B.n());
+  if (A.n() > 0 && B.n() > 0)
+    A.mmult(C, B);
+  return C;
+}
+} // namespace
+
+dealii::FullMatrix<double> null_space(dealii::FullMatrix<double> matrix)
+{
+  const unsigned int m = matrix.m(), n = matrix.n();
+  std::vector<unsigned int> column(n);
+  for (unsigned int j = 0; j < n; ++j)
+    column[j] = j;
+  const double tolerance = 1e-9 * (m > 0 && n > 0 ? matrix.linfty_norm() : 0.);
+  unsigned int rank = 0;
+  for (; rank < std::min(m, n); ++rank)
+  {
+    unsigned int row = rank, pivot = rank;
+    for (unsigned int i = rank; i < m; ++i)
+      for (unsigned int j = rank; j < n; ++j)
+        if (std::abs(matrix(i, column[j])) > std::abs(matrix(row, column[pivot])))
+        {
+          row = i;
+          pivot = j;
+        }
+    if (std::abs(matrix(row, column[pivot])) <= tolerance)
+      break;
+    std::swap(column[rank], column[pivot]);
+    for (unsigned int j = 0; j < n; ++j)
+      std::swap(matrix(row, j), matrix(rank, j));
+    const double diagonal = matrix(rank, column[rank]);
+    for (unsigned int j = 0; j < n; ++j)
+      matrix(rank, j) /= diagonal;
+    for (unsigned int i = 0; i < m; ++i)
+      if (i != rank)
+      {
+        const double factor = matrix(i, column[rank]);
+        for (unsigned int j = 0; j < n; ++j)
+          matrix(i, j) -= factor * matrix(rank, j);
+      }
+  }
+  dealii::FullMatrix<double> basis(n, n - rank);
+  for (unsigned int j = rank; j < n; ++j)
+  {
+    basis(column[j], j - rank) = 1.;
+    for (unsigned int i = 0; i < rank; ++i)
+      basis(column[i], j - rank) = -matrix(i, column[j]);
+  }
+  return basis;
+}
+
+CellEnergies::CellEnergies(const CellTable &table, const std::size_t n_cells)
+  : shared_(table.constant_law())
+  , number_of_shape_(table.n_shapes(), unknown)
+  , table_(table)
+  , index_(n_cells, unknown)
+{
+}
+
+void CellEnergies::set(const unsigned int cell, const CellEnergy &energy)
+{
+  const unsigned int shape = table_.shape_of(cell);
+  index_[cell] = matrices_.size();
+  matrices_.push_back(energy);
+  if (is_shared(cell))
+    for (unsigned int c = cell; c < index_.size(); ++c)
+      if (table_.shape_of(c) == shape)
+        index_[c] = index_[cell];
+}
+
+StarSolver::StarSolver(const EdgeMesh &mesh, const CellEnergies &energies)
+  : mesh_(mesh)
+  , matrix_of_star_(mesh.stars().size())
+{
+  std::map<std::vector<unsigned int>, unsigned int> known;
+  for (unsigned int v = 0; v < mesh.stars().size(); ++v)
+  {
+    const Star &star = mesh.stars()[v];
+    const std::vector<unsigned int> name = key(star, energies);
+    if (!name.empty())
+    {
+      const auto found = known.find(name);
+      if (found != known.end())
+      {
+        matrix_of_star_[v] = found->second;
+        continue;
+      }
+      known[name] = matrices_.size();
+    }
+    matrix_of_star_[v] = matrices_.size();
+    const dealii::FullMatrix<double> matrix = solve_star(star, energies);
+    std::vector<double> &rows = matrices_.emplace_back(matrix.m() * matrix.n());
+    for (unsigned int i = 0; i < matrix.m(); ++i)
+      for (unsigned int j = 0; j < matrix.n(); ++j)
+        rows[i * matrix.n() + j] = matrix(i, j);
+  }
+}
+
+std::vector<unsigned int> StarSolver::key(const Star &star, const CellEnergies &energies) const
+{
+  std::vector<unsigned int> name;
+  if (!star.is_closed() ||
+      !std::all_of(star.cells.begin(), star.cells.end(), [&](const Corner &corner) {
+        return energies.is_shared(corner.cell);
+      }))
+    return name;
+  name.reserve(star.cells.size());
+  for (const Corner &corner : star.cells)
+    name.push_back(4 * energies.number(corner.cell) + corner.number);
+  return name;
+}
+
+dealii::FullMatrix<double> StarSolver::solve_star(const Star &star,
+                                                  const CellEnergies &energies) const
+{
+  const unsigned int n = 4 * star.spokes.size();
+  const dealii::FullMatrix<double> free = free_moments(mesh_, star);
+  const dealii::FullMatrix<double> Z =
+    product(free, null_space(product(balances(mesh_, star), free)));
+  dealii::FullMatrix<double> S(n, n), result(n, n);
+  if (Z.n() == 0)
+    return result;
+  for (unsigned int j = 0; j < star.cells.size(); ++j)
+  {
+    const CellEnergy &energy = energies(star.cells[j].cell);
+    const auto of_cell = entries(star, j);
+    for (const StarEntry &a : of_cell)
+      for (const StarEntry &b : of_cell)
+        S(a.in_star, b.in_star) +=
+          a.sign * b.sign * energy[CompositeCell::n_moments * a.in_cell + b.in_cell];
+  }
+  dealii::FullMatrix<double> small(Z.n(), Z.n()), Zt_S(Z.n(), n), inverse_Zt(Z.n(), n);
+  Z.Tmmult(Zt_S, S);
+  Zt_S.mmult(small, Z);
+  small.gauss_jordan();
+  small.mTmult(inverse_Zt, Z);
+  Z.mmult(result, inverse_Zt);
+  return result;
+}
+
+void StarSolver::apply(const std::vector<double> &r, std::vector<double> &z) const
+{
+  std::fill(z.begin(), z.end(), 0.);
+  std::vector<double> x, y;
+  std::vector<Entry> at;
+  for (unsigned int v = 0; v < mesh_.stars().size(); ++v)
+  {
+    const Star &star = mesh_.stars()[v];
+    const unsigned int n = 4 * star.spokes.size();
+    x.assign(n, 0.);
+    y.assign(n, 0.);
+    at.clear();
+    for (const Spoke &spoke : star.spokes)
+      for (unsigned int end = 0; end < 2; ++end)
+        for (unsigned int c = 0; c < 2; ++c)
+          at.push_back(
+            {4 * spoke.edge + 2 * (end == 0 ? spoke.end : 1 - spoke.end) + c, spoke.sign});
+    for (unsigned int i = 0; i < n; ++i)
+      x[i] = at[i].sign * r[at[i].position];
+    const double *row = matrices_[matrix_of_star_[v]].data();
+    // Symmetric: rows are columns.
+    for (unsigned int j = 0; j < n; ++j, row += n)
+      for (unsigned int i = 0; i < n; ++i)
+        y[i] += row[i] * x[j];
+    for (unsigned int i = 0; i < n; ++i)
+      z[at[i].position] += at[i].sign * y[i];
+  }
+}
+
+void multiply(const EdgeMesh &mesh,
+              const CellEnergies &energies,
+              const std::vector<double> &b,
+              std::vector<double> &gradient)
+{
+  constexpr unsigned int n = CompositeCell::n_moments;
+  std::fill(gradient.begin(), gradient.end(), 0.);
+  for (unsigned int c = 0; c < mesh.cells().size(); ++c)
+  {
+    const EdgeCell &cell = mesh.cells()[c];
+    const CellMoments x = moments_on(cell, b);
+    const CellEnergy &energy = energies(c);
+    CellMoments y{};
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        y[i] += energy[n * j + i] * x[j];
+    add_moments(cell, y, gradient);
+  }
+}
+} // namespace Signorini
