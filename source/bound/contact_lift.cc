@@ -16,12 +16,13 @@ namespace Signorini
 {
 namespace
 {
-/** What is known of r_F on one part: b - e and b as polynomials of degree two. */
+/** r_F of one face, from q and w_h. */
 class Remainder
 {
 public:
   Remainder(const PenetrationFace &face, const NodalVector &w_h)
     : face_(face)
+    , presses_(face.presses_everywhere())
     , chord_{face.d.value(0.), face.d.value(1.)}
     , slack_{face.normal_value(w_h, 0.) - chord_[0], face.normal_value(w_h, 1.) - chord_[1]}
   {
@@ -29,59 +30,73 @@ public:
 
   EdgeFunction function() const
   {
-    std::vector<EdgeFunction::Part> parts = face_.d.parts();
-    const std::vector<EdgeFunction::Part> d = parts;
-    std::vector<double> values(d.size() + 1, 0.);
-    // Zero at both ends of the face; at a break the larger value of both sides.
-    for (std::size_t i = 1; i < d.size(); ++i)
-      values[i] = std::max(value_at(d[i].start, d[i].first, presses(d[i - 1])),
-                           value_at(d[i].start, d[i].first, presses(d[i])));
-    for (std::size_t i = 0; i < d.size(); ++i)
+    std::vector<EdgeFunction::Part> parts;
+    for (const EdgeFunction::Part &q : face_.d.parts())
     {
-      parts[i].first = values[i];
-      parts[i].last = values[i + 1];
-      if (!presses(d[i]))
-        parts[i].bulge = is_open(d[i]) ? 0. : std::max(0., d[i].bulge);
+      const EdgeFunction::Part b = minus(q, chord_), lack = minus(b, slack_);
+      std::vector<double> breaks = {q.start, q.end};
+      add_roots(lack, breaks);
+      if (presses_)
+        add_roots(b, breaks);
+      std::sort(breaks.begin(), breaks.end());
+      for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+        parts.push_back(on(b, lack, breaks[i], breaks[i + 1]));
     }
+    // b = 0 there and e >= 0, up to rounding.
+    parts.front().first = 0.;
+    parts.back().last = 0.;
     return EdgeFunction(std::move(parts));
   }
 
 private:
-  bool presses(const EdgeFunction::Part &part) const
+  using Ends = std::array<double, 2>;
+
+  /** A part minus the linear function with the given values at 0 and 1. */
+  static EdgeFunction::Part minus(EdgeFunction::Part part, const Ends &ends)
   {
-    return face_.pressure(0.5 * (part.start + part.end)) < 0.;
+    part.first -= (1. - part.start) * ends[0] + part.start * ends[1];
+    part.last -= (1. - part.end) * ends[0] + part.end * ends[1];
+    return part;
   }
-  double chord(const double t) const
+  /** Adds the zeros inside of a part, not too close to its ends. */
+  static void add_roots(const EdgeFunction::Part &part, std::vector<double> &breaks)
   {
-    return (1. - t) * chord_[0] + t * chord_[1];
+    // first + slope tau - 4 bulge tau^2, in the form that does not cancel.
+    const double slope = part.last - part.first + 4. * part.bulge;
+    const double square = slope * slope + 16. * part.bulge * part.first;
+    if (square < 0.)
+      return;
+    const double sum = slope + std::copysign(std::sqrt(square), slope);
+    for (const double tau : {sum / (8. * part.bulge), -2. * part.first / sum})
+      if (tau > 1e-9 && tau < 1. - 1e-9)
+        breaks.push_back(part.start + tau * (part.end - part.start));
   }
-  double slack(const double t) const
+  /** The remainder between two breaks: there it is one of b - e, b and 0. */
+  EdgeFunction::Part on(const EdgeFunction::Part &b,
+                        const EdgeFunction::Part &lack,
+                        const double start,
+                        const double end) const
   {
-    return (1. - t) * slack_[0] + t * slack_[1];
+    const double length = (end - start) / (b.end - b.start);
+    const double middle = 0.5 * (start + end);
+    const double value = remainder(b.value(middle), lack.value(middle));
+    EdgeFunction::Part part = {start,
+                               end,
+                               remainder(b.value(start), lack.value(start)),
+                               remainder(b.value(end), lack.value(end)),
+                               0.};
+    if (value != 0.)
+      part.bulge = b.bulge * length * length;
+    return part;
   }
-  double value_at(const double t, const double d, const bool pressing) const
+  double remainder(const double b, const double lack) const
   {
-    const double b = d - chord(t);
-    return std::max(b - slack(t), pressing ? std::min(b, 0.) : 0.);
-  }
-  /** Whether b - e <= 0 on all of the part: the largest value of a parabola. */
-  bool is_open(const EdgeFunction::Part &part) const
-  {
-    const double first = part.first - chord(part.start) - slack(part.start);
-    const double last = part.last - chord(part.end) - slack(part.end);
-    const double c = part.bulge;
-    double largest = std::max(first, last);
-    // The derivative last - first + 4 c (1 - 2 tau) vanishes at tau.
-    if (c > 0. && std::abs(last - first) < 4. * c)
-    {
-      const double tau = 0.5 + (last - first) / (8. * c);
-      largest = (1. - tau) * first + tau * last + 4. * c * tau * (1. - tau);
-    }
-    return largest <= 0.;
+    return std::max(lack, presses_ ? std::min(b, 0.) : 0.);
   }
 
   const PenetrationFace &face_;
-  std::array<double, 2> chord_, slack_;
+  bool presses_;
+  Ends chord_, slack_;
 };
 
 std::string describe(const std::string &reason, const SidePlace &place, const Scene<2> &scene)
@@ -136,7 +151,7 @@ ContactLift::ContactLift(const DisplacementSpace<2> &space,
     return;
   }
   consider(layer_lift(space, scene, *trace_), LiftMethod::layer);
-  if (dual && bound_->square() > 0.)
+  if (dual && bound_->square() > dual->enough)
     consider(dual_lift(space, *trace_, dual->condensed_D, dual->inverse, P), LiftMethod::dual);
 }
 
@@ -176,8 +191,7 @@ ContactBound ContactLift::evaluate(const LiftField &lift, const LiftMethod metho
     parts[i] += bound.face_terms[i];
   const PenetrationFace &worst =
     trace_->faces()[std::max_element(parts.begin(), parts.end()) - parts.begin()];
-  bound.largest_part = {worst.side,
-                        scene_.geometry.sides[worst.side].arc_length(worst.point(0.5))};
+  bound.largest_part = {worst.side, scene_.geometry.sides[worst.side].arc_length(worst.point(0.5))};
   return bound;
 }
 
@@ -189,8 +203,7 @@ std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
   const std::optional<NodalVector> z = lift_of_one(space, scene, trace, inverse);
   if (!z)
     return {};
-  const LiftField lift(
-    space, scene, trace, *z, std::vector<EdgeFunction>(trace.faces().size()));
+  const LiftField lift(space, scene, trace, *z, std::vector<EdgeFunction>(trace.faces().size()));
   const dealii::Vector<double> energies = lift.cell_energies();
   const double local = std::accumulate(energies.begin(), energies.end(), 0.);
   return std::sqrt(dealii::Utilities::MPI::sum(local, space.mesh().communicator()));

@@ -25,6 +25,12 @@ bool PenetrationFace::presses() const
     pressures.begin(), pressures.end(), [](const Pressed &part) { return part.p < 0.; });
 }
 
+bool PenetrationFace::presses_everywhere() const
+{
+  return std::all_of(
+    pressures.begin(), pressures.end(), [](const Pressed &part) { return part.p < 0.; });
+}
+
 double PenetrationFace::normal_value(const NodalVector &V, const double t) const
 {
   double value = 0.;
@@ -62,8 +68,7 @@ void ContactTrace::find_faces(const dealii::Vector<double> &P)
     face.side = contact.side;
     for (unsigned int end = 0; end < 2; ++end)
     {
-      const unsigned int v =
-        dealii::GeometryInfo<2>::face_to_cell_vertices(contact.face_no, end);
+      const unsigned int v = dealii::GeometryInfo<2>::face_to_cell_vertices(contact.face_no, end);
       (end == 0 ? face.start : face.end) = cell->vertex(v);
       for (unsigned int d = 0; d < 2; ++d)
         face.dofs[end][d] = cell->vertex_dof_index(v, d);
@@ -144,6 +149,7 @@ double ContactTrace::penetration(const PenetrationFace &face, const double t) co
 void ContactTrace::sample()
 {
   largest_ = 0.;
+  const double displacement = U_.linfty_norm();
   for (PenetrationFace &face : faces_)
   {
     std::vector<double> breaks = scene_.kinks.cut(face.start, face.end);
@@ -156,14 +162,16 @@ void ContactTrace::sample()
     std::sort(breaks.begin(), breaks.end());
     const Pinned pinned = {conditions_[face.conditions[0]].held,
                            conditions_[face.conditions[1]].held};
+    const double rounding =
+      1e-14 * (displacement + std::abs(penetration(face, 0.) - face.normal_value(U_, 0.)));
     const UpperInterpolant upper = interpolate_from_above(
-      [&](const double t) { return penetration(face, t); }, breaks, pinned);
+      [&](const double t) { return penetration(face, t); }, breaks, rounding, pinned);
     face.d = upper.function;
     if (upper.largest > largest_)
     {
       largest_ = upper.largest;
-      place_of_largest_ = {
-        face.side, scene_.geometry.sides[face.side].arc_length(face.point(upper.at))};
+      place_of_largest_ = {face.side,
+                           scene_.geometry.sides[face.side].arc_length(face.point(upper.at))};
     }
     for (const unsigned int end : {0, 1})
     {

@@ -22,10 +22,8 @@ double EdgeFunction::Part::slope(const double t) const
 
 const EdgeFunction::Part &EdgeFunction::part_at(const double t) const
 {
-  const auto after = std::upper_bound(parts_.begin(),
-                                      parts_.end(),
-                                      t,
-                                      [](const double x, const Part &part) { return x < part.end; });
+  const auto after = std::upper_bound(
+    parts_.begin(), parts_.end(), t, [](const double x, const Part &part) { return x < part.end; });
   return after == parts_.end() ? parts_.back() : *after;
 }
 
@@ -77,6 +75,9 @@ struct Samples
   double start, end;
   double first, quarter, middle, three_quarters, last;
 
+  /** Not like a parabola at all. */
+  bool rough = false;
+
   double length() const
   {
     return end - start;
@@ -94,9 +95,12 @@ struct Samples
   {
     return three_quarters - (0.25 * first + 0.75 * last + 0.75 * bulge());
   }
-  /** By how much the parabola is raised at both ends. */
-  double lift() const
+  /** By how much the parabola, or the chord where f is rough, is raised at the end with the value
+   * @p value. */
+  double lift(const double value) const
   {
+    if (rough)
+      return std::max({first, quarter, middle, three_quarters, last}) - value;
     return 1.25 * std::max({0., excess_at_quarter(), excess_at_three_quarters()});
   }
   double misfit() const
@@ -105,13 +109,12 @@ struct Samples
   }
 };
 
-/** Beside a break, f is taken so far from it. */
-constexpr double beside = 1e-10;
-
 class Sampler
 {
 public:
-  Sampler(const std::function<double(double)> &f, const std::vector<double> &breaks)
+  Sampler(const std::function<double(double)> &f,
+          const std::vector<double> &breaks,
+          const double rounding)
     : f_(f)
   {
     constexpr unsigned int n = 4;
@@ -122,35 +125,23 @@ public:
         Samples samples = {};
         samples.start = breaks[k] + length * i / n;
         samples.end = i + 1 == n ? breaks[k + 1] : breaks[k] + length * (i + 1) / n;
-        samples.first = f(i == 0 ? samples.start + beside * length : samples.start);
-        samples.last = f(i + 1 == n ? samples.end - beside * length : samples.end);
-        // Where f is continuous, it has one value at a break.
-        if (i == 0)
-          samples.first = std::max(samples.first, f(samples.start));
-        if (i + 1 == n)
-          samples.last = std::max(samples.last, f(samples.end));
         samples.middle = f(0.5 * (samples.start + samples.end));
+        samples.first = i == 0 ? beside_break(samples, samples.start, rounding) : f(samples.start);
+        samples.last = i + 1 == n ? beside_break(samples, samples.end, rounding) : f(samples.end);
         add_quarters(samples);
         intervals_.push_back(samples);
       }
   }
 
   /** Halves intervals where f is far from a parabola. */
-  void refine()
+  void refine(const double rounding)
   {
-    double range = 0.;
-    const double a = intervals_.front().first, b = intervals_.back().last;
-    double size = std::max(std::abs(a), std::abs(b));
-    for (const Samples &s : intervals_)
-    {
-      const double t = 0.5 * (s.start + s.end);
-      range = std::max({range,
-                        std::abs(s.middle - (1. - t) * a - t * b),
-                        std::abs(s.first - (1. - s.start) * a - s.start * b)});
-      size = std::max(size, std::abs(s.middle));
-    }
-    const double allowed = 0.01 * range + 1e-13 * size;
-    for (unsigned int pass = 0; pass < 6; ++pass)
+    const double range = bend();
+    linear_ = range <= rounding && largest_misfit() <= rounding;
+    if (linear_)
+      return;
+    const double allowed = std::max(0.01 * range, rounding);
+    for (unsigned int pass = 0; pass < 6 && largest_misfit() > allowed; ++pass)
     {
       std::vector<Samples> finer;
       for (const Samples &s : intervals_)
@@ -158,10 +149,10 @@ public:
           halve(s, finer);
         else
           finer.push_back(s);
-      if (finer.size() == intervals_.size())
-        break;
       intervals_ = std::move(finer);
     }
+    for (Samples &s : intervals_)
+      s.rough = s.misfit() > allowed;
   }
 
   UpperInterpolant result(const Pinned &pinned) const
@@ -175,23 +166,60 @@ public:
       note(s, upper);
       // A linear function that vanishes at one end is a quarter of its value at the quarter.
       const bool starts_pinned = pinned.start && i == 0, ends_pinned = pinned.end && i + 1 == n;
-      lifts[i] = starts_pinned ? 0. : std::max(lifts[i], s.lift() * (ends_pinned ? 4. : 1.));
+      lifts[i] = starts_pinned ? 0. : std::max(lifts[i], s.lift(s.first) * (ends_pinned ? 4. : 1.));
       lifts[i + 1] =
-        ends_pinned ? 0. : std::max(lifts[i + 1], s.lift() * (starts_pinned ? 4. : 1.));
+        ends_pinned ? 0. : std::max(lifts[i + 1], s.lift(s.last) * (starts_pinned ? 4. : 1.));
       values[i] = i == 0 ? s.first : std::max(s.first, intervals_[i - 1].last);
       values[i + 1] = s.last;
     }
     for (std::size_t i = 0; i <= n; ++i)
       values[i] += lifts[i];
     std::vector<EdgeFunction::Part> parts;
-    for (std::size_t i = 0; i < n; ++i)
-      parts.push_back(
-        {intervals_[i].start, intervals_[i].end, values[i], values[i + 1], intervals_[i].bulge()});
+    if (linear_)
+      parts.push_back({0., 1., intervals_.front().first, intervals_.back().last, 0.});
+    for (std::size_t i = 0; i < n && !linear_; ++i)
+      parts.push_back({intervals_[i].start,
+                       intervals_[i].end,
+                       values[i],
+                       values[i + 1],
+                       intervals_[i].rough ? 0. : intervals_[i].bulge()});
     upper.function = EdgeFunction(std::move(parts));
     return upper;
   }
 
 private:
+  /** f at one end of the samples, or the limit from inside where f jumps there: then it is the same
+   * at both distances; where f only is steep, like the root of the distance, it is not. */
+  double beside_break(const Samples &samples, const double t, const double rounding) const
+  {
+    const double value = f_(t), length = samples.end - samples.start;
+    const double inwards = t == samples.start ? length : -length;
+    const double limit = f_(t + 1e-10 * inwards);
+    const double change = std::abs(limit - value);
+    const bool jumps = change > rounding && change > 0.5 * std::abs(f_(t + 1e-6 * inwards) - value);
+    return jumps ? limit : value;
+  }
+  /** How far f is from its chord. */
+  double bend() const
+  {
+    const double a = intervals_.front().first, b = intervals_.back().last;
+    double largest = 0.;
+    for (const Samples &s : intervals_)
+    {
+      const double t = 0.5 * (s.start + s.end);
+      largest = std::max({largest,
+                          std::abs(s.middle - (1. - t) * a - t * b),
+                          std::abs(s.first - (1. - s.start) * a - s.start * b)});
+    }
+    return largest;
+  }
+  double largest_misfit() const
+  {
+    double largest = 0.;
+    for (const Samples &s : intervals_)
+      largest = std::max(largest, s.misfit());
+    return largest;
+  }
   void add_quarters(Samples &samples) const
   {
     samples.quarter = f_(0.75 * samples.start + 0.25 * samples.end);
@@ -200,8 +228,8 @@ private:
   void halve(const Samples &s, std::vector<Samples> &to) const
   {
     const double middle = 0.5 * (s.start + s.end);
-    Samples left = {s.start, middle, s.first, 0., s.quarter, 0., s.middle};
-    Samples right = {middle, s.end, s.middle, 0., s.three_quarters, 0., s.last};
+    Samples left = {s.start, middle, s.first, 0., s.quarter, 0., s.middle, false};
+    Samples right = {middle, s.end, s.middle, 0., s.three_quarters, 0., s.last, false};
     add_quarters(left);
     add_quarters(right);
     to.push_back(left);
@@ -220,15 +248,17 @@ private:
 
   const std::function<double(double)> &f_;
   std::vector<Samples> intervals_;
+  bool linear_ = false;
 };
 } // namespace
 
 UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
                                         const std::vector<double> &breaks,
+                                        const double rounding,
                                         const Pinned &pinned)
 {
-  Sampler sampler(f, breaks);
-  sampler.refine();
+  Sampler sampler(f, breaks, rounding);
+  sampler.refine(rounding);
   return sampler.result(pinned);
 }
 } // namespace Signorini

@@ -80,8 +80,7 @@ void LiftField::add_column(const unsigned int face)
     bool flipped;
     double height;
   };
-  const ContactFace<2> &contact =
-    trace_.surface().faces()[trace_.faces()[face].number];
+  const ContactFace<2> &contact = trace_.surface().faces()[trace_.faces()[face].number];
   const double wanted = depth(face);
   std::vector<Step> steps;
   double reached = 0.;
@@ -172,15 +171,15 @@ Tensor<2, 2> LiftField::reference_gradient(const LocalField &field, const Point<
     const EdgeFunction &r = remainders_[passage.face];
     Tensor<1, 2> slopes;
     slopes[1 - passage.entry / 2] = psi * r.slope(t) * (passage.flipped ? -1. : 1.);
-    slopes[passage.entry / 2] =
-      -passage.slope * r.value(t) * (passage.entry % 2 == 0 ? 1. : -1.);
+    slopes[passage.entry / 2] = -passage.slope * r.value(t) * (passage.entry % 2 == 0 ? 1. : -1.);
     gradient += outer_product(trace_.faces()[passage.face].normal, slopes);
   }
   return gradient;
 }
 
-std::vector<double>
-LiftField::cuts(const CellIterator &cell, const LocalField &field, const unsigned int d) const
+std::vector<double> LiftField::cuts(const CellIterator &cell,
+                                    const LocalField &field,
+                                    const unsigned int d) const
 {
   std::vector<double> cuts = {0., 1.};
   for (const Passage &passage : *field.passages)

@@ -87,7 +87,8 @@ public:
     const auto nn = symmetrize(outer_product(normal_, normal_));
     const auto nm = symmetrize(outer_product(normal_, tangent_));
     if (slopes > 0.)
-      depth_ = std::min(depth_, std::sqrt(3. * (nn * (C * nn)) * squares / ((nm * (C * nm)) * slopes)));
+      depth_ =
+        std::min(depth_, std::sqrt(3. * (nn * (C * nn)) * squares / ((nm * (C * nm)) * slopes)));
   }
 
   Tensor<1, 2> value(const dealii::Point<2> &x) const
@@ -177,8 +178,9 @@ Vector required_values(const ContactTrace &trace)
 }
 
 /** A^{-1} b with homogeneous essential conditions. */
-NodalVector
-solve(const DisplacementSpace<2> &space, const StiffnessInverse &inverse, DistributedVector &b)
+NodalVector solve(const DisplacementSpace<2> &space,
+                  const StiffnessInverse &inverse,
+                  DistributedVector &b)
 {
   b.compress(dealii::VectorOperation::add);
   DistributedVector x = space.make_vector();
@@ -189,8 +191,9 @@ solve(const DisplacementSpace<2> &space, const StiffnessInverse &inverse, Distri
 }
 } // namespace
 
-NodalVector
-layer_lift(const DisplacementSpace<2> &space, const Scene<2> &scene, const ContactTrace &trace)
+NodalVector layer_lift(const DisplacementSpace<2> &space,
+                       const Scene<2> &scene,
+                       const ContactTrace &trace)
 {
   Vector omega = required_values(trace);
   for (unsigned int k = 0; k < omega.size(); ++k)

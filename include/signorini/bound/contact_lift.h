@@ -56,17 +56,19 @@ struct ContactBound
  *
  *     r_F >= b - e,   r_F = 0 at both ends.
  *
- * Where the face presses, r_F = max(b - e, min(b, 0)) at breaks: w_n = q where w_h touches at both
- * ends, since -2 p_H (w_n - d) counts; elsewhere max(b - e, 0). Between breaks r_F is the chord of
- * these values plus the bulge of b, or the positive part of that bulge. It is >= b - e: the
- * difference is at least a chord of values that are not negative. Hence w_n = Iq + e + r_F >= q >=
- * d, and c² >= 0.
+ * Where the face presses, r_F = max(b - e, min(b, 0)): w_n = q where w_h touches at both ends,
+ * since -2 p_H (w_n - d) counts; elsewhere r_F = max(b - e, 0). Both are piecewise quadratic, with
+ * breaks at the zeros of b and b - e as well. Hence w_n = Iq + e + r_F >= q >= d, and c² >= 0.
  *
  * The bound is exact up to rounding, the sampling of g (see interpolate_from_above()) and, with
  * moduli that vary or cells that are no parallelograms, the quadrature of |||w|||².
  *
  * Of the two w_h, the cheap layer and the solution of a small dual problem, the one with the
- * smaller c² is kept.
+ * smaller c² is kept. The layer is not enough in bending, where it has to be thin.
+ *
+ * There is none where a held node needs w_n > 0: where contact reaches a clamped side with g < 0,
+ * or is pushed into the foundation there. A gap that jumps costs energy but does no harm, since
+ * w_n >= d may be smooth.
  */
 class ContactLift
 {
@@ -76,6 +78,8 @@ public:
   {
     const StiffnessInverse &inverse;
     const Coupling &condensed_D;
+    /** A c² that needs no improvement: the layer is kept if it is not above. */
+    double enough = 0.;
   };
 
   /**

@@ -57,6 +57,7 @@ struct PenetrationFace
   /** p_H at t. */
   double pressure(double t) const;
   bool presses() const;
+  bool presses_everywhere() const;
   /** v_n of a function of V^h at t. */
   double normal_value(const NodalVector &V, double t) const;
 };
@@ -127,8 +128,9 @@ private:
   void find_conditions();
   using ConditionsOfVertices = std::map<unsigned int, std::vector<unsigned int>>;
   /** The condition of one end of a face, made if it is new. */
-  unsigned int
-  condition_at(const PenetrationFace &face, unsigned int end, ConditionsOfVertices &known);
+  unsigned int condition_at(const PenetrationFace &face,
+                            unsigned int end,
+                            ConditionsOfVertices &known);
   void sample();
   void find_obstacle();
 

@@ -71,13 +71,19 @@ struct Pinned
  *
  * Between consecutive @p breaks (0, places where f jumps or has a kink, 1) f is sampled on four
  * equal intervals, each at its ends, its middle and its quarters. q is the parabola through the
- * first three, raised by a piecewise linear function where f exceeds the parabola: for smooth f by O(interval^3), since the excess over a parabola is f'''/6 tau (tau -
- * 1/2) (tau - 1) interval^3, of which the quarters show 97 %; it is raised by 5/4 of what they
- * show. Intervals where the quarters differ by more than 1/100 of the range of f - (its chord) are
- * halved, up to six times: a feature of f that is narrower than 1/16 of the edge, and smooth data
- * all around it, may be missed. At a jump q takes the larger of the two values.
+ * first three, raised by a piecewise linear function where f exceeds the parabola: for smooth f by
+ * O(interval^3), since the excess over a parabola is f'''/6 tau (tau - 1/2) (tau - 1) interval^3,
+ * of which the quarters show 97 %; it is raised by 5/4 of what they show. Intervals where the
+ * quarters differ by more than 1/100 of the range of f - (its chord) are halved, up to six times;
+ * where that is not enough, f has a kink or jumps, and q is linear there and not below any sample.
+ * What is narrower than 1/16 of the edge in the midst of smooth data may be missed. At a break q
+ * takes the larger of both values.
+ *
+ * @param rounding absolute rounding errors of f: what is not larger is nothing. An f that is linear
+ * but for rounding gives one part.
  */
 UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
                                         const std::vector<double> &breaks,
+                                        double rounding,
                                         const Pinned &pinned = {});
 } // namespace Signorini

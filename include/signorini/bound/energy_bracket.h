@@ -42,11 +42,11 @@ inline Bracket energy_bracket(const double dual_energy,
  *
  * so s <= |||w||| + (|||w|||² + eta² + 2 T)^{1/2}.
  */
-inline double
-stress_error_bound(const double eta, const double lift_norm, const double contact_term)
+inline double stress_error_bound(const double eta,
+                                 const double lift_norm,
+                                 const double contact_term)
 {
-  return lift_norm +
-         std::sqrt(std::max(0., lift_norm * lift_norm + eta * eta + 2. * contact_term));
+  return lift_norm + std::sqrt(std::max(0., lift_norm * lift_norm + eta * eta + 2. * contact_term));
 }
 
 /**

@@ -77,12 +77,10 @@ private:
   double depth(unsigned int face) const;
   LocalField local_field(const CellIterator &cell) const;
   /** The gradient with respect to reference coordinates. */
-  dealii::Tensor<2, 2> reference_gradient(const LocalField &field,
-                                          const dealii::Point<2> &x) const;
+  dealii::Tensor<2, 2> reference_gradient(const LocalField &field, const dealii::Point<2> &x) const;
   double energy_of(const CellIterator &cell, const LocalField &field) const;
   /** Where pieces of w or of the material begin and end in reference coordinate @p d. */
-  std::vector<double>
-  cuts(const CellIterator &cell, const LocalField &field, unsigned int d) const;
+  std::vector<double> cuts(const CellIterator &cell, const LocalField &field, unsigned int d) const;
 
   const DisplacementSpace<2> &space_;
   const Scene<2> &scene_;

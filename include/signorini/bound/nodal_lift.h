@@ -18,14 +18,16 @@ namespace Signorini
  * omega'²))^{1/2} has the least bound of the energy; D is at most the shortest extent of the body.
  * At contact nodes themselves the conditions decide (a corner has two). No solve.
  */
-NodalVector
-layer_lift(const DisplacementSpace<2> &space, const Scene<2> &scene, const ContactTrace &trace);
+NodalVector layer_lift(const DisplacementSpace<2> &space,
+                       const Scene<2> &scene,
+                       const ContactTrace &trace);
 
 /**
  * The w_h in V^h that minimises 1/2 a(w_h, w_h) - int p_H w_{h,n} over w_{h,n} >= required: with
  * the matrix E of the conditions (w_n = E^T w) and multipliers Q,
  *
- *     A w = D P - E Q,   Q <= 0,   E^T A^{-1} E Q - (E^T A^{-1} D P - required) <= 0,   Q^T (...) = 0,
+ *     A w = D P - E Q,   Q <= 0,   E^T A^{-1} E Q - (E^T A^{-1} D P - required) <= 0,   Q^T (...) =
+ * 0,
  *
  * solved like the dual problem of the scene. Two solves, and those that E^T A^{-1} E needs: none
  * with a trailing factor, otherwise one per contact node that is needed. Collective.
