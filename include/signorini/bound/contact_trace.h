@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/bound/edge_function.h>
+#include <signorini/elasticity/displacement_space.h>
+#include <signorini/multiplier/coupling.h>
+#include <signorini/multiplier/multiplier_space.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+/** A place on the boundary. */
+struct SidePlace
+{
+  /** Number of the side in the geometry. */
+  unsigned int side = 0;
+  /** Arc length from its start (length). */
+  double arc_length = 0.;
+};
+
+/** A straight contact face with d = u_{h,n} - g on it, as a function of t in [0,1] from its vertex
+ * 0 to its vertex 1. */
+struct PenetrationFace
+{
+  using Dofs = std::array<dealii::types::global_dof_index, 2>;
+
+  /** Number of the face in the surface. */
+  unsigned int number;
+  unsigned int side;
+  dealii::Point<2> start, end;
+  /** Outward. */
+  dealii::Tensor<1, 2> normal;
+  double length;
+  /** The degrees of freedom of both ends. */
+  std::array<Dofs, 2> dofs;
+  /** The conditions of both ends, see ContactTrace::conditions(). */
+  std::array<unsigned int, 2> conditions;
+  /** Where p_H is constant: from, to, p_H; sorted. */
+  struct Pressed
+  {
+    double from, to, p;
+  };
+  std::vector<Pressed> pressures;
+  /** d from above. */
+  EdgeFunction d;
+
+  dealii::Point<2> point(const double t) const
+  {
+    return start + t * (end - start);
+  }
+  /** p_H at t. */
+  double pressure(double t) const;
+  bool presses() const;
+  bool presses_everywhere() const;
+  /** v_n of a function of V^h at t. */
+  double normal_value(const NodalVector &V, double t) const;
+};
+
+/** w_n >= required at a contact node, w in V^h with homogeneous essential conditions. */
+struct NodeCondition
+{
+  dealii::Tensor<1, 2> normal;
+  SidePlace place;
+  double required;
+  /** Whether a neighbouring face presses. */
+  bool presses = false;
+  /** Whether w_n = 0 there for all such w: the node is held by another side. */
+  bool held = false;
+};
+
+/**
+ * d = u_{h,n} - g on Gamma_c, face by face, and what a w in V^h with w_n >= d at contact nodes has
+ * to satisfy: one condition per contact node and direction of the normal (a corner of two contact
+ * sides has two).
+ */
+class ContactTrace
+{
+public:
+  /** All must outlive the object. @throws InputError where g has no value. */
+  ContactTrace(const DisplacementSpace<2> &space,
+               const Scene<2> &scene,
+               const MultiplierSpace<2> &multipliers,
+               const NodalVector &U,
+               const dealii::Vector<double> &P);
+
+  const std::vector<PenetrationFace> &faces() const
+  {
+    return faces_;
+  }
+  const std::vector<NodeCondition> &conditions() const
+  {
+    return conditions_;
+  }
+  /** The columns w -> w_n of all conditions, condensed; empty columns where a node is held. */
+  const Coupling &normals() const
+  {
+    return normals_;
+  }
+  const ContactSurface<2> &surface() const
+  {
+    return multipliers_.surface();
+  }
+  /** d itself, up to the evaluation of g. */
+  double penetration(const PenetrationFace &face, double t) const;
+  /** max (d)_+ over all samples, and where. */
+  double largest_penetration() const
+  {
+    return largest_;
+  }
+  const SidePlace &place_of_largest() const
+  {
+    return place_of_largest_;
+  }
+  /** Why there is no w of finite energy, and where; none if there is one. */
+  const std::optional<std::pair<std::string, SidePlace>> &obstacle() const
+  {
+    return obstacle_;
+  }
+
+private:
+  void find_faces(const dealii::Vector<double> &P);
+  void find_conditions();
+  using ConditionsOfVertices = std::map<unsigned int, std::vector<unsigned int>>;
+  /** The condition of one end of a face, made if it is new. */
+  unsigned int condition_at(const PenetrationFace &face,
+                            unsigned int end,
+                            ConditionsOfVertices &known);
+  void sample();
+  void find_obstacle();
+
+  const DisplacementSpace<2> &space_;
+  const Scene<2> &scene_;
+  const MultiplierSpace<2> &multipliers_;
+  const NodalVector &U_;
+  std::vector<PenetrationFace> faces_;
+  std::vector<NodeCondition> conditions_;
+  Coupling normals_;
+  double largest_ = 0.;
+  SidePlace place_of_largest_;
+  std::optional<std::pair<std::string, SidePlace>> obstacle_;
+};
+} // namespace Signorini

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/columns.h>
+#include <signorini/bound/contact_lift.h>
+#include <signorini/bound/energy_bracket.h>
+#include <signorini/bound/equilibrated_stress.h>
+
+#include <optional>
+#include <string>
+
+namespace Signorini
+{
+/**
+ * A guaranteed bound of the error of u_h in the energy norm |||v||| = a(v,v)^{1/2}, from a stress tau
+ * in equilibrium (EquilibratedStress) and a lift w of what penetrates (ContactLift):
+ *
+ *     |||u - u_h|||² <= sum_K (‖sigma(u_h) - tau‖_{C^{-1},K} + osc_K)² + |||w|||²
+ *                       + 2 int_{Gamma_c} p_H (u_{h,n} - g - w_n).
+ *
+ * Norms are roots of energies (force x length per thickness).
+ */
+struct ErrorBound
+{
+  /** Why there is no bound, one sentence; empty if there is one. Then nothing else is known but the
+   * penetration. */
+  std::string missing;
+  /** The bound of |||u - u_h|||. */
+  std::optional<double> absolute;
+  /** The same divided by |||u_h|||; infinite where u_h has no strain. */
+  std::optional<double> relative;
+  /** Its parts: the first sum without oscillation, the oscillation, and the contact part. */
+  std::optional<double> mesh, oscillation, contact;
+  /** What the linear solver left unbalanced at nodes, relative to the forces there. */
+  std::optional<double> algebra;
+  /** Between these lies J(u). */
+  std::optional<Bracket> energy;
+  /** Bound of the error of the contact force (force); none where contact meets a held side. */
+  std::optional<double> force_error;
+  /** max (u_{h,n} - g)_+ (length), and its place in words. */
+  double penetration = 0.;
+  std::string place_of_penetration;
+  /** In words: the cell with the largest part, and the contact face. */
+  std::string largest_cell, largest_face;
+
+  static Columns<ErrorBound> columns();
+};
+
+/** What contact_lift needs besides the data of the stress. */
+struct BoundData
+{
+  StressData stress;
+  const StiffnessInverse &inverse;
+  const Coupling &condensed_D;
+};
+
+/** Computes the bound for a plane body with straight sides; missing says why there is none for
+ * others. Collective. */
+ErrorBound compute_error_bound(const BoundData &data);
+} // namespace Signorini

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/bound/contact_trace.h>
+#include <signorini/stiffness_inverse/stiffness_inverse.h>
+
+#include <optional>
+
+namespace Signorini
+{
+/**
+ * A w_h in V^h, zero on essential boundaries, with w_{h,n} >= required at all conditions of the
+ * trace: the nodal values of the layer omega(s) (1 - y/D)_+ n below each contact side, y the
+ * distance from the side. omega is linear between contact nodes: the required value at nodes next
+ * to pressing faces, its positive part elsewhere.
+ *
+ * On a strip with constant moduli, a layer of the depth D = (3 C_nn int omega² / (C_nt int
+ * omega'²))^{1/2} has the least bound of the energy; D is at most the shortest extent of the body.
+ * At contact nodes themselves the conditions decide (a corner has two). No solve.
+ */
+NodalVector layer_lift(const DisplacementSpace<2> &space,
+                       const Scene<2> &scene,
+                       const ContactTrace &trace);
+
+/**
+ * The w_h in V^h that minimises 1/2 a(w_h, w_h) - int p_H w_{h,n} over w_{h,n} >= required: with
+ * the matrix E of the conditions (w_n = E^T w) and multipliers Q,
+ *
+ *     A w = D P - E Q,   Q <= 0,   E^T A^{-1} E Q - (E^T A^{-1} D P - required) <= 0,   Q^T (...) =
+ * 0,
+ *
+ * solved like the dual problem of the scene. Two solves, and those that E^T A^{-1} E needs: none
+ * with a trailing factor, otherwise one per contact node that is needed. Collective.
+ */
+NodalVector dual_lift(const DisplacementSpace<2> &space,
+                      const ContactTrace &trace,
+                      const Coupling &condensed_D,
+                      const StiffnessInverse &inverse,
+                      const dealii::Vector<double> &P);
+
+/**
+ * A z in V^h, zero on essential boundaries, with z_n = 1 on Gamma_c, of small energy; none where a
+ * contact node is held. Collective.
+ */
+std::optional<NodalVector> lift_of_one(const DisplacementSpace<2> &space,
+                                       const Scene<2> &scene,
+                                       const ContactTrace &trace,
+                                       const StiffnessInverse &inverse);
+} // namespace Signorini

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The contact part of the bound: what w_h lacks inside faces, and the sum.
+
+#include <signorini/bound/contact_lift.h>
+#include <signorini/bound/nodal_lift.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+/** r_F of one face, from q and w_h. */
+class Remainder
+{
+public:
+  Remainder(const PenetrationFace &face, const NodalVector &w_h)
+    : face_(face)
+    , presses_(face.presses_everywhere())
+    , chord_{face.d.value(0.), face.d.value(1.)}
+    , slack_{face.normal_value(w_h, 0.) - chord_[0], face.normal_value(w_h, 1.) - chord_[1]}
+  {
+  }
+
+  EdgeFunction function() const
+  {
+    std::vector<EdgeFunction::Part> parts;
+    for (const EdgeFunction::Part &q : face_.d.parts())
+    {
+      const EdgeFunction::Part b = minus(q, chord_), lack = minus(b, slack_);
+      std::vector<double> breaks = {q.start, q.end};
+      add_roots(lack, breaks);
+      if (presses_)
+        add_roots(b, breaks);
+      std::sort(breaks.begin(), breaks.end());
+      for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
+        parts.push_back(on(b, lack, breaks[i], breaks[i + 1]));
+    }
+    // b = 0 there and e >= 0, up to rounding.
+    parts.front().first = 0.;
+    parts.back().last = 0.;
+    return EdgeFunction(std::move(parts));
+  }
+
+private:
+  using Ends = std::array<double, 2>;
+
+  /** A part minus the linear function with the given values at 0 and 1. */
+  static EdgeFunction::Part minus(EdgeFunction::Part part, const Ends &ends)
+  {
+    part.first -= (1. - part.start) * ends[0] + part.start * ends[1];
+    part.last -= (1. - part.end) * ends[0] + part.end * ends[1];
+    return part;
+  }
+  /** Adds the zeros inside of a part, not too close to its ends. */
+  static void add_roots(const EdgeFunction::Part &part, std::vector<double> &breaks)
+  {
+    // first + slope tau - 4 bulge tau^2, in the form that does not cancel.
+    const double slope = part.last - part.first + 4. * part.bulge;
+    const double square = slope * slope + 16. * part.bulge * part.first;
+    if (square < 0.)
+      return;
+    const double sum = slope + std::copysign(std::sqrt(square), slope);
+    for (const double tau : {sum / (8. * part.bulge), -2. * part.first / sum})
+      if (tau > 1e-9 && tau < 1. - 1e-9)
+        breaks.push_back(part.start + tau * (part.end - part.start));
+  }
+  /** The remainder between two breaks: there it is one of b - e, b and 0. */
+  EdgeFunction::Part on(const EdgeFunction::Part &b,
+                        const EdgeFunction::Part &lack,
+                        const double start,
+                        const double end) const
+  {
+    const double length = (end - start) / (b.end - b.start);
+    const double middle = 0.5 * (start + end);
+    const double value = remainder(b.value(middle), lack.value(middle));
+    EdgeFunction::Part part = {start,
+                               end,
+                               remainder(b.value(start), lack.value(start)),
+                               remainder(b.value(end), lack.value(end)),
+                               0.};
+    if (value != 0.)
+      part.bulge = b.bulge * length * length;
+    return part;
+  }
+  double remainder(const double b, const double lack) const
+  {
+    return std::max(lack, presses_ ? std::min(b, 0.) : 0.);
+  }
+
+  const PenetrationFace &face_;
+  bool presses_;
+  Ends chord_, slack_;
+};
+
+std::string describe(const std::string &reason, const SidePlace &place, const Scene<2> &scene)
+{
+  const Side<2> &side = scene.geometry.sides[place.side];
+  std::ostringstream text;
+  text << reason << ": side " << side.name() << ", arc length " << place.arc_length << ", ("
+       << side.point(place.arc_length) << ").";
+  return text.str();
+}
+
+/** int_F p_H (d - w_n). */
+double contact_term(const ContactTrace &trace, const LiftField &lift, const unsigned int face)
+{
+  static const dealii::QGauss<1> gauss(4);
+  const PenetrationFace &F = trace.faces()[face];
+  double sum = 0.;
+  for (const EdgeFunction::Part &part : F.d.parts())
+  {
+    const double p = F.pressure(0.5 * (part.start + part.end));
+    if (p == 0.)
+      continue;
+    for (unsigned int q = 0; q < gauss.size(); ++q)
+    {
+      const double t = part.start + (part.end - part.start) * gauss.point(q)[0];
+      sum += p * (trace.penetration(F, t) - lift.normal_value(face, t)) * F.length *
+             (part.end - part.start) * gauss.weight(q);
+    }
+  }
+  return sum;
+}
+} // namespace
+
+ContactLift::ContactLift(const DisplacementSpace<2> &space,
+                         const Scene<2> &scene,
+                         const MultiplierSpace<2> &multipliers,
+                         const NodalVector &U,
+                         const dealii::Vector<double> &P,
+                         const std::optional<DualData> &dual)
+  : space_(space)
+  , scene_(scene)
+{
+  if (space.mesh().is_curved())
+  {
+    no_bound_ = "the body has curved sides, and the bound is for straight ones.";
+    return;
+  }
+  trace_ = std::make_unique<const ContactTrace>(space, scene, multipliers, U, P);
+  if (trace_->obstacle())
+  {
+    no_bound_ = describe(trace_->obstacle()->first, trace_->obstacle()->second, scene);
+    return;
+  }
+  consider(layer_lift(space, scene, *trace_), LiftMethod::layer);
+  if (dual && bound_->square() > dual->enough)
+    consider(dual_lift(space, *trace_, dual->condensed_D, dual->inverse, P), LiftMethod::dual);
+}
+
+void ContactLift::consider(NodalVector w_h, const LiftMethod method)
+{
+  std::vector<EdgeFunction> remainders;
+  for (const PenetrationFace &face : trace_->faces())
+    remainders.push_back(Remainder(face, w_h).function());
+  auto lift = std::make_unique<const LiftField>(
+    space_, scene_, *trace_, std::move(w_h), std::move(remainders));
+  ContactBound bound = evaluate(*lift, method);
+  if (bound_ && bound_->square() <= bound.square())
+    return;
+  lift_ = std::move(lift);
+  bound_ = std::move(bound);
+}
+
+ContactBound ContactLift::evaluate(const LiftField &lift, const LiftMethod method) const
+{
+  ContactBound bound;
+  bound.method = method;
+  bound.cell_energies = lift.cell_energies();
+  const double local = std::accumulate(bound.cell_energies.begin(), bound.cell_energies.end(), 0.);
+  bound.lift_energy = dealii::Utilities::MPI::sum(local, space_.mesh().communicator());
+  std::vector<double> local_parts, parts;
+  for (unsigned int i = 0; i < trace_->faces().size(); ++i)
+  {
+    const double term = contact_term(*trace_, lift, i);
+    bound.contact_term += term;
+    bound.face_terms.push_back(2. * term);
+    const auto cell = trace_->surface().faces()[trace_->faces()[i].number].cell;
+    local_parts.push_back(bound.cell_energies[cell->active_cell_index()]);
+  }
+  parts.resize(local_parts.size());
+  dealii::Utilities::MPI::sum(local_parts, space_.mesh().communicator(), parts);
+  for (unsigned int i = 0; i < parts.size(); ++i)
+    parts[i] += bound.face_terms[i];
+  const PenetrationFace &worst =
+    trace_->faces()[std::max_element(parts.begin(), parts.end()) - parts.begin()];
+  bound.largest_part = {worst.side, scene_.geometry.sides[worst.side].arc_length(worst.point(0.5))};
+  return bound;
+}
+
+std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
+                                        const Scene<2> &scene,
+                                        const ContactTrace &trace,
+                                        const StiffnessInverse &inverse)
+{
+  const std::optional<NodalVector> z = lift_of_one(space, scene, trace, inverse);
+  if (!z)
+    return {};
+  const LiftField lift(space, scene, trace, *z, std::vector<EdgeFunction>(trace.faces().size()));
+  const dealii::Vector<double> energies = lift.cell_energies();
+  const double local = std::accumulate(energies.begin(), energies.end(), 0.);
+  return std::sqrt(dealii::Utilities::MPI::sum(local, space.mesh().communicator()));
+}
+} // namespace Signorini

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The penetration of u_h along Gamma_c, and the contact nodes.
+
+#include <signorini/bound/contact_trace.h>
+
+#include <deal.II/base/geometry_info.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+double PenetrationFace::pressure(const double t) const
+{
+  for (const Pressed &part : pressures)
+    if (t <= part.to)
+      return part.p;
+  return pressures.empty() ? 0. : pressures.back().p;
+}
+
+bool PenetrationFace::presses() const
+{
+  return std::any_of(
+    pressures.begin(), pressures.end(), [](const Pressed &part) { return part.p < 0.; });
+}
+
+bool PenetrationFace::presses_everywhere() const
+{
+  return std::all_of(
+    pressures.begin(), pressures.end(), [](const Pressed &part) { return part.p < 0.; });
+}
+
+double PenetrationFace::normal_value(const NodalVector &V, const double t) const
+{
+  double value = 0.;
+  for (unsigned int d = 0; d < 2; ++d)
+    value += normal[d] * ((1. - t) * V[dofs[0][d]] + t * V[dofs[1][d]]);
+  return value;
+}
+
+ContactTrace::ContactTrace(const DisplacementSpace<2> &space,
+                           const Scene<2> &scene,
+                           const MultiplierSpace<2> &multipliers,
+                           const NodalVector &U,
+                           const dealii::Vector<double> &P)
+  : space_(space)
+  , scene_(scene)
+  , multipliers_(multipliers)
+  , U_(U)
+  , normals_(std::vector<Coupling::Column>())
+{
+  find_faces(P);
+  find_conditions();
+  sample();
+  find_obstacle();
+}
+
+void ContactTrace::find_faces(const dealii::Vector<double> &P)
+{
+  const ContactSurface<2> &surface = multipliers_.surface();
+  for (unsigned int i = 0; i < surface.faces().size(); ++i)
+  {
+    const ContactFace<2> &contact = surface.faces()[i];
+    const auto cell = space_.dof_cell(contact.cell);
+    PenetrationFace face = {};
+    face.number = i;
+    face.side = contact.side;
+    for (unsigned int end = 0; end < 2; ++end)
+    {
+      const unsigned int v = dealii::GeometryInfo<2>::face_to_cell_vertices(contact.face_no, end);
+      (end == 0 ? face.start : face.end) = cell->vertex(v);
+      for (unsigned int d = 0; d < 2; ++d)
+        face.dofs[end][d] = cell->vertex_dof_index(v, d);
+    }
+    face.length = face.start.distance(face.end);
+    const Side<2> &side = scene_.geometry.sides[contact.side];
+    face.normal = side.normal(side.arc_length(face.point(0.5)));
+    faces_.push_back(face);
+  }
+  for (const Piece<2> &piece : surface.pieces())
+  {
+    const double a = piece.lower_on_face[0], b = piece.upper_on_face[0];
+    const double p = multipliers_.value(P, piece.patch, piece.lower);
+    faces_[piece.face].pressures.push_back({std::min(a, b), std::max(a, b), p});
+  }
+  for (PenetrationFace &face : faces_)
+    std::sort(face.pressures.begin(), face.pressures.end(), [](const auto &a, const auto &b) {
+      return a.from < b.from;
+    });
+}
+
+unsigned int ContactTrace::condition_at(const PenetrationFace &face,
+                                        const unsigned int end,
+                                        ConditionsOfVertices &known)
+{
+  const ContactFace<2> &contact = multipliers_.surface().faces()[face.number];
+  const unsigned int vertex = contact.cell->vertex_index(
+    dealii::GeometryInfo<2>::face_to_cell_vertices(contact.face_no, end));
+  for (const unsigned int k : known[vertex])
+    if ((conditions_[k].normal - face.normal).norm() < 1e-10)
+      return k;
+  known[vertex].push_back(conditions_.size());
+  NodeCondition condition = {};
+  condition.normal = face.normal;
+  condition.required = -std::numeric_limits<double>::infinity();
+  const Side<2> &side = scene_.geometry.sides[face.side];
+  condition.place = {face.side, side.arc_length(end == 0 ? face.start : face.end)};
+  conditions_.push_back(condition);
+  return conditions_.size() - 1;
+}
+
+void ContactTrace::find_conditions()
+{
+  std::vector<Coupling::Column> columns;
+  ConditionsOfVertices known;
+  for (PenetrationFace &face : faces_)
+    for (unsigned int end = 0; end < 2; ++end)
+    {
+      face.conditions[end] = condition_at(face, end, known);
+      if (face.conditions[end] == columns.size())
+      {
+        columns.emplace_back();
+        for (unsigned int d = 0; d < 2; ++d)
+          if (std::abs(face.normal[d]) > 1e-15)
+            columns.back().emplace_back(face.dofs[end][d], face.normal[d]);
+      }
+      NodeCondition &condition = conditions_[face.conditions[end]];
+      condition.presses = condition.presses || face.presses();
+    }
+  const Coupling condensed = condense(Coupling(columns), space_.constraints());
+  columns.clear();
+  for (unsigned int k = 0; k < condensed.n_columns(); ++k)
+  {
+    double square = 0.;
+    for (const auto &entry : condensed.column(k))
+      square += entry.second * entry.second;
+    conditions_[k].held = square < 1e-20;
+    columns.push_back(conditions_[k].held ? Coupling::Column() : condensed.column(k));
+  }
+  normals_ = Coupling(std::move(columns));
+}
+
+double ContactTrace::penetration(const PenetrationFace &face, const double t) const
+{
+  return face.normal_value(U_, t) - scene_.boundary[face.side].data->value(face.point(t));
+}
+
+void ContactTrace::sample()
+{
+  largest_ = 0.;
+  const double displacement = U_.linfty_norm();
+  for (PenetrationFace &face : faces_)
+  {
+    std::vector<double> breaks = scene_.kinks.cut(face.start, face.end);
+    for (const auto &pressed : face.pressures)
+      for (const double t : {pressed.from, pressed.to})
+        if (std::none_of(breaks.begin(), breaks.end(), [t](const double other) {
+              return std::abs(t - other) < 1e-9;
+            }))
+          breaks.push_back(t);
+    std::sort(breaks.begin(), breaks.end());
+    const Pinned pinned = {conditions_[face.conditions[0]].held,
+                           conditions_[face.conditions[1]].held};
+    const double rounding =
+      1e-14 * (displacement + std::abs(penetration(face, 0.) - face.normal_value(U_, 0.)));
+    const UpperInterpolant upper = interpolate_from_above(
+      [&](const double t) { return penetration(face, t); }, breaks, rounding, pinned);
+    face.d = upper.function;
+    if (upper.largest > largest_)
+    {
+      largest_ = upper.largest;
+      place_of_largest_ = {face.side,
+                           scene_.geometry.sides[face.side].arc_length(face.point(upper.at))};
+    }
+    for (const unsigned int end : {0, 1})
+    {
+      NodeCondition &condition = conditions_[face.conditions[end]];
+      condition.required = std::max(condition.required, face.d.value(end));
+    }
+  }
+}
+
+void ContactTrace::find_obstacle()
+{
+  // What rounding makes of u_n - g = 0.
+  const double tolerance = 1e-12 * (U_.linfty_norm() + scene_.geometry.diameter());
+  for (const NodeCondition &condition : conditions_)
+    if (condition.held && condition.required > tolerance)
+    {
+      obstacle_ = {"u_n - g > 0 where the contact side meets a side that holds the body: no "
+                   "displacement of finite energy removes the penetration",
+                   condition.place};
+      return;
+    }
+}
+} // namespace Signorini

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Functions of V^h with given normal components at contact nodes.
+
+#include <signorini/bound/nodal_lift.h>
+#include <signorini/compliance/compliance.h>
+#include <signorini/qp/dual_solver.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+using dealii::Tensor;
+using Vector = dealii::Vector<double>;
+
+/** Zero on essential boundaries: T w_free. */
+void distribute_homogeneous(const DisplacementSpace<2> &space, NodalVector &w)
+{
+  for (const auto &line : space.constraints().get_lines())
+  {
+    w[line.index] = 0.;
+    for (const auto &entry : line.entries)
+      w[line.index] += entry.second * w[entry.first];
+  }
+}
+
+/**
+ * Moves w_n at contact nodes to (or, where it is below, up to) the targets, each time by the
+ * shortest way; again and again for corners of two contact sides, whose conditions change each
+ * other.
+ */
+void impose(const Coupling &E, const Vector &targets, const bool only_raise, NodalVector &w)
+{
+  const double enough = 1e-14 * targets.linfty_norm();
+  for (unsigned int sweep = 0; sweep < 200; ++sweep)
+  {
+    double largest = 0.;
+    for (unsigned int k = 0; k < E.n_columns(); ++k)
+    {
+      double value = 0., square = 0.;
+      for (const auto &entry : E.column(k))
+      {
+        value += entry.second * w[entry.first];
+        square += entry.second * entry.second;
+      }
+      const double missing = targets[k] - value;
+      if (square == 0. || (only_raise && missing <= 0.))
+        continue;
+      for (const auto &entry : E.column(k))
+        w[entry.first] += missing / square * entry.second;
+      largest = std::max(largest, std::abs(missing));
+    }
+    if (largest <= enough)
+      return;
+  }
+}
+
+/** omega below one side, linear between its contact nodes, with the depth of the layer. */
+class Layer
+{
+public:
+  Layer(const Scene<2> &scene,
+        const ContactTrace &trace,
+        const unsigned int side,
+        const Vector &omega)
+    : start_(scene.geometry.sides[side].start())
+    , normal_(scene.geometry.sides[side].normal(0.))
+    , depth_(scene.geometry.shortest_extent())
+  {
+    const Side<2> &curve = scene.geometry.sides[side];
+    tangent_ = (curve.end() - curve.start()) / curve.length();
+    double squares = 0., slopes = 0.;
+    for (const PenetrationFace &face : trace.faces())
+      if (face.side == side)
+      {
+        const double a = omega[face.conditions[0]], b = omega[face.conditions[1]];
+        for (const unsigned int end : {0, 1})
+          nodes_[curve.arc_length(end == 0 ? face.start : face.end)] = end == 0 ? a : b;
+        squares += face.length * (a * a + a * b + b * b) / 3.;
+        slopes += (b - a) * (b - a) / face.length;
+      }
+    const auto C = scene.material->hooke(curve.point(0.5 * curve.length()));
+    const auto nn = symmetrize(outer_product(normal_, normal_));
+    const auto nm = symmetrize(outer_product(normal_, tangent_));
+    if (slopes > 0.)
+      depth_ =
+        std::min(depth_, std::sqrt(3. * (nn * (C * nn)) * squares / ((nm * (C * nm)) * slopes)));
+  }
+
+  Tensor<1, 2> value(const dealii::Point<2> &x) const
+  {
+    const double s = (x - start_) * tangent_, y = -((x - start_) * normal_);
+    if (y < -1e-10 * depth_ || y >= depth_)
+      return {};
+    return omega(s) * (1. - y / depth_) * normal_;
+  }
+
+private:
+  /** Zero beyond the ends. */
+  double omega(const double s) const
+  {
+    const double tolerance = 1e-10 * depth_;
+    const auto after = nodes_.lower_bound(s - tolerance);
+    if (after == nodes_.end())
+      return 0.;
+    if (std::abs(after->first - s) <= tolerance)
+      return after->second;
+    if (after == nodes_.begin())
+      return 0.;
+    const auto before = std::prev(after);
+    const double t = (s - before->first) / (after->first - before->first);
+    return (1. - t) * before->second + t * after->second;
+  }
+
+  dealii::Point<2> start_;
+  Tensor<1, 2> normal_, tangent_;
+  double depth_;
+  std::map<double, double> nodes_;
+};
+
+/** The layers of all contact sides at the nodes, with the given w_n at contact nodes. */
+NodalVector interpolate_layers(const DisplacementSpace<2> &space,
+                               const Scene<2> &scene,
+                               const ContactTrace &trace,
+                               const Vector &omega)
+{
+  std::vector<Layer> layers;
+  for (const unsigned int side : scene.contact_sides())
+    layers.emplace_back(scene, trace, side, omega);
+  NodalVector w(space.dofs().n_dofs());
+  std::vector<bool> done(space.mesh().triangulation().n_vertices(), false);
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      if (!done[cell->vertex_index(v)])
+      {
+        done[cell->vertex_index(v)] = true;
+        Tensor<1, 2> value;
+        for (const Layer &layer : layers)
+          value += layer.value(cell->vertex(v));
+        for (unsigned int d = 0; d < 2; ++d)
+          w[cell->vertex_dof_index(v, d)] = value[d];
+      }
+  impose(trace.normals(), omega, false, w);
+  distribute_homogeneous(space, w);
+  return w;
+}
+
+/** The conditions of nodes that are not held: their numbers, and the columns. */
+struct FreeConditions
+{
+  explicit FreeConditions(const ContactTrace &trace)
+    : E(std::vector<Coupling::Column>())
+  {
+    std::vector<Coupling::Column> columns;
+    for (unsigned int k = 0; k < trace.conditions().size(); ++k)
+      if (!trace.conditions()[k].held)
+      {
+        numbers.push_back(k);
+        columns.push_back(trace.normals().column(k));
+      }
+    E = Coupling(std::move(columns));
+  }
+
+  std::vector<unsigned int> numbers;
+  Coupling E;
+};
+
+Vector required_values(const ContactTrace &trace)
+{
+  Vector required(trace.conditions().size());
+  for (unsigned int k = 0; k < required.size(); ++k)
+    required[k] = trace.conditions()[k].required;
+  return required;
+}
+
+/** A^{-1} b with homogeneous essential conditions. */
+NodalVector solve(const DisplacementSpace<2> &space,
+                  const StiffnessInverse &inverse,
+                  DistributedVector &b)
+{
+  b.compress(dealii::VectorOperation::add);
+  DistributedVector x = space.make_vector();
+  inverse.solve(x, b);
+  NodalVector w = space.complete(x);
+  distribute_homogeneous(space, w);
+  return w;
+}
+} // namespace
+
+NodalVector layer_lift(const DisplacementSpace<2> &space,
+                       const Scene<2> &scene,
+                       const ContactTrace &trace)
+{
+  Vector omega = required_values(trace);
+  for (unsigned int k = 0; k < omega.size(); ++k)
+    if (trace.conditions()[k].held)
+      omega[k] = 0.;
+    else if (!trace.conditions()[k].presses)
+      omega[k] = std::max(0., omega[k]);
+  return interpolate_layers(space, scene, trace, omega);
+}
+
+NodalVector dual_lift(const DisplacementSpace<2> &space,
+                      const ContactTrace &trace,
+                      const Coupling &condensed_D,
+                      const StiffnessInverse &inverse,
+                      const dealii::Vector<double> &P)
+{
+  const FreeConditions free(trace);
+  DistributedVector forces = space.make_vector();
+  condensed_D.add_product(P, forces);
+  DistributedVector b = forces;
+  const NodalVector pushed = solve(space, inverse, b);
+  const Vector required = required_values(trace);
+  Vector F = free.E.transpose_product(pushed), start(F.size());
+  for (unsigned int i = 0; i < F.size(); ++i)
+  {
+    F[i] -= required[free.numbers[i]];
+    if (trace.conditions()[free.numbers[i]].presses)
+      start[i] = -P.linfty_norm() * trace.faces()[0].length;
+  }
+  double seconds = 0.;
+  const auto C = make_compliance(inverse, free.E, seconds);
+  const QPResult result = solve_dual_problem(C, F, start, {});
+  Vector minus_Q = result.P;
+  minus_Q *= -1.;
+  free.E.add_product(minus_Q, forces);
+  NodalVector w = solve(space, inverse, forces);
+  // What the solver's tolerance leaves.
+  impose(trace.normals(), required, true, w);
+  distribute_homogeneous(space, w);
+  return w;
+}
+
+std::optional<NodalVector> lift_of_one(const DisplacementSpace<2> &space,
+                                       const Scene<2> &scene,
+                                       const ContactTrace &trace,
+                                       const StiffnessInverse &inverse)
+{
+  const FreeConditions free(trace);
+  if (free.numbers.size() < trace.conditions().size())
+    return {};
+  Vector one(free.numbers.size());
+  one = 1.;
+  double seconds = 0.;
+  const auto C = make_compliance(inverse, free.E, seconds);
+  if (!C->is_explicit())
+    return interpolate_layers(space, scene, trace, one);
+  dealii::LAPACKFullMatrix<double> matrix(one.size());
+  matrix = C->dense();
+  matrix.set_property(dealii::LAPACKSupport::symmetric);
+  matrix.compute_cholesky_factorization();
+  Vector forces = one;
+  matrix.solve(forces);
+  DistributedVector b = space.make_vector();
+  free.E.add_product(forces, b);
+  NodalVector z = solve(space, inverse, b);
+  impose(trace.normals(), one, false, z);
+  distribute_homogeneous(space, z);
+  return z;
+}
+} // namespace Signorini
