@@ -41,7 +41,8 @@ BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, const Vect
 BoundConstrainedQP::Vector BoundConstrainedQP::gradient(const Vector &P) const
 {
   Vector W = C->apply(P);
-  W -= F;
+  if (size() > 0)
+    W -= F;
   return W;
 }
 
