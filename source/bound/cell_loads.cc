@@ -13,11 +13,6 @@ namespace
 using Vector2 = dealii::Tensor<1, 2>;
 using Matrix2 = dealii::Tensor<2, 2>;
 
-double cross(const Vector2 &a, const Vector2 &b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 Vector2 rotated(const Vector2 &a)
 {
   return Vector2({-a[1], a[0]});

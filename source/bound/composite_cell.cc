@@ -15,11 +15,6 @@ namespace
 {
 using Vector2 = dealii::Tensor<1, 2>;
 
-double cross(const Vector2 &a, const Vector2 &b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 /** The outward normal of an edge with the direction d, counter-clockwise, times its length. */
 Vector2 scaled_normal(const Vector2 &d)
 {

@@ -67,12 +67,13 @@ ErrorBound compute_error_bound(const BoundData &data)
     return result;
   const EquilibratedStress stress(given);
   const StressBound of_stress = stress.bound();
-  const ContactLift lift(given.space,
-                         given.scene,
-                         given.multipliers,
-                         given.U,
-                         given.P,
-                         ContactLift::DualData{data.inverse, data.condensed_D, 0.05 * of_stress.square});
+  const ContactLift lift(
+    given.space,
+    given.scene,
+    given.multipliers,
+    given.U,
+    given.P,
+    ContactLift::DualData{data.inverse, data.condensed_D, 0.05 * of_stress.square});
   result.penetration = lift.trace().largest_penetration();
   result.place_of_penetration = name_of(lift.trace().place_of_largest(), given.scene);
   result.missing = lift.no_bound();

@@ -16,11 +16,6 @@ namespace
 using dealii::numbers::PI;
 using Vector2 = dealii::Tensor<1, 2>;
 
-double cross(const Vector2 &a, const Vector2 &b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
-
 /** rho/R for the discs about a point of the cell. */
 double roundness(const CellShape &shape, const dealii::Point<2> &x)
 {

@@ -11,8 +11,8 @@ namespace Signorini
 {
 double StageTimes::total() const
 {
-  return mesh + setup + assembly + factor + compliance + qp + recovery + postprocess + errors +
-         output;
+  return mesh + setup + assembly + factor + compliance + qp + recovery + postprocess + bound +
+         errors + output;
 }
 
 Columns<StageTimes> StageTimes::columns()
@@ -26,6 +26,7 @@ Columns<StageTimes> StageTimes::columns()
           {"t_recovery", &StageTimes::recovery},
           {"t_postprocess", &StageTimes::postprocess},
           {"t_errors", &StageTimes::errors},
+          {"t_bound", &StageTimes::bound},
           {"t_output", &StageTimes::output},
           {"t_total", &StageTimes::total}};
 }

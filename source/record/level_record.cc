@@ -35,6 +35,7 @@ Columns<LevelRecord> columns_of_parts()
         columns_of(&LevelRecord::dual_norm_errors),
         Columns<LevelRecord>{{"endpoint_error", &LevelRecord::endpoint_error}},
         columns_of(&LevelRecord::lemmas),
+        columns_of(&LevelRecord::bound),
         columns_of(&LevelRecord::times),
         columns_of(&LevelRecord::resources)})
     all.insert(all.end(), columns.begin(), columns.end());

@@ -2,6 +2,7 @@
 // One level, from the mesh to the certified answer.
 
 #include <signorini/base/stage_timer.h>
+#include <signorini/bound/error_bound.h>
 #include <signorini/compliance/compliance.h>
 #include <signorini/compliance/free_state.h>
 #include <signorini/postprocess/inf_sup.h>
@@ -59,6 +60,12 @@ bool wants_inf_sup(const Choice choice, const unsigned long long n_dofs)
 {
   return choice == Choice::yes ||
          (choice == Choice::automatic && n_dofs <= largest_automatic_inf_sup);
+}
+
+/** The bound is asked for where the study may stop. */
+bool wants_bound(const DiscretizationParameters &given, const unsigned int level)
+{
+  return level == given.finest_level || given.target_error > 0.;
 }
 
 /** P of the dual problem, which C P and C_kk P_k go with. */
@@ -167,6 +174,15 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
                                                     pressure.diagonal_P});
   if (discretization.mesh.has_parents())
     record.estimate = estimate_error(space, solution.U);
+  if (wants_bound(parameters.discretization, record.sizes.level))
+  {
+    progress("bound of the error");
+    const StageTimer bound_timer(times.bound);
+    record.bound = compute_error_bound(
+      {{space, scene, discretization.multipliers, solution.U, solution.P, discretization.n_points},
+       *inverse,
+       discretization.condensed_D});
+  }
   return solution;
 }
 

@@ -12,6 +12,12 @@ namespace Signorini
 /** A plane stress or strain as (s11, s22, s12) or (e11, e22, 2 e12): s:e is their product. */
 using Components = std::array<double, 3>;
 
+/** a1 b2 - a2 b1. */
+inline double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
 /** The corners and diagonals of a convex quadrilateral. */
 struct CellShape
 {

@@ -12,8 +12,8 @@
 namespace Signorini
 {
 /**
- * A guaranteed bound of the error of u_h in the energy norm |||v||| = a(v,v)^{1/2}, from a stress tau
- * in equilibrium (EquilibratedStress) and a lift w of what penetrates (ContactLift):
+ * A guaranteed bound of the error of u_h in the energy norm |||v||| = a(v,v)^{1/2}, from a stress
+ * tau in equilibrium (EquilibratedStress) and a lift w of what penetrates (ContactLift):
  *
  *     |||u - u_h|||² <= sum_K (‖sigma(u_h) - tau‖_{C^{-1},K} + osc_K)² + |||w|||²
  *                       + 2 int_{Gamma_c} p_H (u_{h,n} - g - w_n).

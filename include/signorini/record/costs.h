@@ -16,6 +16,7 @@ struct StageTimes
   double qp = 0.;
   double recovery = 0.;
   double postprocess = 0.;
+  double bound = 0.;
   double errors = 0.;
   double output = 0.;
 

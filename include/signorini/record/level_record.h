@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/bound/error_bound.h>
 #include <signorini/errors/displacement_errors.h>
 #include <signorini/errors/dual_norm_errors.h>
 #include <signorini/errors/lemma_numbers.h>
@@ -28,6 +29,8 @@ struct LevelRecord
   ContactSummary contact;
   Certificate certificate;
   std::optional<ErrorEstimate> estimate;
+  /** Where it was asked for. */
+  std::optional<ErrorBound> bound;
   /** The constant of Lemma 1. */
   std::optional<double> inf_sup;
   /** See locking_number(); on the finest level only. */
