@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The stress of the bound, from the residuals of the discrete solution.
 
+#include <signorini/bound/balance.h>
 #include <signorini/bound/equilibrated_stress.h>
 #include <signorini/bound/oscillation.h>
 #include <signorini/bound/star_solver.h>
@@ -83,6 +84,7 @@ EquilibratedStress::EquilibratedStress(const StressData &data, const Improvement
     if (largest > 0.)
       algebra_ =
         std::max(algebra_, start.rest()[v].norm() * mesh_.stars()[v].cells.size() / largest);
+  balanced_ = balance_cells(mesh_, start.rest(), moments_);
   improve(options);
 }
 
@@ -249,6 +251,7 @@ StressBound EquilibratedStress::bound() const
 {
   StressBound result;
   result.algebra = algebra_;
+  result.balanced = balanced_;
   result.steps = steps_;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {

@@ -26,9 +26,12 @@ struct StressBound
   /** J*(tau) = 1/2 sum_K (‖tau‖_{C^{-1},K} + osc_K)² - int_{Gamma_D} tau n.u_h, without the part
    * -int_{Gamma_c} p_H g. */
   double complementary_energy = 0.;
-  /** The largest force at a vertex that the stress does not balance, relative to the largest force
-   * that a cell exerts on a vertex: what the linear solver left. */
+  /** The largest force at a vertex that the linear solver left unbalanced, relative to the largest
+   * force that a cell exerts on a vertex. */
   double algebra = 0.;
+  /** Whether the stress balances it, too (balance_cells()): then it is in the misfit, and what is
+   * left is rounding. */
+  bool balanced = false;
   /** Steps of the improvement. */
   unsigned int steps = 0;
 };
@@ -113,6 +116,7 @@ private:
   GivenTractions given_;
   std::vector<double> moments_;
   double algebra_ = 0.;
+  bool balanced_ = false;
   unsigned int steps_ = 0;
 };
 } // namespace Signorini
