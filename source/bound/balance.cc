@@ -145,8 +145,7 @@ bool balance_cells(const EdgeMesh &mesh,
     const EdgeCell &cell = mesh.cells()[supports[1].cell];
     const unsigned int k = supports[1].k;
     const Vector2 &n = mesh.edges()[cell.edges[k]].normal;
-    const double size =
-      moment_of(edge.normal, left.force)[0] / moment_of(edge.normal, n)[0];
+    const double size = moment_of(edge.normal, left.force)[0] / moment_of(edge.normal, n)[0];
     Resultant<2> second;
     second.add(size * n, cell.corners[k] + 0.5 * (cell.corners[(k + 1) % 4] - cell.corners[k]));
     add_resultant(cell, k, second, moments);

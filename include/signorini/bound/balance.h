@@ -9,8 +9,8 @@ namespace Signorini
 {
 /**
  * Brings cells into exact balance. Around a cell, @p moments balance R_K^i - rest(i) (EdgeMoments),
- * where rest is what the linear solver left of the Galerkin rows. Each cell passes the force and the
- * moment that it lacks through one edge to a neighbour, and so on to an edge that may carry any
+ * where rest is what the linear solver left of the Galerkin rows. Each cell passes the force and
+ * the moment that it lacks through one edge to a neighbour, and so on to an edge that may carry any
  * traction; in a body on rollers, to two rollers with different normals. What remains is rounding.
  *
  * @return whether such edges exist; if not, moments are not changed.
