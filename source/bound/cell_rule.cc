@@ -228,7 +228,7 @@ std::vector<StressPoint> make_rule(const CellShape &shape,
                                    const std::vector<KinkLine<2>> &lines)
 {
   const bool exact = kind.constant_law && shape.affine;
-  const TriangleRule rule = !exact           ? collapsed_rule(kind.constant_law ? 4 : 5)
+  const TriangleRule rule = !exact           ? collapsed_rule(kind.constant_law ? 4 : kind.n_points)
                             : kind.quadratic ? quartic_rule()
                                              : midpoint_rule();
   std::vector<StressPoint> points;

@@ -4,6 +4,7 @@
 #include <signorini/bound/cell_table.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Signorini
 {
@@ -35,12 +36,36 @@ CellTable::CellTable(const EdgeMesh &mesh, const Scene<2> &scene, const bool qua
   , kind_{scene.material->is_constant(), quadratic}
 {
   if (!kind_.constant_law)
+  {
     lines_ = scene.kinks.lines();
+    kind_.n_points = choose_points();
+  }
   else
     laws_.emplace_back(material_.hooke(mesh.cells()[0].corners[0]));
   shape_of_.reserve(mesh.cells().size());
   for (unsigned int c = 0; c < mesh.cells().size(); ++c)
     shape_of_.push_back(classify(c));
+}
+
+unsigned int CellTable::choose_points() const
+{
+  double largest_ratio = 1.;
+  for (const EdgeCell &cell : mesh_.cells())
+  {
+    double low = std::numeric_limits<double>::max(), high = 0.;
+    for (unsigned int i = 0; i < 25; ++i)
+    {
+      const double s = 0.1 + 0.2 * (i % 5), t = 0.1 + 0.2 * (i / 5);
+      const auto &x = cell.corners;
+      const dealii::SymmetricTensor<4, 2> hooke = material_.relative_hooke(
+        x[0] + s * (1. - t) * (x[1] - x[0]) + s * t * (x[2] - x[0]) + (1. - s) * t * (x[3] - x[0]));
+      const double norm = hooke.norm();
+      low = std::min(low, norm);
+      high = std::max(high, norm);
+    }
+    largest_ratio = std::max(largest_ratio, high / low);
+  }
+  return largest_ratio <= 1.5 ? 5 : (largest_ratio <= 4. ? 8 : 12);
 }
 
 unsigned int CellTable::classify(const unsigned int cell)
