@@ -30,10 +30,14 @@ std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const E
 }
 } // namespace
 
-CellTable::CellTable(const EdgeMesh &mesh, const Scene<2> &scene, const bool quadratic)
+CellTable::CellTable(const EdgeMesh &mesh,
+                     const Scene<2> &scene,
+                     const bool quadratic,
+                     const std::vector<bool> &fine)
   : mesh_(mesh)
   , material_(*scene.material)
   , kind_{scene.material->is_constant(), quadratic}
+  , fine_(fine)
 {
   if (!kind_.constant_law)
   {
@@ -81,7 +85,7 @@ unsigned int CellTable::classify(const unsigned int cell)
     return true;
   };
   const unsigned int alone = most_shapes + cell;
-  if (!crossing(lines_, mesh_.cells()[cell]).empty())
+  if (fine_[cell] || !crossing(lines_, mesh_.cells()[cell]).empty())
     return alone;
   // The cell before is most likely of the same shape.
   if (cell > 0 && shape_of_[cell - 1] < edges_of_shape_.size() &&
@@ -103,7 +107,9 @@ const CellData &CellTable::operator()(const unsigned int cell)
   if (shape_of_[cell] < most_shapes)
     return *shared_[shape_of_[cell]];
   const EdgeCell &here = mesh_.cells()[cell];
-  single_ = std::make_unique<CellData>(CellShape(here.corners), kind_, crossing(lines_, here));
+  RuleKind kind = kind_;
+  kind.fine = fine_[cell];
+  single_ = std::make_unique<CellData>(CellShape(here.corners), kind, crossing(lines_, here));
   return *single_;
 }
 

@@ -150,6 +150,39 @@ void energies(Checks &checks)
     }
 }
 
+/** u = (y²/10, 0), prescribed on three sides: u_h does not take it along edges, u_h + E does. */
+void prescribed(Checks &checks)
+{
+  const std::string text =
+    entry("Contact", "Gap", "100") + entry("Load", "Body force", "-0.2; 0") +
+    section("Material", "set Poisson's ratio = 0\nset Young's modulus = 2") +
+    section("Boundary",
+            "set Contact = bottom\nset Displacement = top: 0.1; 0 | left: 0.1*y*y; 0 | "
+            "right: 0.1*y*y; 0") +
+    entry("Exact solution", "Displacement", "0.1*y^2; 0");
+  double last_lift = 0.;
+  for (const unsigned int number : {2U, 3U, 4U, 5U})
+  {
+    const Bounded answer(text, number);
+    const std::string name = "prescribed, level " + std::to_string(number);
+    const double error = energy_error(answer.level, answer.solution.U);
+    checks.between(name,
+                   (std::sqrt(answer.bound.square) + answer.bound.lift) / error,
+                   1.,
+                   number < 4 ? 1.7 : 1.4);
+    if (last_lift > 0.)
+      checks.near(
+        name + ": lift of the order 3/2", last_lift / answer.bound.lift, std::sqrt(8.), 0.01);
+    last_lift = answer.bound.lift;
+    // J(u) = 1/2 int 4 eps12² mu - int f.u = 0.02/3 + 0.02/3, and J(u) + J*(tau) = 1/2 ‖sigma -
+    // tau‖².
+    checks.between(name + ": energies",
+                   0.04 / 3. + answer.bound.complementary_energy,
+                   0.,
+                   0.5 * answer.bound.square);
+  }
+}
+
 /** Constants of the unit square, by hand. */
 void constants(Checks &checks)
 {
@@ -167,6 +200,7 @@ int main(int argc, char **argv)
   effectivity(checks);
   patch_tests(checks);
   energies(checks);
+  prescribed(checks);
   constants(checks);
   return checks.exit_code();
 }

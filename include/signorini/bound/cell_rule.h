@@ -65,6 +65,8 @@ struct RuleKind
   bool quadratic;
   /** Gauss points per direction and triangle for laws that vary. */
   unsigned int n_points = 5;
+  /** Displacements are more than bilinear: six points at least. */
+  bool fine = false;
 };
 
 /**
