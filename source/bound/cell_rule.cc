@@ -6,6 +6,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -227,8 +228,10 @@ std::vector<StressPoint> make_rule(const CellShape &shape,
                                    const RuleKind &kind,
                                    const std::vector<KinkLine<2>> &lines)
 {
-  const bool exact = kind.constant_law && shape.affine;
-  const TriangleRule rule = !exact           ? collapsed_rule(kind.constant_law ? 4 : 5)
+  const bool exact = kind.constant_law && shape.affine && !kind.fine;
+  const unsigned int n_points =
+    std::max(kind.constant_law ? 4U : kind.n_points, kind.fine ? 6U : 0U);
+  const TriangleRule rule = !exact           ? collapsed_rule(n_points)
                             : kind.quadratic ? quartic_rule()
                                              : midpoint_rule();
   std::vector<StressPoint> points;

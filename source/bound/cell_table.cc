@@ -4,6 +4,7 @@
 #include <signorini/bound/cell_table.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace Signorini
 {
@@ -29,18 +30,46 @@ std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const E
 }
 } // namespace
 
-CellTable::CellTable(const EdgeMesh &mesh, const Scene<2> &scene, const bool quadratic)
+CellTable::CellTable(const EdgeMesh &mesh,
+                     const Scene<2> &scene,
+                     const bool quadratic,
+                     const std::vector<bool> &fine)
   : mesh_(mesh)
   , material_(*scene.material)
   , kind_{scene.material->is_constant(), quadratic}
+  , fine_(fine)
 {
   if (!kind_.constant_law)
+  {
     lines_ = scene.kinks.lines();
+    kind_.n_points = choose_points();
+  }
   else
     laws_.emplace_back(material_.hooke(mesh.cells()[0].corners[0]));
   shape_of_.reserve(mesh.cells().size());
   for (unsigned int c = 0; c < mesh.cells().size(); ++c)
     shape_of_.push_back(classify(c));
+}
+
+unsigned int CellTable::choose_points() const
+{
+  double largest_ratio = 1.;
+  for (const EdgeCell &cell : mesh_.cells())
+  {
+    double low = std::numeric_limits<double>::max(), high = 0.;
+    for (unsigned int i = 0; i < 25; ++i)
+    {
+      const double s = 0.1 + 0.2 * (i % 5), t = 0.1 + 0.2 * (i / 5);
+      const auto &x = cell.corners;
+      const dealii::SymmetricTensor<4, 2> hooke = material_.relative_hooke(
+        x[0] + s * (1. - t) * (x[1] - x[0]) + s * t * (x[2] - x[0]) + (1. - s) * t * (x[3] - x[0]));
+      const double norm = hooke.norm();
+      low = std::min(low, norm);
+      high = std::max(high, norm);
+    }
+    largest_ratio = std::max(largest_ratio, high / low);
+  }
+  return largest_ratio <= 1.5 ? 5 : (largest_ratio <= 4. ? 8 : 12);
 }
 
 unsigned int CellTable::classify(const unsigned int cell)
@@ -56,7 +85,7 @@ unsigned int CellTable::classify(const unsigned int cell)
     return true;
   };
   const unsigned int alone = most_shapes + cell;
-  if (!crossing(lines_, mesh_.cells()[cell]).empty())
+  if (fine_[cell] || !crossing(lines_, mesh_.cells()[cell]).empty())
     return alone;
   // The cell before is most likely of the same shape.
   if (cell > 0 && shape_of_[cell - 1] < edges_of_shape_.size() &&
@@ -78,7 +107,9 @@ const CellData &CellTable::operator()(const unsigned int cell)
   if (shape_of_[cell] < most_shapes)
     return *shared_[shape_of_[cell]];
   const EdgeCell &here = mesh_.cells()[cell];
-  single_ = std::make_unique<CellData>(CellShape(here.corners), kind_, crossing(lines_, here));
+  RuleKind kind = kind_;
+  kind.fine = fine_[cell];
+  single_ = std::make_unique<CellData>(CellShape(here.corners), kind, crossing(lines_, here));
   return *single_;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The stress of the bound, from the residuals of the discrete solution.
 
+#include <signorini/bound/balance.h>
 #include <signorini/bound/equilibrated_stress.h>
 #include <signorini/bound/oscillation.h>
 #include <signorini/bound/star_solver.h>
@@ -62,13 +63,22 @@ void add_edge(const std::array<EdgePoint, 2> &points,
 
 std::string EquilibratedStress::objection(const StressData &data)
 {
-  return EdgeMesh::objection(data.space.mesh());
+  const std::string of_mesh = EdgeMesh::objection(data.space.mesh());
+  if (!of_mesh.empty())
+    return of_mesh;
+  const EdgeMesh mesh(data.space, data.scene);
+  if (PrescribedLift(data.scene, mesh, data.U).largest_jump() > 1e-10)
+    return "the prescribed displacements jump at a corner, and no displacement of finite energy "
+           "takes "
+           "them";
+  return "";
 }
 
 EquilibratedStress::EquilibratedStress(const StressData &data, const ImprovementOptions &options)
   : data_(data)
   , mesh_(data.space, data.scene)
-  , table_(mesh_, data.scene, data.scene.body_force != nullptr)
+  , lift_(data.scene, mesh_, data.U)
+  , table_(mesh_, data.scene, data.scene.body_force != nullptr, lift_.cells())
   , loads_(make_loads(data.space, data.scene, mesh_, data.n_points))
   , given_(given_tractions(data.space, data.scene, mesh_, data.multipliers, data.P, data.n_points))
 {
@@ -83,6 +93,7 @@ EquilibratedStress::EquilibratedStress(const StressData &data, const Improvement
     if (largest > 0.)
       algebra_ =
         std::max(algebra_, start.rest()[v].norm() * mesh_.stars()[v].cells.size() / largest);
+  balanced_ = balance_cells(mesh_, start.rest(), moments_);
   improve(options);
 }
 
@@ -190,6 +201,17 @@ std::vector<Components> EquilibratedStress::stress(const unsigned int cell,
   return values;
 }
 
+Components EquilibratedStress::strain(const unsigned int cell,
+                                      const StressPoint &point,
+                                      const CornerValues &u) const
+{
+  const Components of_u_h = strain_of(point.gradients, u);
+  if (!lift_.cells()[cell])
+    return of_u_h;
+  const Components more = lift_.strain(cell, point);
+  return {{of_u_h[0] + more[0], of_u_h[1] + more[1], of_u_h[2] + more[2]}};
+}
+
 void EquilibratedStress::improve(const ImprovementOptions &options)
 {
   if (options.most_steps == 0)
@@ -209,8 +231,7 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
     {
       const StressPoint &point = data.points[i];
       const Law &law = law_at(laws, i);
-      const Components strain = strain_of(point.gradients, u);
-      const Components misfit = difference(law.stress(strain), tau[i]);
+      const Components misfit = difference(law.stress(strain(c, point, u)), tau[i]);
       const Components of_misfit = law.strain(misfit);
       square += point.weight * product(misfit, of_misfit);
       for (unsigned int m = 0; m < 3; ++m)
@@ -245,50 +266,91 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
   }
 }
 
+EquilibratedStress::CellSquares EquilibratedStress::integrate(const unsigned int cell,
+                                                              const CellData &data) const
+{
+  const std::vector<Law> &laws = table_.laws(cell, data);
+  const std::vector<Components> tau = stress(cell, data);
+  const CornerValues u = displacement(mesh_.cells()[cell]);
+  CellSquares sum;
+  sum.smallest_eigenvalue = laws[0].smallest_eigenvalue;
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+  {
+    const StressPoint &point = data.points[i];
+    const Law &law = law_at(laws, i);
+    const Components misfit = difference(law.stress(strain(cell, point, u)), tau[i]);
+    sum.misfit += point.weight * product(misfit, law.strain(misfit));
+    sum.stress += point.weight * product(tau[i], law.strain(tau[i]));
+    if (lift_.cells()[cell])
+    {
+      const Components e = lift_.strain(cell, point);
+      sum.lift += point.weight * product(e, law.stress(e));
+    }
+    sum.smallest_eigenvalue = std::min(sum.smallest_eigenvalue, law.smallest_eigenvalue);
+  }
+  return sum;
+}
+
+double EquilibratedStress::oscillation(const unsigned int cell,
+                                       const CellShape &shape,
+                                       const double smallest_eigenvalue) const
+{
+  const auto &edges = mesh_.cells()[cell].edges;
+  double of_force = loads_.empty() ? 0. : loads_[cell].rest, of_edges = 0.;
+  for (const unsigned int edge : edges)
+    of_edges += given_.normal_rest[edge] + given_.shear_rest[edge];
+  if (of_force == 0. && of_edges == 0.)
+    return 0.;
+  const OscillationConstants constants(shape);
+  double sum = constants.body * of_force;
+  for (unsigned int k = 0; k < 4; ++k)
+    sum += constants.normal[k] * given_.normal_rest[edges[k]] +
+           constants.edge[k] * given_.shear_rest[edges[k]];
+  return sum / std::sqrt(smallest_eigenvalue);
+}
+
+double EquilibratedStress::support_work(const unsigned int number) const
+{
+  const EdgeCell &cell = mesh_.cells()[number];
+  const auto is_held = [&](const unsigned int k) {
+    const Edge &edge = mesh_.edges()[cell.edges[k]];
+    return edge.side != Edge::no_side && edge.freedom == EdgeFreedom::any;
+  };
+  if (!is_held(0) && !is_held(1) && !is_held(2) && !is_held(3))
+    return 0.;
+  const CellMoments moments = moments_on(cell, moments_);
+  const CornerValues u = displacement(cell);
+  double work = lift_.work(number, moments);
+  for (unsigned int k = 0; k < 4; ++k)
+    if (is_held(k))
+      for (unsigned int end = 0; end < 2; ++end)
+        for (unsigned int d = 0; d < 2; ++d)
+          work += moments[4 * k + 2 * end + d] * u[(k + end) % 4][d];
+  return work;
+}
+
 StressBound EquilibratedStress::bound() const
 {
   StressBound result;
   result.algebra = algebra_;
+  result.balanced = balanced_;
   result.steps = steps_;
+  double lift_square = 0.;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
-    const EdgeCell &cell = mesh_.cells()[c];
     const CellData &data = table_(c);
-    const std::vector<Law> &laws = table_.laws(c, data);
-    const std::vector<Components> tau = stress(c, data);
-    const CornerValues u = displacement(cell);
-    double misfit = 0., energy = 0., eigenvalue = laws[0].smallest_eigenvalue;
-    for (std::size_t i = 0; i < data.points.size(); ++i)
-    {
-      const StressPoint &point = data.points[i];
-      const Law &law = law_at(laws, i);
-      const Components s = difference(law.stress(strain_of(point.gradients, u)), tau[i]);
-      misfit += point.weight * product(s, law.strain(s));
-      energy += point.weight * product(tau[i], law.strain(tau[i]));
-      eigenvalue = std::min(eigenvalue, law.smallest_eigenvalue);
-    }
-    double rest = 0.;
-    const auto add_rest = [&](const OscillationConstants &constants) {
-      rest = loads_.empty() ? 0. : constants.body * loads_[c].rest;
-      for (unsigned int k = 0; k < 4; ++k)
-        rest += constants.normal[k] * given_.normal_rest[cell.edges[k]] +
-                constants.edge[k] * given_.shear_rest[cell.edges[k]];
-      rest /= std::sqrt(eigenvalue);
-    };
-    add_rest(OscillationConstants(data.shape));
-    result.misfit.push_back(std::sqrt(misfit));
+    const CellSquares squares = integrate(c, data);
+    const double misfit = std::sqrt(squares.misfit);
+    const double rest = oscillation(c, data.shape, squares.smallest_eigenvalue);
+    result.misfit.push_back(misfit);
     result.oscillation.push_back(rest);
-    result.square += std::pow(std::sqrt(misfit) + rest, 2);
+    result.square += (misfit + rest) * (misfit + rest);
     result.oscillation_square += rest * rest;
-    result.complementary_energy += 0.5 * std::pow(std::sqrt(energy) + rest, 2);
-    for (unsigned int k = 0; k < 4; ++k)
-      if (mesh_.edges()[cell.edges[k]].side != Edge::no_side &&
-          mesh_.edges()[cell.edges[k]].freedom == EdgeFreedom::any)
-        for (unsigned int end = 0; end < 2; ++end)
-          for (unsigned int d = 0; d < 2; ++d)
-            result.complementary_energy -=
-              moments_on(cell, moments_)[4 * k + 2 * end + d] * u[(k + end) % 4][d];
+    result.complementary_energy +=
+      0.5 * std::pow(std::sqrt(squares.stress) + rest, 2) - support_work(c);
+    lift_square += squares.lift;
   }
+  result.lift = std::sqrt(lift_square);
   return result;
 }
 } // namespace Signorini

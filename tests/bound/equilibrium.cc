@@ -35,6 +35,17 @@ struct Answer
             solution.P,
             level.discretization.n_points};
   }
+  /** Disturbs the displacement as a careless solver would. */
+  void disturb(const double size)
+  {
+    RandomNumbers random(7);
+    const auto &constraints = level.space().constraints();
+    const double scale = size * solution.U.linfty_norm();
+    for (unsigned int i = 0; i < solution.U.size(); ++i)
+      if (!constraints.is_constrained(i))
+        solution.U[i] += scale * random();
+    constraints.distribute(solution.U);
+  }
   OneLevel level;
   LevelSolution<2> solution;
 };
@@ -232,11 +243,16 @@ void equilibrium(Checks &checks)
   for (const auto &scene : scenes())
     try
     {
-      const Answer answer(scene.second, 3);
+      Answer answer(scene.second, 3);
       checks.near(scene.first + ": at the start", imbalance(answer, {0, 0.01}, 1), 0., 1e-12);
       checks.near(scene.first + ": improved", imbalance(answer, {5, 0.}, 2), 0., 1e-12);
       const EquilibratedStress stress(answer.data());
       checks.near(scene.first + ": algebra", stress.bound().algebra, 0., 1e-11);
+      answer.disturb(1e-4);
+      const StressBound disturbed = EquilibratedStress(answer.data()).bound();
+      checks.that(scene.first + ": disturbed and balanced",
+                  disturbed.algebra > 1e-6 && disturbed.balanced);
+      checks.near(scene.first + ": disturbed", imbalance(answer, {0, 0.01}, 3), 0., 1e-12);
     }
     catch (const std::exception &exception)
     {

@@ -63,13 +63,17 @@ struct RuleKind
   bool constant_law;
   /** The stress has quadratic parts. */
   bool quadratic;
+  /** Gauss points per direction and triangle for laws that vary. */
+  unsigned int n_points = 5;
+  /** Displacements are more than bilinear: six points at least. */
+  bool fine = false;
 };
 
 /**
  * Points on the four triangles of a cell. With a constant law on a parallelogram squares of
  * stresses and strains are integrated exactly: with the three mid-points per triangle, six points
  * where stresses are quadratic. Otherwise 4 x 4 Gauss points per triangle for a constant law and
- * 5 x 5 for others, on each of the parts into which the lines cut a triangle.
+ * n_points x n_points for others, on each of the parts into which the lines cut a triangle.
  */
 std::vector<StressPoint> make_rule(const CellShape &shape,
                                    const RuleKind &kind,

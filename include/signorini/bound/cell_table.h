@@ -36,7 +36,12 @@ using CellEnergy = std::array<double, CompositeCell::n_moments * CompositeCell::
 class CellTable
 {
 public:
-  CellTable(const EdgeMesh &mesh, const Scene<2> &scene, bool quadratic);
+  /** @param quadratic whether stresses have quadratic parts.
+   * @param fine the cells on which displacements are more than bilinear. */
+  CellTable(const EdgeMesh &mesh,
+            const Scene<2> &scene,
+            bool quadratic,
+            const std::vector<bool> &fine);
 
   /** Of cell number @p cell; valid until the next call. */
   const CellData &operator()(unsigned int cell);
@@ -66,6 +71,11 @@ public:
   }
 
 private:
+  /**
+   * The largest ratio of moduli within a cell, from 25 samples each, decides: 5, 8 or 12 Gauss
+   * points per direction and triangle where they vary by up to a factor of 1.5, of 4, or more.
+   */
+  unsigned int choose_points() const;
   /** The number of the cell's shape among the shared ones; a new one if there is room. */
   unsigned int classify(unsigned int cell);
 
@@ -76,6 +86,7 @@ private:
   const Material<2> &material_;
   std::vector<KinkLine<2>> lines_;
   RuleKind kind_;
+  const std::vector<bool> &fine_;
   std::vector<std::array<dealii::Tensor<1, 2>, 3>> edges_of_shape_;
   std::vector<std::unique_ptr<CellData>> shared_;
   std::vector<unsigned int> shape_of_;

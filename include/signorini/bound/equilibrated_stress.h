@@ -4,6 +4,7 @@
 #include <signorini/bound/cell_loads.h>
 #include <signorini/bound/cell_table.h>
 #include <signorini/bound/edge_tractions.h>
+#include <signorini/bound/prescribed_lift.h>
 
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@ namespace Signorini
  * (force x length per thickness) or roots of it. */
 struct StressBound
 {
-  /** ‖sigma(u_h) - tau‖_{C^{-1},K} for every cell, in the order of active cells. */
+  /** ‖sigma(u_h + E) - tau‖_{C^{-1},K} for every cell, in the order of active cells. */
   std::vector<double> misfit;
   /** osc_K: there is a stress of at most this norm that balances, together with tau, the loads
    * themselves. */
@@ -23,12 +24,19 @@ struct StressBound
   double square = 0.;
   /** sum_K osc_K². */
   double oscillation_square = 0.;
-  /** J*(tau) = 1/2 sum_K (‖tau‖_{C^{-1},K} + osc_K)² - int_{Gamma_D} tau n.u_h, without the part
+  /** |||E|||: the bound is for u_h + E, where E makes up for prescribed displacements that are not
+   * linear along edges and is zero elsewhere (PrescribedLift); that for u_h is larger by as much.
+   */
+  double lift = 0.;
+  /** J*(tau) = 1/2 sum_K (‖tau‖_{C^{-1},K} + osc_K)² - int_{Gamma_D} tau n.u_D, without the part
    * -int_{Gamma_c} p_H g. */
   double complementary_energy = 0.;
-  /** The largest force at a vertex that the stress does not balance, relative to the largest force
-   * that a cell exerts on a vertex: what the linear solver left. */
+  /** The largest force at a vertex that the linear solver left unbalanced, relative to the largest
+   * force that a cell exerts on a vertex. */
   double algebra = 0.;
+  /** Whether the stress balances it, too (balance_cells()): then it is in the misfit, and what is
+   * left is rounding. */
+  bool balanced = false;
   /** Steps of the improvement. */
   unsigned int steps = 0;
 };
@@ -103,16 +111,31 @@ private:
   std::vector<EdgeMoments::CornerForces> residuals() const;
   /** Moments of the mean of sigma_h n from both sides of edges. */
   std::vector<double> mean_tractions() const;
+  /** (e11, e22, 2 e12) of u_h + E. */
+  Components strain(unsigned int cell, const StressPoint &point, const CornerValues &u) const;
+  /** Integrals over a cell. */
+  struct CellSquares
+  {
+    double misfit = 0., stress = 0., lift = 0.;
+    double smallest_eigenvalue = 0.;
+  };
+  CellSquares integrate(unsigned int cell, const CellData &data) const;
+  /** osc_K. */
+  double oscillation(unsigned int cell, const CellShape &shape, double smallest_eigenvalue) const;
+  /** int_{Gamma_D} tau n.u_D on the edges of a cell. */
+  double support_work(unsigned int cell) const;
   void improve(const ImprovementOptions &options);
   CompositeCell::Stresses stresses(unsigned int cell, const CellData &data) const;
 
   StressData data_;
   EdgeMesh mesh_;
+  PrescribedLift lift_;
   mutable CellTable table_;
   std::vector<CellLoad> loads_;
   GivenTractions given_;
   std::vector<double> moments_;
   double algebra_ = 0.;
+  bool balanced_ = false;
   unsigned int steps_ = 0;
 };
 } // namespace Signorini

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/bound/cell_rule.h>
+
+#include <map>
+#include <vector>
+
+namespace Signorini
+{
+/**
+ * E, with u_h + E = u_D on sides with prescribed displacements that are not linear along edges. On
+ * the cell behind such an edge, E = r(s) (1 - depth) in bilinear coordinates, where r = u_D - u_h
+ * is a function of the position s on the edge; it is zero at the end points, and E on all other
+ * edges.
+ *
+ * r is interpolated at nine points per edge.
+ */
+class PrescribedLift
+{
+public:
+  PrescribedLift(const Scene<2> &scene, const EdgeMesh &mesh, const NodalVector &U);
+
+  /** For every cell, whether E is not zero on it. */
+  const std::vector<bool> &cells() const
+  {
+    return cells_;
+  }
+  /** The largest |r| at end points of edges, relative to the largest displacement: not zero if the
+   * prescribed displacements jump at corners. Then there is no solution of finite energy. */
+  double largest_jump() const
+  {
+    return largest_jump_;
+  }
+  /** (e11, e22, 2 e12) of E at a point of a cell. */
+  Components strain(unsigned int cell, const StressPoint &point) const;
+  /** int_e t.r over the prescribed edges of a cell, t linear with the given moments. */
+  double work(unsigned int cell, const CellMoments &moments) const;
+
+private:
+  using Values = std::vector<dealii::Tensor<1, 2>>;
+  /** r at the points of interpolation on edge k, from corner k on. */
+  struct EdgeRest
+  {
+    unsigned int k;
+    Values values;
+  };
+  /** r(s), and its derivative. */
+  static dealii::Tensor<1, 2> evaluate(const Values &values, double s, bool derivative);
+
+  std::vector<bool> cells_;
+  std::map<unsigned int, std::vector<EdgeRest>> rests_;
+  double largest_jump_ = 0.;
+};
+} // namespace Signorini
