@@ -144,6 +144,11 @@ ContactLift::ContactLift(const DisplacementSpace<2> &space,
     no_bound_ = "the body has curved sides, and the bound is for straight ones.";
     return;
   }
+  if (space.element().degree > 1)
+  {
+    no_bound_ = "the displacement has a degree above one, and the bound is for bilinear elements.";
+    return;
+  }
   trace_ = std::make_unique<const ContactTrace>(space, scene, multipliers, U, P);
   if (trace_->obstacle())
   {
@@ -189,6 +194,8 @@ ContactBound ContactLift::evaluate(const LiftField &lift, const LiftMethod metho
   dealii::Utilities::MPI::sum(local_parts, space_.mesh().communicator(), parts);
   for (unsigned int i = 0; i < parts.size(); ++i)
     parts[i] += bound.face_terms[i];
+  if (parts.empty())
+    return bound;
   const PenetrationFace &worst =
     trace_->faces()[std::max_element(parts.begin(), parts.end()) - parts.begin()];
   bound.largest_part = {worst.side, scene_.geometry.sides[worst.side].arc_length(worst.point(0.5))};

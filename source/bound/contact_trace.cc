@@ -2,6 +2,7 @@
 // The penetration of u_h along Gamma_c, and the contact nodes.
 
 #include <signorini/bound/contact_trace.h>
+#include <signorini/postprocess/contact_pressure.h>
 
 #include <deal.II/base/geometry_info.h>
 
@@ -22,13 +23,13 @@ double PenetrationFace::pressure(const double t) const
 bool PenetrationFace::presses() const
 {
   return std::any_of(
-    pressures.begin(), pressures.end(), [](const Pressed &part) { return part.p < 0.; });
+    pressures.begin(), pressures.end(), [](const Pressed &part) { return part.presses; });
 }
 
 bool PenetrationFace::presses_everywhere() const
 {
   return std::all_of(
-    pressures.begin(), pressures.end(), [](const Pressed &part) { return part.p < 0.; });
+    pressures.begin(), pressures.end(), [](const Pressed &part) { return part.presses; });
 }
 
 double PenetrationFace::normal_value(const NodalVector &V, const double t) const
@@ -78,11 +79,12 @@ void ContactTrace::find_faces(const dealii::Vector<double> &P)
     face.normal = side.normal(side.arc_length(face.point(0.5)));
     faces_.push_back(face);
   }
+  const double threshold = pressing_threshold(P);
   for (const Piece<2> &piece : surface.pieces())
   {
     const double a = piece.lower_on_face[0], b = piece.upper_on_face[0];
     const double p = multipliers_.value(P, piece.patch, piece.lower);
-    faces_[piece.face].pressures.push_back({std::min(a, b), std::max(a, b), p});
+    faces_[piece.face].pressures.push_back({std::min(a, b), std::max(a, b), p, p < threshold});
   }
   for (PenetrationFace &face : faces_)
     std::sort(face.pressures.begin(), face.pressures.end(), [](const auto &a, const auto &b) {

@@ -182,6 +182,8 @@ std::vector<double> LiftField::cuts(const CellIterator &cell,
                                     const unsigned int d) const
 {
   std::vector<double> cuts = {0., 1.};
+  if (field.passages->empty() && scene_.material->is_constant())
+    return cuts;
   for (const Passage &passage : *field.passages)
     if (passage.entry / 2 == d)
     {

@@ -177,6 +177,34 @@ Vector required_values(const ContactTrace &trace)
   return required;
 }
 
+/** E^T A^{-1} D P: the last column of [E, D P]^T A^{-1} [E, D P], which a trailing factor gives
+ * without a solve. */
+Vector pushed_by(const Vector &P,
+                 const Coupling &condensed_D,
+                 const Coupling &E,
+                 const StiffnessInverse &inverse)
+{
+  std::map<dealii::types::global_dof_index, double> forces;
+  for (unsigned int k = 0; k < P.size(); ++k)
+    if (P[k] != 0.)
+      for (const auto &entry : condensed_D.column(k))
+        forces[entry.first] += entry.second * P[k];
+  const unsigned int m = E.n_columns();
+  Vector pushed(m);
+  if (forces.empty())
+    return pushed;
+  std::vector<Coupling::Column> columns;
+  for (unsigned int k = 0; k < m; ++k)
+    columns.push_back(E.column(k));
+  columns.emplace_back(forces.begin(), forces.end());
+  const Coupling all(std::move(columns));
+  double seconds = 0.;
+  const auto last = make_compliance(inverse, all, seconds)->columns({m});
+  for (unsigned int k = 0; k < m; ++k)
+    pushed[k] = last(k, 0);
+  return pushed;
+}
+
 /** A^{-1} b with homogeneous essential conditions. */
 NodalVector solve(const DisplacementSpace<2> &space,
                   const StiffnessInverse &inverse,
@@ -211,12 +239,10 @@ NodalVector dual_lift(const DisplacementSpace<2> &space,
                       const dealii::Vector<double> &P)
 {
   const FreeConditions free(trace);
-  DistributedVector forces = space.make_vector();
-  condensed_D.add_product(P, forces);
-  DistributedVector b = forces;
-  const NodalVector pushed = solve(space, inverse, b);
+  if (free.numbers.empty())
+    return NodalVector(space.dofs().n_dofs());
   const Vector required = required_values(trace);
-  Vector F = free.E.transpose_product(pushed), start(F.size());
+  Vector F = pushed_by(P, condensed_D, free.E, inverse), start(F.size());
   for (unsigned int i = 0; i < F.size(); ++i)
   {
     F[i] -= required[free.numbers[i]];
@@ -228,6 +254,8 @@ NodalVector dual_lift(const DisplacementSpace<2> &space,
   const QPResult result = solve_dual_problem(C, F, start, {});
   Vector minus_Q = result.P;
   minus_Q *= -1.;
+  DistributedVector forces = space.make_vector();
+  condensed_D.add_product(P, forces);
   free.E.add_product(minus_Q, forces);
   NodalVector w = solve(space, inverse, forces);
   // What the solver's tolerance leaves.
@@ -242,7 +270,7 @@ std::optional<NodalVector> lift_of_one(const DisplacementSpace<2> &space,
                                        const StiffnessInverse &inverse)
 {
   const FreeConditions free(trace);
-  if (free.numbers.size() < trace.conditions().size())
+  if (free.numbers.empty() || free.numbers.size() < trace.conditions().size())
     return {};
   Vector one(free.numbers.size());
   one = 1.;

@@ -41,10 +41,11 @@ struct PenetrationFace
   std::array<Dofs, 2> dofs;
   /** The conditions of both ends, see ContactTrace::conditions(). */
   std::array<unsigned int, 2> conditions;
-  /** Where p_H is constant: from, to, p_H; sorted. */
+  /** Where p_H is constant: from, to, p_H, and whether it is below pressing_threshold(); sorted. */
   struct Pressed
   {
     double from, to, p;
+    bool presses;
   };
   std::vector<Pressed> pressures;
   /** d from above. */
@@ -56,6 +57,7 @@ struct PenetrationFace
   }
   /** p_H at t. */
   double pressure(double t) const;
+  /** Whether a part presses, and whether all do. */
   bool presses() const;
   bool presses_everywhere() const;
   /** v_n of a function of V^h at t. */

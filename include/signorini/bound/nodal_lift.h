@@ -29,8 +29,8 @@ NodalVector layer_lift(const DisplacementSpace<2> &space,
  *     A w = D P - E Q,   Q <= 0,   E^T A^{-1} E Q - (E^T A^{-1} D P - required) <= 0,   Q^T (...) =
  * 0,
  *
- * solved like the dual problem of the scene. Two solves, and those that E^T A^{-1} E needs: none
- * with a trailing factor, otherwise one per contact node that is needed. Collective.
+ * solved like the dual problem of the scene. One solve with a trailing factor, otherwise two and
+ * one per contact node that is needed. Collective.
  */
 NodalVector dual_lift(const DisplacementSpace<2> &space,
                       const ContactTrace &trace,
