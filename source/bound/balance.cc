@@ -12,7 +12,7 @@ namespace
 {
 using Vector2 = dealii::Tensor<1, 2>;
 
-constexpr unsigned int none = static_cast<unsigned int>(-1);
+constexpr unsigned int no_cell = static_cast<unsigned int>(-1);
 
 /** The edge of a cell with its number there. */
 struct CellEdge
@@ -47,9 +47,9 @@ class CellTree
 public:
   CellTree(const EdgeMesh &mesh, const unsigned int root)
     : mesh_(mesh)
-    , parent_(mesh.cells().size(), {none, 0})
+    , parent_(mesh.cells().size(), {no_cell, 0})
   {
-    std::vector<std::array<unsigned int, 2>> cells_at(mesh.edges().size(), {{none, none}});
+    std::vector<std::array<unsigned int, 2>> cells_at(mesh.edges().size(), {{no_cell, no_cell}});
     for (unsigned int c = 0; c < mesh.cells().size(); ++c)
       for (unsigned int k = 0; k < 4; ++k)
         cells_at[mesh.cells()[c].edges[k]][mesh.cells()[c].sign[k] > 0. ? 0 : 1] = c;
@@ -57,7 +57,7 @@ public:
     for (std::size_t i = 0; i < order_.size(); ++i)
       for (const unsigned int edge : mesh.cells()[order_[i]].edges)
         for (const unsigned int other : cells_at[edge])
-          if (other != none && other != root && parent_[other].cell == none)
+          if (other != no_cell && other != root && parent_[other].cell == no_cell)
           {
             unsigned int k = 0;
             while (mesh.cells()[other].edges[k] != edge)
@@ -83,7 +83,7 @@ public:
   {
     resultant.force *= -1.;
     resultant.moment *= -1.;
-    for (; parent_[cell].cell != none; cell = parent_[cell].cell)
+    for (; parent_[cell].cell != no_cell; cell = parent_[cell].cell)
       add_resultant(mesh_.cells()[cell], parent_[cell].k, resultant, moments);
   }
 

@@ -86,6 +86,15 @@ ErrorBound compute_error_bound(const BoundData &data)
   result.algebra = of_stress.algebra;
   result.absolute = std::sqrt(of_stress.square + std::max(0., contact.square()));
   result.relative = ratio(*result.absolute, energy_norm(given));
+  const double J_star = of_stress.complementary_energy - given.P * data.G;
+  const double eta = std::sqrt(of_stress.square), lift_norm = std::sqrt(contact.lift_energy);
+  const Bracket energy = energy_bracket(J_star, eta, lift_norm, contact.contact_term);
+  result.energy_lower = energy.lower;
+  result.energy_upper = energy.upper;
+  if (const auto unit_lift =
+        norm_of_unit_lift(given.space, given.scene, lift.trace(), data.inverse))
+    result.force_error =
+      contact_force_bound(stress_error_bound(eta, lift_norm, contact.contact_term), *unit_lift);
   result.largest_cell = name_of_worst_cell(of_stress, given.space);
   if (!given.scene.contact_sides().empty())
     result.largest_face = name_of(contact.largest_part, given.scene);
@@ -100,6 +109,18 @@ Columns<ErrorBound> ErrorBound::columns()
           {"bound_oscillation", &ErrorBound::oscillation},
           {"bound_contact", &ErrorBound::contact},
           {"bound_algebra", &ErrorBound::algebra},
-          {"max_penetration", &ErrorBound::penetration}};
+          {"max_penetration", &ErrorBound::penetration},
+          {"energy_lower", &ErrorBound::energy_lower},
+          {"energy_upper", &ErrorBound::energy_upper},
+          {"contact_force_error", &ErrorBound::force_error}};
+}
+
+ErrorBound::Part ErrorBound::largest_part() const
+{
+  const double largest =
+    std::max({mesh.value_or(0.), oscillation.value_or(0.), contact.value_or(0.)});
+  if (largest == contact.value_or(0.))
+    return Part::contact;
+  return largest == mesh.value_or(0.) ? Part::mesh : Part::oscillation;
 }
 } // namespace Signorini

@@ -12,6 +12,28 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
+Json number(const std::optional<double> &value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json describe(const ErrorBound &bound)
+{
+  return {{"absolute", number(bound.absolute)},
+          {"relative", number(bound.relative)},
+          {"mesh", number(bound.mesh)},
+          {"oscillation", number(bound.oscillation)},
+          {"contact", number(bound.contact)},
+          {"algebra", number(bound.algebra)},
+          {"energy", {number(bound.energy_lower), number(bound.energy_upper)}},
+          {"contact_force_error", number(bound.force_error)},
+          {"max_penetration", bound.penetration},
+          {"place_of_penetration", bound.place_of_penetration},
+          {"largest_cell", bound.largest_cell},
+          {"largest_contact_face", bound.largest_face},
+          {"missing", bound.missing}};
+}
+
 Json describe(const LevelRecord &level, const Judge &judge)
 {
   const Certificate &c = level.certificate;
@@ -33,6 +55,7 @@ Json describe(const LevelRecord &level, const Judge &judge)
           {"residual_bound", judge.residual_bound(level)},
           {"unique", level.dual.unique},
           {"contact_solver_replaced", level.dual.active_set_failure.has_value()},
+          {"bound", level.bound ? describe(*level.bound) : Json(nullptr)},
           {"certified", judge.accepts(level)}};
 }
 } // namespace
@@ -48,6 +71,7 @@ void write_certificate(std::ostream &stream,
   Json certificate = {{"verdict", word_for(verdict.outcome)},
                       {"tolerance", judge.tolerance()},
                       {"residual_bound", verdict.residual_bound},
+                      {"accuracy", verdict.accuracy},
                       {"levels", rows}};
   if (!verdict.reason.empty())
     certificate["failure"] = verdict.reason;

@@ -220,7 +220,9 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
       "an integer from 0 to 16384");
   add("Target error",
       discretization.target_error,
-      "If positive: stop refining when the estimated relative H1 error is below it.",
+      "If positive: stop refining when the relative error of u_h is below it: its guaranteed bound "
+      "in "
+      "the energy norm, or, where there is no bound, its estimate in the H1 norm.",
       Patterns::Double(0., 1.),
       "a number from 0 to 1");
   add(
@@ -278,6 +280,13 @@ void Declarations::declare_solver(SolverParameters &solver)
       "Start a level from the pressure of the level before.",
       Patterns::Bool(),
       "true, false");
+  add(
+    "Tolerated error",
+    solver.tolerated_error,
+    "Relative error in the energy norm up to which an answer is certified: the guaranteed bound on "
+    "the finest level must not be larger.",
+    Patterns::Double(0., 10.),
+    "a number from 0 to 10");
   add("Require stability",
       solver.require_stability,
       "Refuse patches of a single face (H = h), which are not inf-sup stable, instead of warning.",

@@ -181,7 +181,8 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
     record.bound = compute_error_bound(
       {{space, scene, discretization.multipliers, solution.U, solution.P, discretization.n_points},
        *inverse,
-       discretization.condensed_D});
+       discretization.condensed_D,
+       discretization.G});
   }
   return solution;
 }

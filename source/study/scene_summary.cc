@@ -79,19 +79,24 @@ void print_verdict(const std::vector<LevelRecord> &levels,
     screen << "\nContact force " << finest.contact.normal_force << ", largest pressure "
            << finest.contact.max_pressure << ", contact length " << finest.contact.length
            << ", energy " << finest.certificate.energy;
-    if (finest.estimate)
-      screen << ", estimated error " << 100. * finest.estimate->relative << " % (H1)";
     screen << ".\n";
     if (finest.dual.increment_iterations)
       screen << "Projected SOR: of " << finest.dual.iterations
              << " sweeps, the increment alone was small after " << *finest.dual.increment_iterations
              << ".\n";
   }
-  const bool certified = verdict.is_certified();
-  screen << (certified ? "Certified: KKT residuals below "
-                       : "NOT certified: not all KKT residuals are below ")
-         << judge.tolerance() << (certified ? " and " : " or not all ") << "balances below "
-         << verdict.residual_bound << ".\n";
+  if (!verdict.accuracy.empty())
+    screen << "Accuracy: " << verdict.accuracy << ".\n";
+  if (verdict.outcome == Outcome::not_certified)
+    screen << "NOT certified: not all KKT residuals are below " << judge.tolerance()
+           << " or not all balances below " << verdict.residual_bound << ".\n";
+  else
+    screen << (verdict.outcome == Outcome::certified ? "Certified"
+               : verdict.outcome == Outcome::equations_certified
+                 ? "Equations certified"
+                 : "NOT resolved, equations certified")
+           << ": KKT residuals below " << judge.tolerance() << " and balances below "
+           << verdict.residual_bound << ".\n";
 }
 
 template void print_scene(const Parameters &, const Scene<2> &, std::ostream &);

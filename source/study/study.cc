@@ -26,14 +26,15 @@ struct StudyContext
   /** Null if it is not known. */
   std::unique_ptr<const ExactPressure> exact_pressure;
   MPI_Comm communicator;
-};
+  const Judge &judge;
 
-/** Whether no finer level follows. */
-bool is_last(const DiscretizationParameters &given, const LevelRecord &record)
-{
-  return record.sizes.level == given.finest_level ||
-         (record.estimate ? record.estimate->relative : 1.) < given.target_error;
-}
+  /** Whether no finer level follows. */
+  bool is_last(const LevelRecord &record) const
+  {
+    return record.sizes.level == parameters.discretization.finest_level ||
+           judge.reaches_target(record);
+  }
+};
 
 /** Everything about one level; the level's large objects live no longer than this call. */
 template <int dim>
@@ -54,7 +55,7 @@ LevelRecord run_level(const StudyContext<dim> &context,
                 progress);
   progress("errors");
   add_errors(parameters, context.scene, discretization, context.exact_pressure.get(), solution);
-  const bool last = is_last(parameters.discretization, solution.record);
+  const bool last = context.is_last(solution.record);
   if (last && discretization.space.strain_operator() == StrainOperator::symmetric_gradient)
     solution.record.locking_number = locking_number(discretization.mesh, *context.scene.material);
   progress("output");
@@ -89,11 +90,13 @@ StudyResult run_study(const Parameters &parameters,
                       const StudyReport &report)
 {
   const DiscretizationParameters &given = parameters.discretization;
-  const Judge judge(parameters.solver.tolerance);
+  const Judge judge({parameters.solver.tolerance,
+                     parameters.solver.tolerated_error,
+                     parameters.discretization.target_error});
   const LibraryThreads one_thread_in_libraries(1);
   const MemoryLimit<dim> memory(parameters, scene, communicator);
   check_settings(parameters, scene, communicator);
-  StudyContext<dim> context = {parameters, scene, nullptr, communicator};
+  StudyContext<dim> context = {parameters, scene, nullptr, communicator, judge};
   const bool errors = parameters.output.errors;
   if (errors && scene.has_exact_pressure())
     context.exact_pressure = std::make_unique<const ExactPressure>(scene);
@@ -118,7 +121,7 @@ StudyResult run_study(const Parameters &parameters,
                     << std::endl;
       print_warnings(record, judge, report.screen);
       result.levels.push_back(record);
-      const bool last = is_last(given, record);
+      const bool last = context.is_last(record);
       result.verdict = last ? judge.verdict(result.levels) : judge.unfinished(result.levels);
       writer.write_tables(result.levels, result.verdict);
       if (last)

@@ -19,12 +19,17 @@ std::string check_dual_problem(const LevelRecord &level, const Judge &judge);
 /** A residual of the certificate is above its bound. */
 std::string check_residuals(const LevelRecord &level, const Judge &judge);
 
-/** Some level is in doubt. */
-std::string check_levels(const std::vector<LevelRecord> &levels, const Judge &judge);
+/** The finest level is in doubt. Coarser ones do not matter: it does not depend on them. */
+std::string check_finest_level(const std::vector<LevelRecord> &levels, const Judge &judge);
 /** On the finest level other pressures solve the dual problem, too. */
 std::string check_uniqueness(const std::vector<LevelRecord> &levels, const Judge &judge);
-/** On the finest level bilinear elements are too stiff for a nearly incompressible body. */
+/** The guaranteed bound on the finest level is larger than what is tolerated. */
+std::string check_bound(const std::vector<LevelRecord> &levels, const Judge &judge);
+/** A target error was set, and the finest level does not reach it. */
+std::string check_target(const std::vector<LevelRecord> &levels, const Judge &judge);
+/** Without a bound: on the finest level bilinear elements are too stiff for a nearly incompressible
+ * body. */
 std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &judge);
-/** The estimated error does not fall. */
+/** Without a bound: the estimated error does not fall. */
 std::string check_estimate(const std::vector<LevelRecord> &levels, const Judge &judge);
 } // namespace Signorini

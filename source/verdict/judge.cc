@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What is judged, in which order, and against which bound.
 
+#include <signorini/verdict/accuracy.h>
 #include <signorini/verdict/judge.h>
 #include <signorini/verdict/residuals.h>
 
@@ -20,10 +21,12 @@ constexpr Check<LevelRecord> level_checks[] = {check_overflow,
                                                check_rounding,
                                                check_dual_problem,
                                                check_residuals};
-constexpr Check<std::vector<LevelRecord>> study_checks[] = {check_levels,
-                                                            check_uniqueness,
-                                                            check_locking,
-                                                            check_estimate};
+constexpr Check<std::vector<LevelRecord>> equation_checks[] = {check_finest_level,
+                                                               check_uniqueness};
+constexpr Check<std::vector<LevelRecord>> accuracy_checks[] = {check_bound,
+                                                               check_locking,
+                                                               check_estimate,
+                                                               check_target};
 
 template <typename Checks, typename Subject>
 std::string first_objection(const Checks &checks, const Subject &subject, const Judge &judge)
@@ -46,14 +49,24 @@ const char *word_for(const Outcome outcome)
     return "unfinished";
   case Outcome::certified:
     return "certified";
+  case Outcome::equations_certified:
+    return "equations certified";
+  case Outcome::not_resolved:
+    return "not resolved";
   default:
     return "not certified";
   }
 }
 
-Judge::Judge(const double tolerance)
-  : tolerance_(tolerance)
+Judge::Judge(const Demands &demands)
+  : demands_(demands)
 {
+}
+
+bool Judge::reaches_target(const LevelRecord &level) const
+{
+  const std::optional<double> error = relative_error(level);
+  return error && *error < demands_.target_error;
 }
 
 double Judge::residual_bound(const LevelRecord &level) const
@@ -62,7 +75,7 @@ double Judge::residual_bound(const LevelRecord &level) const
   constexpr double largest_bound = 1e-5;
   const double of_rounding = std::min(100. * rounding(level), largest_bound);
   // Direct solves and sums over all cells lose some digits of their own.
-  return std::max({1e-8, 100. * tolerance_, of_rounding});
+  return std::max({1e-8, 100. * demands_.tolerance, of_rounding});
 }
 
 double Judge::largest_residual_bound(const std::vector<LevelRecord> &levels) const
@@ -82,19 +95,23 @@ StudyVerdict Judge::verdict(const std::vector<LevelRecord> &levels) const
 {
   if (levels.empty())
     return failed(levels, "No level has been solved.");
-  const std::string objection = first_objection(study_checks, levels, *this);
+  const std::string objection = first_objection(equation_checks, levels, *this);
   if (!objection.empty())
     return failed(levels, objection);
-  return {Outcome::certified, "", largest_residual_bound(levels)};
+  const std::string doubt = first_objection(accuracy_checks, levels, *this);
+  const Outcome outcome = !doubt.empty()            ? Outcome::not_resolved
+                          : bound_of(levels.back()) ? Outcome::certified
+                                                    : Outcome::equations_certified;
+  return {outcome, doubt, describe_accuracy(levels), largest_residual_bound(levels)};
 }
 
 StudyVerdict Judge::unfinished(const std::vector<LevelRecord> &levels) const
 {
-  return {Outcome::unfinished, "", largest_residual_bound(levels)};
+  return {Outcome::unfinished, "", "", largest_residual_bound(levels)};
 }
 
 StudyVerdict Judge::failed(const std::vector<LevelRecord> &levels, const std::string &reason) const
 {
-  return {Outcome::not_certified, reason, largest_residual_bound(levels)};
+  return {Outcome::not_certified, reason, "", largest_residual_bound(levels)};
 }
 } // namespace Signorini

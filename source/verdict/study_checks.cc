@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Whether all levels are solved, and whether the finest one resolves the solution.
 
+#include <signorini/verdict/accuracy.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -16,17 +18,68 @@ constexpr double largest_locking_number = 0.25;
 
 /** So many levels with the same estimate show that refinement does not help. */
 constexpr std::size_t n_stagnant_levels = 3;
+
+bool locks(const LevelRecord &level)
+{
+  return level.locking_number.value_or(0.) > largest_locking_number;
+}
+
+/** Where the bound is largest, and what makes it smaller. */
+std::string remedy_for(const LevelRecord &level)
+{
+  const ErrorBound &bound = *level.bound;
+  switch (bound.largest_part())
+  {
+  case ErrorBound::Part::contact:
+    return "contact is not resolved on " + bound.largest_face +
+           ": refine, take a smaller Patch ratio, or more Patches.";
+  case ErrorBound::Part::oscillation:
+    return "loads vary too much within cells, most in " + bound.largest_cell + ": refine.";
+  default:
+    return "the mesh is too coarse, most in " + bound.largest_cell +
+           (locks(level) ? ": the body is nearly incompressible, and bilinear elements lock; set "
+                           "Discretization/Element = Q1 B-bar, or refine."
+                         : ": refine, or take cells that are as wide as high (long cells are too "
+                           "stiff in bending).");
+  }
+}
 } // namespace
 
-std::string check_levels(const std::vector<LevelRecord> &levels, const Judge &judge)
+std::string check_finest_level(const std::vector<LevelRecord> &levels, const Judge &judge)
 {
-  for (const LevelRecord &level : levels)
-  {
-    const std::string doubt = judge.doubt(level);
-    if (!doubt.empty())
-      return "Level " + std::to_string(level.sizes.level) + ": " + doubt;
-  }
-  return "";
+  const LevelRecord &finest = levels.back();
+  const std::string doubt = judge.doubt(finest);
+  return doubt.empty() ? "" : "Level " + std::to_string(finest.sizes.level) + ": " + doubt;
+}
+
+std::string check_bound(const std::vector<LevelRecord> &levels, const Judge &judge)
+{
+  const LevelRecord &finest = levels.back();
+  const std::optional<double> error = bound_of(finest);
+  if (!error || *error <= judge.tolerated_error())
+    return "";
+  std::ostringstream text;
+  text << "The error of level " << finest.sizes.level << " may be as large as " << 100. * *error
+       << " % (energy norm, guaranteed bound; Tolerated error: " << 100. * judge.tolerated_error()
+       << " %); " << remedy_for(finest);
+  return text.str();
+}
+
+std::string check_target(const std::vector<LevelRecord> &levels, const Judge &judge)
+{
+  const LevelRecord &finest = levels.back();
+  if (!judge.has_target() || judge.reaches_target(finest))
+    return "";
+  std::ostringstream text;
+  text << "The target error is not reached on level " << finest.sizes.level
+       << ", the finest: the relative error is ";
+  if (const std::optional<double> error = relative_error(finest))
+    text << 100. * *error << " %"
+         << (bound_of(finest) ? " (energy norm, guaranteed)" : " (H1 norm, estimated)");
+  else
+    text << "not known";
+  text << "; raise Finest level.";
+  return text.str();
 }
 
 std::string check_uniqueness(const std::vector<LevelRecord> &levels, const Judge &)
@@ -42,7 +95,8 @@ std::string check_uniqueness(const std::vector<LevelRecord> &levels, const Judge
 std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &)
 {
   const LevelRecord &finest = levels.back();
-  if (finest.locking_number.value_or(0.) <= largest_locking_number)
+  // A bound sees more.
+  if (bound_of(finest) || !locks(finest))
     return "";
   std::ostringstream text;
   text << "The body is nearly incompressible, and bilinear elements lock on a mesh as coarse as "
@@ -55,7 +109,7 @@ std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &)
 
 std::string check_estimate(const std::vector<LevelRecord> &levels, const Judge &)
 {
-  if (levels.size() < n_stagnant_levels)
+  if (bound_of(levels.back()) || levels.size() < n_stagnant_levels)
     return "";
   // Solutions in V^h have estimates that are nothing but rounding.
   const double negligible = std::max(1e-8, 100. * levels.back().linear.rounding_error);

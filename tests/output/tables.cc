@@ -100,7 +100,7 @@ void screen_table(Checks &checks)
 void certificate(Checks &checks)
 {
   using Json = nlohmann::json;
-  const Judge judge(1e-10);
+  const Judge judge({1e-10, 0.2, 0.});
   const auto parse = [&](const std::vector<LevelRecord> &levels, const StudyVerdict &verdict) {
     std::ostringstream stream;
     write_certificate(stream, levels, judge, verdict);

@@ -13,7 +13,7 @@ using namespace Signorini;
 
 namespace
 {
-const Judge judge(1e-10);
+const Judge judge({1e-10, 0.2, 0.});
 
 bool begins_with(const std::string &text, const std::string &beginning)
 {
@@ -50,7 +50,7 @@ void bounds(Checks &checks)
 {
   LevelRecord level;
   checks.near("without rounding", judge.residual_bound(level), 1e-8, 1e-22);
-  checks.near("of a large tolerance", Judge(1e-6).residual_bound(level), 1e-4, 1e-18);
+  checks.near("of a large tolerance", Judge({1e-6, 0.2, 0.}).residual_bound(level), 1e-4, 1e-18);
   level.linear.rounding_error = 1e-9;
   checks.near("of rounding in U", judge.residual_bound(level), 1e-7, 1e-21);
   level.certificate.rounding = 1e-8;

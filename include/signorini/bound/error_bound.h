@@ -34,12 +34,20 @@ struct ErrorBound
   /** What the linear solver left unbalanced at nodes, relative to the forces there. */
   std::optional<double> algebra;
   /** Between these lies J(u). */
-  std::optional<Bracket> energy;
+  std::optional<double> energy_lower, energy_upper;
   /** Bound of the error of the contact force (force); none where contact meets a held side. */
   std::optional<double> force_error;
   /** max (u_{h,n} - g)_+ (length), and its place in words. */
   double penetration = 0.;
   std::string place_of_penetration;
+  /** Which of the parts is the largest. */
+  enum class Part
+  {
+    mesh,
+    oscillation,
+    contact
+  };
+  Part largest_part() const;
   /** In words: the cell with the largest part, and the contact face. */
   std::string largest_cell, largest_face;
 
@@ -52,6 +60,7 @@ struct BoundData
   StressData stress;
   const StiffnessInverse &inverse;
   const Coupling &condensed_D;
+  const dealii::Vector<double> &G;
 };
 
 /** Computes the bound for a plane body with straight sides; missing says why there is none for

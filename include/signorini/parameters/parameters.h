@@ -101,6 +101,7 @@ struct SolverParameters
   Given<unsigned int> maximum_iterations{100000};
   Given<LinearSolver> linear_solver{LinearSolver::automatic};
   Given<bool> warm_start{true};
+  Given<double> tolerated_error{0.2};
   Given<bool> require_stability{false};
 };
 

@@ -12,11 +12,17 @@ enum class Outcome
 {
   /** More levels follow. */
   unfinished,
+  /** The equations are solved, and the guaranteed bound of the error is tolerated. */
   certified,
+  /** The equations are solved; there is no guaranteed bound for such a scene. */
+  equations_certified,
+  /** The equations are solved, but the error may be larger than what is tolerated. */
+  not_resolved,
+  /** The equations are not solved. */
   not_certified
 };
 
-/** The outcome as certificate.json names it: "unfinished", "certified" or "not certified". */
+/** The outcome as certificate.json names it: "certified", "not resolved" and so on. */
 const char *word_for(Outcome outcome);
 
 /** Whether the answer of a study can be trusted. */
@@ -25,26 +31,50 @@ struct StudyVerdict
   Outcome outcome = Outcome::unfinished;
   /** One sentence that says why the study is not certified; otherwise empty. */
   std::string reason;
+  /** What is known about the error of the finest level, half a sentence; empty if nothing is. */
+  std::string accuracy;
   /** The largest Judge::residual_bound() of the levels. */
   double residual_bound = 0.;
 
+  /** Whether the program ends with the exit code 0. */
   bool is_certified() const
   {
-    return outcome == Outcome::certified;
+    return outcome == Outcome::certified || outcome == Outcome::equations_certified;
   }
+};
+
+/** What a user asks of an answer. */
+struct Demands
+{
+  /** On the KKT residual of the dual problem. */
+  double tolerance = 1e-10;
+  /** On the relative bound of the error in the energy norm. */
+  double tolerated_error = 0.2;
+  /** The same for a study that refines until it is reached; 0: none. */
+  double target_error = 0.;
 };
 
 /** Decides what can be trusted: single levels, and a study. */
 class Judge
 {
 public:
-  /** @param tolerance the bound on the KKT residual of the dual problem. */
-  explicit Judge(double tolerance);
+  explicit Judge(const Demands &demands);
 
   double tolerance() const
   {
-    return tolerance_;
+    return demands_.tolerance;
   }
+  /** The largest relative bound of the error that is certified. */
+  double tolerated_error() const
+  {
+    return demands_.tolerated_error;
+  }
+  bool has_target() const
+  {
+    return demands_.target_error > 0.;
+  }
+  /** Whether refinement may stop at this level because it reaches the target error. */
+  bool reaches_target(const LevelRecord &level) const;
   /** The bound on the certificate's residuals: a hundred times the tolerance or the rounding. */
   double residual_bound(const LevelRecord &level) const;
   /** One sentence that says why the answer of this level does not solve its equations; empty if it
@@ -66,6 +96,6 @@ public:
 private:
   double largest_residual_bound(const std::vector<LevelRecord> &levels) const;
 
-  double tolerance_;
+  Demands demands_;
 };
 } // namespace Signorini

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/record/level_record.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/** The guaranteed bound of the relative error of u_h in the energy norm, where there is one. */
+std::optional<double> bound_of(const LevelRecord &level);
+
+/** That bound, or else the estimated relative error in the H1 norm. */
+std::optional<double> relative_error(const LevelRecord &level);
+
+/** What is known about the error of the finest level, half a sentence: its guaranteed bound and its
+ * estimate, or why there is no bound and whether the estimate was checked. */
+std::string describe_accuracy(const std::vector<LevelRecord> &levels);
+} // namespace Signorini

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What is known about the error of the finest level, in words.
+
+#include <signorini/verdict/accuracy.h>
+
+#include <iomanip>
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+/** "0.85 %". */
+std::string percent(const double share)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << 100. * share << " %";
+  return text.str();
+}
+
+/** So many levels show whether an estimate falls. */
+constexpr std::size_t enough_levels = 3;
+} // namespace
+
+std::optional<double> bound_of(const LevelRecord &level)
+{
+  return level.bound ? level.bound->relative : std::nullopt;
+}
+
+std::optional<double> relative_error(const LevelRecord &level)
+{
+  if (const std::optional<double> bound = bound_of(level))
+    return bound;
+  return level.estimate ? std::optional<double>(level.estimate->relative) : std::nullopt;
+}
+
+std::string describe_accuracy(const std::vector<LevelRecord> &levels)
+{
+  const LevelRecord &finest = levels.back();
+  std::ostringstream text;
+  if (const std::optional<double> bound = bound_of(finest))
+    text << "the error is at most " << percent(*bound) << " (energy norm, guaranteed)";
+  else
+  {
+    text << "there is no bound of the error";
+    if (finest.bound)
+      text << " (" << finest.bound->missing << ")";
+    if (levels.size() < enough_levels)
+      text << ", and with fewer than three levels the accuracy is not checked";
+  }
+  if (finest.estimate)
+    text << ", about " << percent(finest.estimate->relative) << " (H1 norm, estimated)";
+  return text.str();
+}
+} // namespace Signorini
