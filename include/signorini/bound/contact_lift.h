@@ -107,8 +107,7 @@ public:
   {
     return no_bound_;
   }
-  /** d along Gamma_c, with its largest value and its place; it outlives no bound on straight sides.
-   */
+  /** d along Gamma_c, with its largest value and its place. Needs straight sides and degree one. */
   const ContactTrace &trace() const
   {
     return *trace_;
