@@ -156,8 +156,15 @@ ContactLift::ContactLift(const DisplacementSpace<2> &space,
     return;
   }
   consider(layer_lift(space, scene, *trace_), LiftMethod::layer);
-  if (dual && bound_->square() > dual->enough)
-    consider(dual_lift(space, *trace_, dual->condensed_D, dual->inverse, P), LiftMethod::dual);
+  if (!dual || bound_->square() <= dual->enough)
+    return;
+  const auto consider_dual = [&](const dealii::Vector<double> &required, const LiftMethod method) {
+    consider(dual_lift(space, *trace_, dual->condensed_D, dual->inverse, P, required), method);
+  };
+  consider_dual(required_values(*trace_), LiftMethod::dual);
+  const auto raised = raised_values(*trace_);
+  if (raised && bound_->square() > dual->enough)
+    consider_dual(*raised, LiftMethod::raised_dual);
 }
 
 void ContactLift::consider(NodalVector w_h, const LiftMethod method)

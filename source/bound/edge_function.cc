@@ -20,6 +20,24 @@ double EdgeFunction::Part::slope(const double t) const
   return (last - first + 4. * bulge * (1. - 2. * tau)) / (end - start);
 }
 
+double EdgeFunction::Part::largest() const
+{
+  // The derivative last - first + 4 bulge (1 - 2 tau) vanishes in the middle of a part if
+  // |last - first| < 4 bulge.
+  if (std::abs(last - first) >= 4. * bulge)
+    return std::max(first, last);
+  const double tau = 0.5 + (last - first) / (8. * bulge);
+  return value(start + tau * (end - start));
+}
+
+double EdgeFunction::largest() const
+{
+  double largest = parts_.empty() ? 0. : parts_.front().first;
+  for (const Part &part : parts_)
+    largest = std::max(largest, part.largest());
+  return largest;
+}
+
 const EdgeFunction::Part &EdgeFunction::part_at(const double t) const
 {
   const auto after = std::upper_bound(

@@ -169,14 +169,6 @@ struct FreeConditions
   Coupling E;
 };
 
-Vector required_values(const ContactTrace &trace)
-{
-  Vector required(trace.conditions().size());
-  for (unsigned int k = 0; k < required.size(); ++k)
-    required[k] = trace.conditions()[k].required;
-  return required;
-}
-
 /** E^T A^{-1} D P: the last column of [E, D P]^T A^{-1} [E, D P], which a trailing factor gives
  * without a solve. */
 Vector pushed_by(const Vector &P,
@@ -219,6 +211,31 @@ NodalVector solve(const DisplacementSpace<2> &space,
 }
 } // namespace
 
+Vector required_values(const ContactTrace &trace)
+{
+  Vector required(trace.conditions().size());
+  for (unsigned int k = 0; k < required.size(); ++k)
+    required[k] = trace.conditions()[k].required;
+  return required;
+}
+
+std::optional<Vector> raised_values(const ContactTrace &trace)
+{
+  Vector raised = required_values(trace);
+  bool changed = false;
+  for (const PenetrationFace &face : trace.faces())
+  {
+    const double largest = face.d.largest();
+    if (face.presses() || largest <= std::max({0., face.d.value(0.), face.d.value(1.)}))
+      continue;
+    changed = true;
+    for (const unsigned int k : face.conditions)
+      if (!trace.conditions()[k].held)
+        raised[k] = std::max(raised[k], largest);
+  }
+  return changed ? std::optional<Vector>(raised) : std::nullopt;
+}
+
 NodalVector layer_lift(const DisplacementSpace<2> &space,
                        const Scene<2> &scene,
                        const ContactTrace &trace)
@@ -236,12 +253,12 @@ NodalVector dual_lift(const DisplacementSpace<2> &space,
                       const ContactTrace &trace,
                       const Coupling &condensed_D,
                       const StiffnessInverse &inverse,
-                      const dealii::Vector<double> &P)
+                      const dealii::Vector<double> &P,
+                      const dealii::Vector<double> &required)
 {
   const FreeConditions free(trace);
   if (free.numbers.empty())
     return NodalVector(space.dofs().n_dofs());
-  const Vector required = required_values(trace);
   Vector F = pushed_by(P, condensed_D, free.E, inverse), start(F.size());
   for (unsigned int i = 0; i < F.size(); ++i)
   {

@@ -62,3 +62,20 @@ inline std::string named(const std::string &name)
 {
   return "subsection Scene\nset Name = " + name + "\nend\n";
 }
+
+inline std::string described(const std::string &text)
+{
+  return "subsection Scene\nset Name = described\nend\n" + text;
+}
+
+inline std::string gap(const std::string &g)
+{
+  return "subsection Contact\nset Gap = " + g + "\nend\n";
+}
+
+/** The tip of an indenter between the nodes of coarse meshes, as far as its mean over patches is
+ * an opening. */
+inline const std::string missed =
+  described("subsection Geometry\nset Lower left = -1, 0\nset Upper right = 1, 2\nend\n"
+            "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
+            gap("(x-0.0313)^2/(2*0.08)-0.003"));

@@ -16,7 +16,10 @@ enum class LiftMethod
   /** Nodal values of a boundary layer, see layer_lift(). */
   layer,
   /** A small dual problem at the contact nodes, see dual_lift(). */
-  dual
+  dual,
+  /** The same with nodes raised so far that nothing is lacking inside of faces, see
+   * raised_values(). */
+  raised_dual
 };
 
 /** The contact part of the bound of the energy error, and what it was summed up from. */
@@ -63,8 +66,8 @@ struct ContactBound
  * The bound is exact up to rounding, the sampling of g (see interpolate_from_above()) and, with
  * moduli that vary or cells that are no parallelograms, the quadrature of |||w|||².
  *
- * Of the two w_h, the cheap layer and the solution of a small dual problem, the one with the
- * smaller c² is kept. The layer is not enough in bending, where it has to be thin.
+ * Of the w_h, the cheap layer and the solutions of one or two small dual problems, the one with the
+ * smallest c² is kept. The layer is not enough in bending, where it has to be thin.
  *
  * There is none where a held node needs w_n > 0: where contact reaches a clamped side with g < 0,
  * or is pushed into the foundation there. A gap that jumps costs energy but does no harm, since
@@ -104,8 +107,7 @@ public:
   {
     return no_bound_;
   }
-  /** d along Gamma_c, with its largest value and its place; it outlives no bound on straight sides.
-   */
+  /** d along Gamma_c, with its largest value and its place. Needs straight sides and degree one. */
   const ContactTrace &trace() const
   {
     return *trace_;

@@ -23,6 +23,7 @@ public:
 
     double value(double t) const;
     double slope(double t) const;
+    double largest() const;
   };
 
   /** The function zero. */
@@ -41,6 +42,8 @@ public:
   /** At a break: from the right. */
   double slope(double t) const;
   bool is_zero() const;
+  /** The largest value. */
+  double largest() const;
   /** int_0^1 r^2 dt, int_0^1 r'^2 dt. Exact. */
   double square_integral() const;
   double slope_integral() const;

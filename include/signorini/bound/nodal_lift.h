@@ -22,6 +22,17 @@ NodalVector layer_lift(const DisplacementSpace<2> &space,
                        const Scene<2> &scene,
                        const ContactTrace &trace);
 
+/** The required values of all conditions. */
+dealii::Vector<double> required_values(const ContactTrace &trace);
+
+/**
+ * Required values with which w_h alone removes penetration inside of faces that do not press, where
+ * both ends are free: at both ends the largest d, if it is positive. Where contact was missed, the
+ * wide w_h costs much less energy than a narrow one inside the face. None if they are
+ * required_values().
+ */
+std::optional<dealii::Vector<double>> raised_values(const ContactTrace &trace);
+
 /**
  * The w_h in V^h that minimises 1/2 a(w_h, w_h) - int p_H w_{h,n} over w_{h,n} >= required: with
  * the matrix E of the conditions (w_n = E^T w) and multipliers Q,
@@ -36,7 +47,8 @@ NodalVector dual_lift(const DisplacementSpace<2> &space,
                       const ContactTrace &trace,
                       const Coupling &condensed_D,
                       const StiffnessInverse &inverse,
-                      const dealii::Vector<double> &P);
+                      const dealii::Vector<double> &P,
+                      const dealii::Vector<double> &required);
 
 /**
  * A z in V^h, zero on essential boundaries, with z_n = 1 on Gamma_c, of small energy; none where a
