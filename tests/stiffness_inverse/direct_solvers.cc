@@ -119,11 +119,12 @@ void known_answers(Checks &checks)
   }
 }
 
-/** Whether two vectors agree bit by bit, on all ranks. */
-bool same(DistributedVector a, const DistributedVector &b)
+/** Whether two answers agree: bit by bit on one rank; on several ranks MUMPS adds contributions in
+ * the order in which they arrive, and last digits differ. */
+bool same(const DistributedVector &a, const DistributedVector &b, const double tolerance)
 {
-  a -= b;
-  return a.linfty_norm() == 0.;
+  const bool one_rank = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+  return relative_distance(a, b) <= (one_rank ? 0. : tolerance);
 }
 
 /** Loads as smooth and as rough as they come, very large and very small ones. */
@@ -169,7 +170,7 @@ void without_history(Checks &checks,
       DistributedVector x = inverse->make_vector();
       x = 1e5;
       inverse->solve(x, loads[k]);
-      unchanged = unchanged && same(x, first[k]);
+      unchanged = unchanged && same(x, first[k], tolerance);
     }
     checks.that(name + ": the same answer after other loads", unchanged);
     std::vector<DistributedVector> several(loads.size(), inverse->make_vector());
