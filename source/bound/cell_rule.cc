@@ -56,7 +56,7 @@ TriangleRule quartic_rule()
 }
 
 /** n x n Gauss points of the square, collapsed to the triangle: degree 2 n - 2. */
-TriangleRule collapsed_rule(const unsigned int n)
+TriangleRule make_collapsed_rule(const unsigned int n)
 {
   const dealii::QGauss<1> gauss(n);
   TriangleRule rule;
@@ -68,6 +68,18 @@ TriangleRule collapsed_rule(const unsigned int n)
                       2. * (1. - t) * gauss.weight(i) * gauss.weight(j)});
     }
   return rule;
+}
+
+/** The same, made once for every n that is used here. */
+const TriangleRule &collapsed_rule(const unsigned int n)
+{
+  static const std::vector<TriangleRule> rules = []() {
+    std::vector<TriangleRule> all;
+    for (unsigned int i = 0; i <= 12; ++i)
+      all.push_back(i == 0 ? TriangleRule() : make_collapsed_rule(i));
+    return all;
+  }();
+  return rules.at(n);
 }
 
 /** The parts of triangles on both sides of a line, as triangles. */

@@ -145,7 +145,7 @@ std::vector<double> EquilibratedStress::mean_tractions() const
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
     const EdgeCell &cell = mesh_.cells()[c];
-    const CellData &data = table_(c);
+    const auto on_edges = table_.on_edges(c);
     const CornerValues u = displacement(cell);
     CellMoments here{};
     for (unsigned int k = 0; k < 4; ++k)
@@ -154,7 +154,7 @@ std::vector<double> EquilibratedStress::mean_tractions() const
       std::array<Vector2, 2> tractions;
       for (unsigned int i = 0; i < 2; ++i)
       {
-        const EdgePoint &point = data.on_edges[k][i];
+        const EdgePoint &point = on_edges[k][i];
         const Components s =
           table_.law(cell.corners[0] + point.offset).stress(strain_of(point.gradients, u));
         tractions[i] = Vector2({s[0] * d[1] - s[2] * d[0], s[2] * d[1] - s[1] * d[0]});
@@ -162,7 +162,7 @@ std::vector<double> EquilibratedStress::mean_tractions() const
         if (mesh_.edges()[cell.edges[k]].side != Edge::no_side)
           tractions[i] *= 2.;
       }
-      add_edge(data.on_edges[k], tractions, k, here);
+      add_edge(on_edges[k], tractions, k, here);
     }
     add_moments(cell, here, moments);
   }
