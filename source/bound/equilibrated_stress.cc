@@ -219,7 +219,7 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
   // r = -(the gradient of half the square of the misfit).
   std::vector<double> r(moments_.size(), 0.), z(r.size()), q(r.size());
   CellEnergies energies(table_, mesh_.cells().size());
-  double square = 0.;
+  double square = 0., energy = 0.;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
     const CellData &data = table_(c);
@@ -234,6 +234,7 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
       const Components misfit = difference(law.stress(strain(c, point, u)), tau[i]);
       const Components of_misfit = law.strain(misfit);
       square += point.weight * product(misfit, of_misfit);
+      energy += point.weight * product(tau[i], law.strain(tau[i]));
       for (unsigned int m = 0; m < 3; ++m)
         for (unsigned int l = 0; l < 3; ++l)
           dual[9 * point.triangle + 3 * m + l] += point.weight * point.psi[m] * of_misfit[l];
@@ -246,7 +247,9 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
   solver.apply(r, z);
   std::vector<double> p = z;
   double rz = product(r, z);
-  while (rz > 0. && steps_ < options.most_steps)
+  // Below that, the misfit is rounding.
+  const double least_square = 1e-22 * energy;
+  while (rz > 0. && square > least_square && steps_ < options.most_steps)
   {
     multiply(mesh_, energies, p, q);
     const double alpha = rz / product(p, q), decrease = alpha * rz;
