@@ -4,7 +4,6 @@
 #include <signorini/bound/cell_rule.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +55,7 @@ TriangleRule quartic_rule()
 }
 
 /** n x n Gauss points of the square, collapsed to the triangle: degree 2 n - 2. */
-TriangleRule collapsed_rule(const unsigned int n)
+TriangleRule make_collapsed_rule(const unsigned int n)
 {
   const dealii::QGauss<1> gauss(n);
   TriangleRule rule;
@@ -68,6 +67,18 @@ TriangleRule collapsed_rule(const unsigned int n)
                       2. * (1. - t) * gauss.weight(i) * gauss.weight(j)});
     }
   return rule;
+}
+
+/** The same, made once for every n that is used here. */
+const TriangleRule &collapsed_rule(const unsigned int n)
+{
+  static const std::vector<TriangleRule> rules = []() {
+    std::vector<TriangleRule> all;
+    for (unsigned int i = 0; i <= 12; ++i)
+      all.push_back(i == 0 ? TriangleRule() : make_collapsed_rule(i));
+    return all;
+  }();
+  return rules.at(n);
 }
 
 /** The parts of triangles on both sides of a line, as triangles. */
@@ -144,21 +155,21 @@ dealii::Point<2> reference_coordinates(const CellShape &shape, const Vector2 &of
 Law::Law(const dealii::SymmetricTensor<4, 2> &hooke)
 {
   constexpr std::array<std::array<unsigned int, 2>, 3> pairs = {{{{0, 0}}, {{1, 1}}, {{0, 1}}}};
-  dealii::FullMatrix<double> matrix(3), inverse(3);
+  dealii::Tensor<2, 3> matrix;
   dealii::SymmetricTensor<2, 3> orthonormal;
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
     {
-      matrix(i, j) = hooke[pairs[i][0]][pairs[i][1]][pairs[j][0]][pairs[j][1]];
-      stiffness[i][j] = matrix(i, j);
+      matrix[i][j] = hooke[pairs[i][0]][pairs[i][1]][pairs[j][0]][pairs[j][1]];
+      stiffness[i][j] = matrix[i][j];
       if (j >= i)
         orthonormal[i][j] =
-          matrix(i, j) * (i == 2 ? std::sqrt(2.) : 1.) * (j == 2 ? std::sqrt(2.) : 1.);
+          matrix[i][j] * (i == 2 ? std::sqrt(2.) : 1.) * (j == 2 ? std::sqrt(2.) : 1.);
     }
-  inverse.invert(matrix);
+  const dealii::Tensor<2, 3> inverse = dealii::invert(matrix);
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
-      compliance[i][j] = inverse(i, j);
+      compliance[i][j] = inverse[i][j];
   smallest_eigenvalue = dealii::eigenvalues(orthonormal)[2];
 }
 

@@ -145,7 +145,7 @@ std::vector<double> EquilibratedStress::mean_tractions() const
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
     const EdgeCell &cell = mesh_.cells()[c];
-    const CellData &data = table_(c);
+    const auto on_edges = table_.on_edges(c);
     const CornerValues u = displacement(cell);
     CellMoments here{};
     for (unsigned int k = 0; k < 4; ++k)
@@ -154,7 +154,7 @@ std::vector<double> EquilibratedStress::mean_tractions() const
       std::array<Vector2, 2> tractions;
       for (unsigned int i = 0; i < 2; ++i)
       {
-        const EdgePoint &point = data.on_edges[k][i];
+        const EdgePoint &point = on_edges[k][i];
         const Components s =
           table_.law(cell.corners[0] + point.offset).stress(strain_of(point.gradients, u));
         tractions[i] = Vector2({s[0] * d[1] - s[2] * d[0], s[2] * d[1] - s[1] * d[0]});
@@ -162,7 +162,7 @@ std::vector<double> EquilibratedStress::mean_tractions() const
         if (mesh_.edges()[cell.edges[k]].side != Edge::no_side)
           tractions[i] *= 2.;
       }
-      add_edge(data.on_edges[k], tractions, k, here);
+      add_edge(on_edges[k], tractions, k, here);
     }
     add_moments(cell, here, moments);
   }
@@ -219,7 +219,7 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
   // r = -(the gradient of half the square of the misfit).
   std::vector<double> r(moments_.size(), 0.), z(r.size()), q(r.size());
   CellEnergies energies(table_, mesh_.cells().size());
-  double square = 0.;
+  double square = 0., energy = 0.;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
     const CellData &data = table_(c);
@@ -234,6 +234,7 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
       const Components misfit = difference(law.stress(strain(c, point, u)), tau[i]);
       const Components of_misfit = law.strain(misfit);
       square += point.weight * product(misfit, of_misfit);
+      energy += point.weight * product(tau[i], law.strain(tau[i]));
       for (unsigned int m = 0; m < 3; ++m)
         for (unsigned int l = 0; l < 3; ++l)
           dual[9 * point.triangle + 3 * m + l] += point.weight * point.psi[m] * of_misfit[l];
@@ -246,7 +247,9 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
   solver.apply(r, z);
   std::vector<double> p = z;
   double rz = product(r, z);
-  while (rz > 0. && steps_ < options.most_steps)
+  // Below that, the misfit is rounding.
+  const double least_square = 1e-22 * energy;
+  while (rz > 0. && square > least_square && steps_ < options.most_steps)
   {
     multiply(mesh_, energies, p, q);
     const double alpha = rz / product(p, q), decrease = alpha * rz;

@@ -83,13 +83,58 @@ dealii::FullMatrix<double> balances(const EdgeMesh &mesh, const Star &star)
   return rows;
 }
 
+/** A B. Matrices are small: starting a library of linear algebra takes longer. */
 dealii::FullMatrix<double> product(const dealii::FullMatrix<double> &A,
                                    const dealii::FullMatrix<double> &B)
 {
   dealii::FullMatrix<double> C(A.m(), B.n());
-  if (A.n() > 0 && B.n() > 0)
-    A.mmult(C, B);
+  for (unsigned int i = 0; i < C.m(); ++i)
+    for (unsigned int k = 0; k < A.n(); ++k)
+      if (const double factor = A(i, k); factor != 0.)
+        for (unsigned int j = 0; j < C.n(); ++j)
+          C(i, j) += factor * B(k, j);
   return C;
+}
+
+dealii::FullMatrix<double> transposed(const dealii::FullMatrix<double> &A)
+{
+  dealii::FullMatrix<double> B(A.n(), A.m());
+  for (unsigned int i = 0; i < A.m(); ++i)
+    for (unsigned int j = 0; j < A.n(); ++j)
+      B(j, i) = A(i, j);
+  return B;
+}
+
+/** X with A X = B for a positive definite A, by Cholesky's method. */
+dealii::FullMatrix<double> solve(dealii::FullMatrix<double> A, dealii::FullMatrix<double> B)
+{
+  const unsigned int n = A.m(), m = B.n();
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    for (unsigned int k = 0; k <= i; ++k)
+    {
+      double sum = A(i, k);
+      for (unsigned int l = 0; l < k; ++l)
+        sum -= A(i, l) * A(k, l);
+      A(i, k) = k == i ? std::sqrt(sum) : sum / A(k, k);
+    }
+    for (unsigned int j = 0; j < m; ++j)
+    {
+      double sum = B(i, j);
+      for (unsigned int k = 0; k < i; ++k)
+        sum -= A(i, k) * B(k, j);
+      B(i, j) = sum / A(i, i);
+    }
+  }
+  for (unsigned int i = n; i-- > 0;)
+    for (unsigned int j = 0; j < m; ++j)
+    {
+      double sum = B(i, j);
+      for (unsigned int k = i + 1; k < n; ++k)
+        sum -= A(k, i) * B(k, j);
+      B(i, j) = sum / A(i, i);
+    }
+  return B;
 }
 } // namespace
 
@@ -205,9 +250,9 @@ dealii::FullMatrix<double> StarSolver::solve_star(const Star &star,
   const dealii::FullMatrix<double> free = free_moments(mesh_, star);
   const dealii::FullMatrix<double> Z =
     product(free, null_space(product(balances(mesh_, star), free)));
-  dealii::FullMatrix<double> S(n, n), result(n, n);
+  dealii::FullMatrix<double> S(n, n);
   if (Z.n() == 0)
-    return result;
+    return S;
   for (unsigned int j = 0; j < star.cells.size(); ++j)
   {
     const CellEnergy &energy = energies(star.cells[j].cell);
@@ -217,13 +262,8 @@ dealii::FullMatrix<double> StarSolver::solve_star(const Star &star,
         S(a.in_star, b.in_star) +=
           a.sign * b.sign * energy[CompositeCell::n_moments * a.in_cell + b.in_cell];
   }
-  dealii::FullMatrix<double> small(Z.n(), Z.n()), Zt_S(Z.n(), n), inverse_Zt(Z.n(), n);
-  Z.Tmmult(Zt_S, S);
-  Zt_S.mmult(small, Z);
-  small.gauss_jordan();
-  small.mTmult(inverse_Zt, Z);
-  Z.mmult(result, inverse_Zt);
-  return result;
+  const dealii::FullMatrix<double> Zt = transposed(Z);
+  return product(Z, solve(product(product(Zt, S), Z), Zt));
 }
 
 void StarSolver::apply(const std::vector<double> &r, std::vector<double> &z) const

@@ -45,6 +45,12 @@ public:
 
   /** Of cell number @p cell; valid until the next call. */
   const CellData &operator()(unsigned int cell);
+  /** Two Gauss points on every edge of a cell. */
+  std::array<std::array<EdgePoint, 2>, 4> on_edges(const unsigned int cell) const
+  {
+    return shape_of_[cell] < most_shapes ? shared_[shape_of_[cell]]->on_edges
+                                         : edge_points(CellShape(mesh_.cells()[cell].corners));
+  }
   /** At the points of the cell that was asked for last; one for all points where Hooke's tensor
    * is constant. */
   const std::vector<Law> &laws(unsigned int cell, const CellData &data);
