@@ -29,7 +29,8 @@ struct ErrorBound
   std::optional<double> absolute;
   /** The same divided by |||u_h|||; infinite where u_h has no strain. */
   std::optional<double> relative;
-  /** Its parts: the first sum without oscillation, the oscillation, and the contact part. */
+  /** Its parts: the first sum without oscillation, the oscillation of loads and of prescribed
+   * displacements, and the contact part. */
   std::optional<double> mesh, oscillation, contact;
   /** What the linear solver left unbalanced at nodes, relative to the forces there. */
   std::optional<double> algebra;
