@@ -2,6 +2,7 @@
 // The bound of the energy error, summed up from stress and contact.
 
 #include <signorini/bound/error_bound.h>
+#include <signorini/bound/prescribed_rest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,18 @@ std::string name_of_worst_cell(const StressBound &bound, const DisplacementSpace
   return "";
 }
 
+/** Turns the bound of ‖sigma(u_h) - tau‖ into one of ‖sigma(u_h + z) - tau‖. */
+void add(const PrescribedRest &rest, StressBound &bound)
+{
+  bound.square = bound.oscillation_square = 0.;
+  for (std::size_t cell = 0; cell < bound.misfit.size(); ++cell)
+  {
+    bound.oscillation[cell] += rest.norms[cell];
+    bound.square += std::pow(bound.misfit[cell] + bound.oscillation[cell], 2);
+    bound.oscillation_square += std::pow(bound.oscillation[cell], 2);
+  }
+}
+
 double ratio(const double value, const double scale)
 {
   if (value == 0.)
@@ -66,7 +79,14 @@ ErrorBound compute_error_bound(const BoundData &data)
   if (!result.missing.empty())
     return result;
   const EquilibratedStress stress(given);
-  const StressBound of_stress = stress.bound();
+  StressBound of_stress = stress.bound();
+  const PrescribedRest rest = make_prescribed_rest(given.space, given.scene, given.U);
+  if (rest.jumps)
+  {
+    result.missing = "prescribed displacements of two sides do not agree where the sides meet";
+    return result;
+  }
+  add(rest, of_stress);
   const ContactLift lift(
     given.space,
     given.scene,
@@ -89,7 +109,8 @@ ErrorBound compute_error_bound(const BoundData &data)
   result.mesh = std::max(0., std::sqrt(of_stress.square) - *result.oscillation);
   result.contact = std::sqrt(std::max(0., contact.square()));
   result.algebra = of_stress.algebra;
-  result.absolute = std::sqrt(of_stress.square + std::max(0., contact.square()));
+  result.absolute =
+    std::sqrt(of_stress.square + std::max(0., contact.square())) + std::sqrt(rest.square);
   result.relative = ratio(*result.absolute, energy_norm(given));
   result.largest_cell = name_of_worst_cell(of_stress, given.space);
   if (!given.scene.contact_sides().empty())
