@@ -39,6 +39,12 @@ public:
       if (presses_)
         add_roots(b, breaks);
       std::sort(breaks.begin(), breaks.end());
+      // b - e and b have the same zeros where e = 0; a part without length has no slope.
+      const double shortest = 1e-9 * (q.end - q.start);
+      breaks.erase(std::unique(breaks.begin(),
+                               breaks.end() - 1,
+                               [=](const double s, const double t) { return t - s < shortest; }),
+                   breaks.end() - 1);
       for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
         parts.push_back(on(b, lack, breaks[i], breaks[i + 1]));
     }

@@ -80,6 +80,11 @@ ErrorBound compute_error_bound(const BoundData &data)
   if (!lift.bound())
     return result;
   const ContactBound &contact = *lift.bound();
+  if (!std::isfinite(of_stress.square) || !std::isfinite(contact.square()))
+  {
+    result.missing = "the sums of the bound are no finite numbers";
+    return result;
+  }
   result.oscillation = std::sqrt(of_stress.oscillation_square) + of_stress.lift;
   result.mesh =
     std::max(0., std::sqrt(of_stress.square) - std::sqrt(of_stress.oscillation_square));

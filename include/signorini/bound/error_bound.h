@@ -18,6 +18,9 @@ namespace Signorini
  *     |||u - u_h|||² <= sum_K (‖sigma(u_h) - tau‖_{C^{-1},K} + osc_K)² + |||w|||²
  *                       + 2 int_{Gamma_c} p_H (u_{h,n} - g - w_n).
  *
+ * Where u_h only interpolates prescribed displacements, |||z|||_K is added to osc_K and |||z||| to
+ * the bound (PrescribedRest).
+ *
  * Norms are roots of energies (force x length per thickness).
  */
 struct ErrorBound

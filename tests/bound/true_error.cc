@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The bound is not below the energy error of scenes with a known solution, and not much above it.
+// The error is integrated from the exact gradient, with nothing of what the bound is computed from.
+
+#include <signorini/elasticity/integration.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+
+#include "stress/stress.h"
+
+using namespace Signorini;
+
+namespace
+{
+/** |||u - u_h|||, with six Gauss points per direction on cells that are cut at kinks. */
+double energy_error(const OneLevel &level, const NodalVector &U)
+{
+  const DisplacementSpace<2> &space = level.space();
+  const Scene<2> &scene = level.scene;
+  CellValues<2> cell_values(space.mesh().mapping(),
+                            space.element(),
+                            scene.kinks,
+                            6,
+                            dealii::update_gradients | dealii::update_quadrature_points |
+                              dealii::update_JxW_values);
+  const dealii::FEValuesExtractors::Vector displacement(0);
+  std::vector<dealii::SymmetricTensor<2, 2>> strains;
+  std::vector<std::vector<dealii::Tensor<1, 2>>> exact;
+  double square = 0.;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    const dealii::FEValues<2> &values = cell_values.reinit(cell);
+    strains.resize(values.n_quadrature_points);
+    exact.assign(values.n_quadrature_points, std::vector<dealii::Tensor<1, 2>>(2));
+    values[displacement].get_function_symmetric_gradients(U, strains);
+    scene.exact_displacement->vector_gradient_list(values.get_quadrature_points(), exact);
+    for (const unsigned int q : values.quadrature_point_indices())
+    {
+      dealii::Tensor<2, 2> gradient;
+      gradient[0] = exact[q][0];
+      gradient[1] = exact[q][1];
+      const dealii::SymmetricTensor<2, 2> e = symmetrize(gradient) - strains[q];
+      square += (scene.material->hooke(values.quadrature_point(q)) * e) * e * values.JxW(q);
+    }
+  }
+  return std::sqrt(square);
+}
+
+/** Levels of a scene, and the largest ratio of bound and error that is allowed on levels 4 and 5;
+ * zero: any. */
+struct Case
+{
+  std::string name;
+  std::string text;
+  unsigned int coarsest;
+  double effectivity;
+};
+
+constexpr unsigned int finest = 5;
+
+/** A table in Markdown, in a file of the working directory. */
+class Effectivities
+{
+public:
+  Effectivities()
+    : file_("effectivities.md")
+  {
+    file_ << "| scene | level 1 | 2 | 3 | 4 | 5 |\n|---|---|---|---|---|---|\n";
+  }
+  void start(const Case &given)
+  {
+    file_ << "| " << given.name << " | ";
+    for (unsigned int number = 1; number < given.coarsest; ++number)
+      file_ << "| ";
+  }
+  void add(const double effectivity)
+  {
+    file_ << std::setprecision(3) << effectivity << " | ";
+  }
+  void end_row()
+  {
+    file_ << std::endl;
+  }
+
+private:
+  std::ofstream file_;
+};
+
+void check(Checks &checks, Effectivities &table, const Case &given)
+{
+  const std::string text = given.text + entry("Discretization", "Target error", "1e-9") +
+                           entry("Output", "Inf-sup constant", "false");
+  table.start(given);
+  for (unsigned int number = given.coarsest; number <= finest; ++number)
+  {
+    const OneLevel level(text, number);
+    const LevelSolution<2> solution = level.solve();
+    const std::string name = given.name + ", level " + std::to_string(number);
+    if (!solution.record.bound || !solution.record.bound->absolute)
+    {
+      checks.that(name + " has a bound", false);
+      continue;
+    }
+    const double error = energy_error(level, solution.U), bound = *solution.record.bound->absolute;
+    // 1e-6: the quadrature of singular solutions.
+    checks.between(name + ", bound / error",
+                   bound / error,
+                   1. - 1e-6,
+                   number >= 4 && given.effectivity > 0. ? given.effectivity : 1e10);
+    table.add(bound / error);
+  }
+  table.end_row();
+}
+
+/** Scene A1, see prm/described_a1.prm, on a mesh of general quadrilaterals. */
+std::string distorted_a1(const std::string &distortion)
+{
+  const std::string s11 =
+    "10*max(0,xi-x)^3*(y^2-1/3) + 0.2*x^2*y - 0.4*x*y^2 - 0.2*x*y + 8*x/15 - 0.6*y^3 + 0.6*y";
+  const std::string s12 =
+    "10*max(0,xi-x)^2*(y-y^3) - 0.2*x^2*y - 0.4*x*y^2 + y^3/15 + 0.2*y^2 - y/15";
+  return entry("Constants", "Values", "xi=1/sqrt(2)") +
+         entry("Geometry", "Distortion", distortion) +
+         "subsection Material\nset Young's modulus = 2.5\nset Poisson's ratio = 0.25\nend\n"
+         "subsection Boundary\nset Clamped = top\nset Contact = bottom\nset Traction = left: -(" +
+         s11 + "); -(" + s12 + ") | right: " + s11 + "; " + s12 + "\nend\n" +
+         entry("Load",
+               "Body force",
+               "max(0,xi-x)^2*(60*y^2-20) + 0.2*x^2 + 0.4*x*y + 0.2*y^2 - 0.2*y - 7/15; "
+               "-60*max(0,xi-x)^3*y + 20*max(0,xi-x)*(y-y^3) - 0.6*x^2 - 0.4*x*y + 0.6*x + y^2 "
+               "- 0.2") +
+         entry("Contact", "Gap", "-0.1*x*(1-x) + max(0,x-xi)^2") +
+         "subsection Exact solution\n"
+         "set Displacement = (0.2*x*y - 0.1*y + 0.1*x^2)*(1-y^2); "
+         "(0.1*x*(1-x) - y*(10*max(0,xi-x)^3 + 0.2*x)/3)*(1-y^2)\n"
+         "set Displacement gradient = (0.2*y + 0.2*x)*(1-y^2); "
+         "(0.2*x - 0.1)*(1-y^2) - 2*y*(0.2*x*y - 0.1*y + 0.1*x^2); "
+         "(0.1 - 0.2*x - y*(0.2 - 30*max(0,xi-x)^2)/3)*(1-y^2); "
+         "-(10*max(0,xi-x)^3 + 0.2*x)/3*(1-3*y^2) - 0.2*y*x*(1-x)\n"
+         "set Pressure = -10*max(0,xi-x)^3\nend\n" +
+         entry("Discretization", "Kinks at x", "0.70710678118654752");
+}
+
+std::vector<Case> make_cases()
+{
+  std::vector<Case> cases;
+  for (const char *scene : {"A1",
+                            "A1L",
+                            "A2",
+                            "A3",
+                            "B1",
+                            "B1q",
+                            "B1t",
+                            "B2",
+                            "B3",
+                            "B4",
+                            "C1",
+                            "C2",
+                            "C3",
+                            "C4",
+                            "O1",
+                            "V1"})
+  {
+    // A side of C4 ends in the middle of the bottom's coarse face.
+    const unsigned int coarsest = std::string(scene) == "C4" ? 2 : 1;
+    cases.push_back({scene, named_scene(scene), coarsest, 1.5});
+  }
+  for (const char *scene : {"A1", "B1", "A3"})
+  {
+    const auto with = [&](const std::string &name, const std::string &value) {
+      return named_scene(scene) + entry("Discretization", name, value);
+    };
+    const std::string name = scene;
+    cases.push_back({name + ", H = 4 h", with("Patch ratio", "4"), 2, 0.});
+    cases.push_back({name + ", H = 8 h", with("Patch ratio", "8"), 3, 0.});
+    cases.push_back({name + ", 4 patches", with("Patches", "4"), 3, 0.});
+    cases.push_back({name + ", 5 patches", with("Patches", "5"), 3, 0.});
+  }
+  // Displacements are prescribed that are not linear on edges.
+  for (const char *nu : {"0.3", "0.49", "0.4999"})
+    for (const char *element : {"Q1", "Q1 B-bar"})
+    {
+      Family family;
+      family.nu = nu;
+      cases.push_back({std::string("nu = ") + nu + ", " + element,
+                       text_of(family) + entry("Discretization", "Element", element),
+                       1,
+                       0.});
+    }
+  for (const char *contrast : {"3", "-3"})
+  {
+    Family along, across;
+    along.contrast_x = across.contrast_y = contrast;
+    cases.push_back({std::string("E grows along by 10^") + contrast, text_of(along), 1, 0.});
+    cases.push_back({std::string("E grows across by 10^") + contrast, text_of(across), 1, 0.});
+  }
+  for (const char *distortion : {"0.2", "0.3"})
+    cases.push_back(
+      {std::string("A1, distorted by ") + distortion, distorted_a1(distortion), 2, 0.});
+  return cases;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  Checks checks;
+  Effectivities table;
+  for (const Case &given : make_cases())
+    check(checks, table, given);
+  return checks.exit_code();
+}
