@@ -363,12 +363,12 @@ void add_fine_data(Scenes &scenes)
        "",
        level,
        7});
-    scenes.push_back(
-      {"thin stiff layer",
-       square + material("(abs(y-0.53) < 0.01) ? 1000 : 1") + lowered("0.1") + gap("0.1*x^2"),
-       "",
-       level,
-       7});
+    scenes.push_back({"thin stiff layer, kinks given",
+                      square + material("(abs(y-0.53) < 0.01) ? 1000 : 1") + lowered("0.1") +
+                        gap("0.1*x^2") + option("Kinks at y", "0.52, 0.54"),
+                      "",
+                      level,
+                      7});
     scenes.push_back({"concentrated force",
                       square + one + clamped_top + gap("0.1") +
                         force("0; 100*exp(-((x-0.53)^2+(y-0.51)^2)/0.0001)"),
