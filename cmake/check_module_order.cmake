@@ -17,8 +17,9 @@ foreach(module ${order})
     set(allowed_${module} ${above})
   endif()
 endforeach()
-# Only the study knows both the finite elements and the quadratic program.
-foreach(module recovery postprocess bound errors record verdict output)
+# Only the study and the bound, which solves a dual problem of its own, know both the finite elements and the
+# quadratic program.
+foreach(module recovery postprocess errors record verdict output)
   list(REMOVE_ITEM allowed_${module} qp)
 endforeach()
 

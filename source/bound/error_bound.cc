@@ -86,17 +86,14 @@ ErrorBound compute_error_bound(const BoundData &data)
     return result;
   }
   result.oscillation = std::sqrt(of_stress.oscillation_square) + of_stress.lift;
-  result.mesh =
-    std::max(0., std::sqrt(of_stress.square) - std::sqrt(of_stress.oscillation_square));
+  result.mesh = std::max(0., std::sqrt(of_stress.square) - std::sqrt(of_stress.oscillation_square));
   result.contact = std::sqrt(std::max(0., contact.square()));
   result.algebra = of_stress.algebra;
   // The inequality holds for u_h + E with the prescribed displacement itself; E is zero on contact.
-  result.absolute =
-    of_stress.lift + std::sqrt(of_stress.square + std::max(0., contact.square()));
+  result.absolute = of_stress.lift + std::sqrt(of_stress.square + std::max(0., contact.square()));
   result.relative = ratio(*result.absolute, energy_norm(given));
   const double J_star = of_stress.complementary_energy - given.P * data.G;
-  const double eta = std::sqrt(of_stress.square) + of_stress.lift,
-               lift_norm = std::sqrt(contact.lift_energy);
+  const double eta = std::sqrt(of_stress.square), lift_norm = std::sqrt(contact.lift_energy);
   const Bracket energy = energy_bracket(J_star, eta, lift_norm, contact.contact_term);
   result.energy_lower = energy.lower;
   result.energy_upper = energy.upper;

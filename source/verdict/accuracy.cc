@@ -10,9 +10,12 @@ namespace Signorini
 {
 namespace
 {
-/** "0.85 %". */
+/** "0.85 %"; what may be rounding has no digits. */
 std::string percent(const double share)
 {
+  constexpr double rounding = 1e-8;
+  if (share < rounding)
+    return "0.000001 %";
   std::ostringstream text;
   text << std::setprecision(3) << 100. * share << " %";
   return text.str();

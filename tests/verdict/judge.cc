@@ -132,14 +132,61 @@ void studies(Checks &checks)
   checks.that(
     "many pressures",
     begins_with(judge.verdict(levels).reason, "Level 4: the contact pressure is not unique"));
-  levels[1].dual.converged = false;
+  levels[2].dual.converged = false;
   const StudyVerdict bad = judge.verdict(levels);
-  checks.that("a level in doubt", begins_with(bad.reason, "Level 3: the contact solver stopped"));
+  checks.that("a level in doubt", begins_with(bad.reason, "Level 4: the contact solver stopped"));
   checks.that("not certified", bad.outcome == Outcome::not_certified && !bad.is_certified());
+  levels = three_levels();
+  levels[1].dual.converged = false;
+  checks.that("a coarse level in doubt does not condemn a finer one",
+              judge.verdict(levels).is_certified());
   levels = three_levels();
   levels[1].dual.unique = false;
   checks.that("only the finest level's pressure must be unique",
               judge.verdict(levels).is_certified());
+}
+
+/** A bound decides where there is one, and the message names what dominates it. */
+void errors(Checks &checks)
+{
+  std::vector<LevelRecord> levels = three_levels();
+  checks.that("without a bound",
+              judge.verdict(levels).outcome == Outcome::equations_certified &&
+                judge.verdict(levels).accuracy.find("there is no bound") != std::string::npos);
+  ErrorBound bound;
+  bound.relative = bound.absolute = 0.2;
+  bound.mesh = 0.15;
+  bound.oscillation = 0.01;
+  bound.contact = 0.05;
+  bound.largest_cell = "the cell at (1, 2)";
+  bound.largest_face = "bottom at (3, 0)";
+  levels[2].bound = bound;
+  checks.that("a bound that is tolerated", judge.verdict(levels).outcome == Outcome::certified);
+  checks.that("what is guaranteed",
+              begins_with(judge.verdict(levels).accuracy,
+                          "the error is at most 20 % (energy norm, guaranteed)"));
+  for (LevelRecord &level : levels)
+    level.estimate->absolute = 1.;
+  checks.that("a bound sees more than an estimate that does not fall",
+              judge.verdict(levels).outcome == Outcome::certified);
+  levels[2].bound->relative = 0.21;
+  const StudyVerdict large = judge.verdict(levels);
+  checks.that("a bound that is too large",
+              large.outcome == Outcome::not_resolved && !large.is_certified() &&
+                large.equations_hold() &&
+                begins_with(large.reason, "The error of level 4 may be as large as 21 %") &&
+                large.reason.find("most in the cell at (1, 2)") != std::string::npos);
+  levels[2].bound->contact = 0.5;
+  checks.that("contact dominates",
+              judge.verdict(levels).reason.find("not resolved on bottom at (3, 0)") !=
+                std::string::npos);
+  levels[2].bound->relative = 0.05;
+  const Judge strict({1e-10, 0.2, 0.04});
+  checks.that("a target error that is not reached",
+              strict.verdict(levels).outcome == Outcome::not_resolved &&
+                !strict.reaches_target(levels[2]) &&
+                begins_with(strict.verdict(levels).reason, "The target error is not reached"));
+  checks.that("one that is", Judge({1e-10, 0.2, 0.06}).reaches_target(levels[2]));
 }
 
 void endings(Checks &checks)
@@ -165,6 +212,7 @@ int main()
   bounds(checks);
   doubts(checks);
   studies(checks);
+  errors(checks);
   endings(checks);
   return checks.exit_code();
 }

@@ -44,7 +44,7 @@ struct StressBound
 /** How long the stress is improved. */
 struct ImprovementOptions
 {
-  unsigned int most_steps = 20;
+  unsigned int most_steps = 50;
   /** Stop when a step takes less than this share of the square of the misfit. */
   double least_share = 0.01;
 };

@@ -36,6 +36,11 @@ struct StudyVerdict
   /** The largest Judge::residual_bound() of the levels. */
   double residual_bound = 0.;
 
+  /** Whether the equations are solved, however far the mesh is from the solution. */
+  bool equations_hold() const
+  {
+    return is_certified() || outcome == Outcome::not_resolved;
+  }
   /** Whether the program ends with the exit code 0. */
   bool is_certified() const
   {
