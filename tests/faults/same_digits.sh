@@ -8,7 +8,8 @@ program=$(realpath "$2")
 mpirun=$3
 . "$(dirname "$0")/results.sh"
 
-# largest_difference A B: over convergence.csv, relative to the larger of the two values; residuals, which are rounding
+# largest_difference A B: over convergence.csv, relative to the larger of the two values. The lift behind contact_force_error
+# depends on the linear solver. Residuals, which are rounding
 # themselves, and counts of iterations apart. Prints the difference and its column.
 largest_difference() {
   paste -d, <(table "$1") <(table "$2") | awk -F, '
