@@ -13,7 +13,7 @@ mpirun=$3
 # themselves, and counts of iterations apart. Prints the difference and its column.
 largest_difference() {
   paste -d, <(table "$1") <(table "$2") | awk -F, '
-    NR == 1 { n = NF / 2; for (c = 2; c <= n; ++c) { skip[c] = $c ~ /^kkt$|^bound_algebra$|iterations$/; name[c] = $c } next }
+    NR == 1 { n = NF / 2; for (c = 2; c <= n; ++c) { skip[c] = $c ~ /^kkt$|^bound_algebra$|^contact_force_error$|iterations$/; name[c] = $c } next }
     { for (c = 2; c <= n; ++c) if (!skip[c] && $c != $(c + n)) {
         size = $c ^ 2 > $(c + n) ^ 2 ? sqrt($c ^ 2) : sqrt($(c + n) ^ 2)
         difference = sqrt(($c - $(c + n)) ^ 2) / size
