@@ -30,7 +30,8 @@ struct ErrorBound
   std::string missing;
   /** The bound of |||u - u_h|||. */
   std::optional<double> absolute;
-  /** The same divided by |||u_h|||; infinite where u_h has no strain. */
+  /** The same divided by |||u_h|||, or by what rounding makes of it where that is larger; infinite
+   * where u_h vanishes. */
   std::optional<double> relative;
   /** Its parts: the first sum without oscillation, the oscillation of loads and of prescribed
    * displacements, and the contact part. */
