@@ -38,7 +38,7 @@ void refuse_free_motions(const Scene<2> &scene, const std::string &where)
                      "Clamped, Displacement or Rollers.");
 }
 
-/** A position that misses the body is a slip of the pen. */
+/** A position that misses the body is a mistake: it would have no effect. */
 void refuse_kinks_outside(const Scene<2> &scene, const DiscretizationParameters &given)
 {
   const auto check = [&](const Given<std::vector<double>> &positions, const unsigned int d) {

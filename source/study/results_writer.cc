@@ -93,15 +93,16 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization,
 {
   if (directory_.empty())
     return;
+  std::vector<ContactSegment> line;
   write_on_first_rank(communicator_, [&]() {
-    const auto line =
+    line =
       trace_contact_line(discretization.space, discretization.multipliers, solution.U, solution.P);
     write_file(level_file("contact", solution.record.sizes.level, ".csv"),
                [&](std::ostream &stream) { write_contact_csv(stream, line); });
   });
   const VtuLevels vtu = parameters_.output.vtu;
   if (vtu == VtuLevels::all || (vtu == VtuLevels::finest && last_level))
-    write_vtu(discretization, scene, solution);
+    write_vtu(discretization, scene, solution, line);
   if (parameters_.output.compliance)
     write_on_first_rank(communicator_, [&]() { write_dual_problem(discretization, solution); });
 }
@@ -109,7 +110,8 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization,
 template <int dim>
 void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
                               const Scene<dim> &scene,
-                              const LevelSolution<dim> &solution)
+                              const LevelSolution<dim> &solution,
+                              const std::vector<ContactSegment> &line)
 {
   const unsigned int level = solution.record.sizes.level;
   const auto body = level_file("solution", level, ".vtu");
@@ -118,8 +120,6 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
   solution_files_.emplace_back(level, body.filename().string());
   contact_files_.emplace_back(level, contact.filename().string());
   write_on_first_rank(communicator_, [&]() {
-    const auto line =
-      trace_contact_line(discretization.space, discretization.multipliers, solution.U, solution.P);
     write_file(contact, [&](std::ostream &stream) { write_contact_vtu(stream, line); });
     write_pvd(directory_ / "solution.pvd", solution_files_);
     write_pvd(directory_ / "contact.pvd", contact_files_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/output/contact_line.h>
 #include <signorini/study/level.h>
 #include <signorini/verdict/judge.h>
 
@@ -41,10 +42,12 @@ public:
   void abandon(const std::vector<LevelRecord> &levels, const std::string &failure);
 
 private:
+  /** @param line on the first rank; empty on others. */
   template <int dim>
   void write_vtu(const Discretization<dim> &discretization,
                  const Scene<dim> &scene,
-                 const LevelSolution<dim> &solution);
+                 const LevelSolution<dim> &solution,
+                 const std::vector<ContactSegment> &line);
   template <int dim>
   void write_dual_problem(const Discretization<dim> &discretization,
                           const LevelSolution<dim> &solution);
