@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The system (5) checked with integrals over the cells: nothing here uses A or its factors.
 
-#include <signorini/elasticity/cell_stiffness.h>
 #include <signorini/postprocess/certificate.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -18,52 +17,6 @@ namespace
 double relative(const double value, const double scale)
 {
   return scale > 0. ? std::abs(value) / scale : std::abs(value);
-}
-
-/** a(u_h, phi_j), f(phi_j), [p_H, B phi_j] and their balance, for every j, known to all ranks. */
-struct NodalForces
-{
-  NodalVector internal;
-  NodalVector loads;
-  NodalVector contact;
-  /** internal - loads - contact: zero on free, the reaction on constrained degrees of freedom. */
-  NodalVector residual;
-  /** |A| |U|: the size of the terms that make up the internal forces. */
-  double magnitude = 0.;
-
-  /** The norm of the largest of the forces. */
-  double largest() const
-  {
-    return std::max({internal.l2_norm(), loads.l2_norm(), contact.l2_norm()});
-  }
-  /** Whether all forces are zero within rounding: a rigid motion. Then there is nothing but the
-   * magnitude that residuals could be compared with. */
-  bool vanish() const
-  {
-    return largest() <= 1e3 * std::numeric_limits<double>::epsilon() * magnitude;
-  }
-};
-
-template <int dim>
-NodalForces nodal_forces(const DisplacementSpace<dim> &space,
-                         const Scene<dim> &scene,
-                         const LinearSystem<dim> &system,
-                         const Coupling &D,
-                         const ContactSolution<dim> &solution)
-{
-  NodalForces forces;
-  const InternalForces<dim> internal = internal_forces(space, scene, solution.U);
-  forces.internal = NodalVector(internal.forces);
-  forces.loads = NodalVector(system.loads);
-  DistributedVector contact = space.make_vector();
-  D.add_product(solution.P, contact);
-  contact.compress(dealii::VectorOperation::add);
-  forces.contact = NodalVector(contact);
-  forces.residual = forces.internal;
-  forces.residual -= forces.loads;
-  forces.residual -= forces.contact;
-  forces.magnitude = internal.magnitudes.l2_norm();
-  return forces;
 }
 
 /** |T^T r|_2 relative to the largest term of r. */
@@ -100,23 +53,6 @@ support_points(const DisplacementSpace<dim> &space)
         }
     }
   return points;
-}
-
-/** int p_H n and int p_H x × n. */
-template <int dim>
-Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
-                                 const dealii::Vector<double> &P)
-{
-  Resultant<dim> resultant;
-  for (const Piece<dim> &piece : multipliers.surface().pieces())
-  {
-    const SurfaceRule<dim> &rule = piece.on_mesh;
-    for (std::size_t q = 0; q < rule.size(); ++q)
-      resultant.add(multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q] *
-                      rule.normals[q],
-                    rule.points[q]);
-  }
-  return resultant;
 }
 
 /** Balance of forces and moments between reactions, loads and contact. */
@@ -207,14 +143,18 @@ Certificate certify(const DisplacementSpace<dim> &space,
                     const LinearSystem<dim> &system,
                     const MultiplierSpace<dim> &multipliers,
                     const Coupling &D,
-                    const ContactSolution<dim> &solution)
+                    const ContactSolution<dim> &solution,
+                    const NodalForces &forces)
 {
   Certificate certificate;
   certificate.moments_are_exact = !space.mesh().is_curved();
-  const NodalForces forces = nodal_forces(space, scene, system, D, solution);
   certificate.stationarity = stationarity(space, forces);
-  balance(
-    space, scene, system.applied, contact_resultant(multipliers, solution.P), forces, certificate);
+  balance(space,
+          scene,
+          system.applied,
+          contact_resultant(multipliers, solution.P, multipliers.surface().pieces()),
+          forces,
+          certificate);
 
   dealii::Vector<double> W = D.transpose_product(solution.U);
   W -= solution.G;
@@ -247,11 +187,13 @@ template Certificate certify(const DisplacementSpace<2> &,
                              const LinearSystem<2> &,
                              const MultiplierSpace<2> &,
                              const Coupling &,
-                             const ContactSolution<2> &);
+                             const ContactSolution<2> &,
+                             const NodalForces &);
 template Certificate certify(const DisplacementSpace<3> &,
                              const Scene<3> &,
                              const LinearSystem<3> &,
                              const MultiplierSpace<3> &,
                              const Coupling &,
-                             const ContactSolution<3> &);
+                             const ContactSolution<3> &,
+                             const NodalForces &);
 } // namespace Signorini

@@ -160,6 +160,8 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   }
   progress("certificate");
   record.contact = summarise_contact(discretization.multipliers, solution.P);
+  const NodalForces forces =
+    nodal_forces(space, scene, system.loads, discretization.D, solution.U, solution.P);
   record.certificate = certify(space,
                                scene,
                                system,
@@ -171,7 +173,10 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
                                                     solution.F,
                                                     discretization.G,
                                                     pressure.C_P,
-                                                    pressure.diagonal_P});
+                                                    pressure.diagonal_P},
+                               forces);
+  record.answer =
+    compute_answer(space, scene, discretization.multipliers, forces, solution.U, solution.P);
   if (discretization.mesh.has_parents())
     record.estimate = estimate_error(space, solution.U);
   if (wants_bound(parameters.discretization, record.sizes.level))

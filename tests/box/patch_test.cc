@@ -59,7 +59,8 @@ void patch_test(Checks &checks,
             box.multipliers,
             box.D,
             ContactSolution<3>{
-              U, free.U, dual.P, free.F, box.G, C->apply(dual.P), diagonal_times(*C, dual.P)});
+              U, free.U, dual.P, free.F, box.G, C->apply(dual.P), diagonal_times(*C, dual.P)},
+            nodal_forces(box.space, scene, system.loads, box.D, U, dual.P));
   for (const double residual : {certificate.stationarity,
                                 certificate.penetration,
                                 certificate.sign,

@@ -55,7 +55,13 @@ struct Solved
                                       free.F,
                                       G,
                                       C->apply(pressure),
-                                      diagonal_times(*C, pressure)});
+                                      diagonal_times(*C, pressure)},
+                   nodal_forces(level.space(),
+                                level.scene,
+                                linear_system.loads,
+                                level.discretization.D,
+                                displacement,
+                                pressure));
   }
   Certificate judge(const NodalVector &displacement, const dealii::Vector<double> &pressure) const
   {

@@ -5,6 +5,7 @@
 #include <signorini/elasticity/linear_system.h>
 #include <signorini/multiplier/coupling.h>
 #include <signorini/multiplier/multiplier_space.h>
+#include <signorini/postprocess/nodal_forces.h>
 
 namespace Signorini
 {
@@ -59,7 +60,7 @@ struct ContactSolution
 
 /**
  * Computes the certificate from the cells' integrals, without the assembled and factorised A.
- * Collective.
+ * @param forces nodal_forces() of the solution. Collective.
  */
 template <int dim>
 Certificate certify(const DisplacementSpace<dim> &space,
@@ -67,5 +68,6 @@ Certificate certify(const DisplacementSpace<dim> &space,
                     const LinearSystem<dim> &system,
                     const MultiplierSpace<dim> &multipliers,
                     const Coupling &D,
-                    const ContactSolution<dim> &solution);
+                    const ContactSolution<dim> &solution,
+                    const NodalForces &forces);
 } // namespace Signorini

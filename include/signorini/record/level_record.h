@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/answer/answer.h>
 #include <signorini/bound/error_bound.h>
 #include <signorini/errors/displacement_errors.h>
 #include <signorini/errors/dual_norm_errors.h>
@@ -27,6 +28,7 @@ struct LevelRecord
   LinearSolves linear;
   DualSolve dual;
   ContactSummary contact;
+  Answer answer;
   Certificate certificate;
   std::optional<ErrorEstimate> estimate;
   /** Where it was asked for. */

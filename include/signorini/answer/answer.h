@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/answer/contact_zones.h>
+#include <signorini/answer/peak_pressure.h>
+#include <signorini/answer/side_forces.h>
+#include <signorini/answer/von_mises.h>
+
+#include <optional>
+#include <vector>
+
+namespace Signorini
+{
+/** The largest u_{h,n} - g, positive where the body penetrates (length). */
+struct Penetration
+{
+  double value = 0.;
+  BoundaryPlace place;
+};
+
+/** What an engineer wants to know about one level. Pressures are positive in compression. */
+struct Answer
+{
+  /** Of all contact sides together. */
+  SideForce contact_force;
+  std::vector<SideForce> contact_by_side;
+  std::vector<SideForce> reactions;
+  /** Empty if nothing presses. */
+  std::optional<PeakPressure> peak_pressure;
+  std::vector<ContactZone> zones;
+  /** Empty without a contact side. */
+  std::optional<Penetration> penetration;
+  VonMises von_mises;
+};
+
+/** u_{h,n} - g at 17 points of every piece. @throws InputError where g has no value. */
+std::optional<Penetration> largest_penetration(const DisplacementSpace<2> &space,
+                                               const MultiplierSpace<2> &multipliers,
+                                               const NodalVector &U);
+
+/** Collective. */
+Answer compute_answer(const DisplacementSpace<2> &space,
+                      const Scene<2> &scene,
+                      const MultiplierSpace<2> &multipliers,
+                      const NodalForces &forces,
+                      const NodalVector &U,
+                      const dealii::Vector<double> &P);
+} // namespace Signorini

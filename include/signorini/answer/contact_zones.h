@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/answer/boundary_place.h>
+#include <signorini/multiplier/multiplier_space.h>
+
+#include <vector>
+
+namespace Signorini
+{
+/** One end of a contact zone. */
+struct ZoneEnd
+{
+  BoundaryPlace place;
+  /** The length of the patch in which it lies: how far the exact end may be away, in order of
+   * magnitude. Zero where the zone ends with its side. */
+  double uncertainty = 0.;
+};
+
+/** A part of a side that is pressed: a run of pressing patches. */
+struct ContactZone
+{
+  ZoneEnd start, end;
+};
+
+/**
+ * The contact zones, side after side in the order of arc length. A closed side that presses
+ * everywhere is one zone from its start to its start.
+ *
+ * At an end of smooth contact the pressure falls like the root of the distance. So p_H² over the
+ * last two pressing patches is continued linearly to zero. The end is kept within the last pressing
+ * patch and the one after it.
+ */
+std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
+                                       const dealii::Vector<double> &P);
+} // namespace Signorini

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/elasticity/displacement_space.h>
+
+namespace Signorini
+{
+/** The largest von Mises stress (force/area). */
+struct VonMises
+{
+  double value = 0.;
+  dealii::Point<2> point;
+};
+
+/**
+ * Of pi^{2h} u_h, or of u_h on a mesh without T^{2h}, at the corners and the middle of every cell.
+ * With mean dilatation the trace of the strain is mean_dilatations(). Points at which the
+ * material's data has no value are left out. Collective.
+ */
+VonMises largest_von_mises(const DisplacementSpace<2> &space,
+                           const Scene<2> &scene,
+                           const NodalVector &U);
+} // namespace Signorini

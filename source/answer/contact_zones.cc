@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where the foundation presses: runs of pressing patches, and where the pressure vanishes.
+
+#include <signorini/answer/contact_zones.h>
+#include <signorini/postprocess/contact_pressure.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+/** The patches first, ..., first + n - 1 of one side; a closed side goes on with the first. */
+class SidePatches
+{
+public:
+  SidePatches(const MultiplierSpace<2> &multipliers,
+              const dealii::Vector<double> &P,
+              const std::size_t first)
+    : surface_(multipliers.surface())
+    , first_(first)
+  {
+    const auto &patches = surface_.patches();
+    const double threshold = pressing_threshold(P);
+    for (std::size_t tau = first; tau < patches.size() && patches[tau].side == patches[first].side;
+         ++tau)
+    {
+      means_.push_back(multipliers.value(P, tau, patches[tau].centre()));
+      presses_.push_back(means_.back() < threshold);
+    }
+  }
+  int size() const
+  {
+    return means_.size();
+  }
+  const Side<2> &side() const
+  {
+    return surface_.side(surface_.patches()[first_]);
+  }
+  /** Whether patch i presses; false beyond the ends of an open side. */
+  bool presses(const int i) const
+  {
+    return exists(i) && presses_[wrapped(i)];
+  }
+  bool presses_everywhere() const
+  {
+    return std::all_of(presses_.begin(), presses_.end(), [](const bool p) { return p; });
+  }
+
+  /** The end of a run: patch @p last presses and last + @p step does not. */
+  ZoneEnd end_of_run(const int last, const int step) const
+  {
+    const double edge = step > 0 ? upper(last) : lower(last);
+    if (!exists(last + step))
+      return {place(edge), 0.};
+    double s = edge;
+    const double here = mean(last), inner = presses(last - step) ? mean(last - step) : 0.;
+    if (std::abs(inner) > std::abs(here))
+    {
+      const double distance = std::abs(middle(last) - middle(last - step));
+      s = middle(last) + step * distance * here * here / (inner * inner - here * here);
+    }
+    const double before = step > 0 ? lower(last) : upper(last);
+    const double beyond = step > 0 ? upper(last + step) : lower(last + step);
+    s = std::clamp(s, std::min(before, beyond), std::max(before, beyond));
+    const bool in_last = (edge - s) * step >= 0.;
+    const int patch = in_last ? last : last + step;
+    return {place(s), upper(patch) - lower(patch)};
+  }
+
+private:
+  bool exists(const int i) const
+  {
+    return side().is_closed() || (i >= 0 && i < size());
+  }
+  std::size_t wrapped(const int i) const
+  {
+    return ((i % size()) + size()) % size();
+  }
+  /** How often the number has gone around a closed side, as a length. */
+  double turns(const int i) const
+  {
+    return (i - static_cast<int>(wrapped(i))) / size() * side().length();
+  }
+  const Patch<2> &patch(const int i) const
+  {
+    return surface_.patches()[first_ + wrapped(i)];
+  }
+  double mean(const int i) const
+  {
+    return means_[wrapped(i)];
+  }
+  double lower(const int i) const
+  {
+    return patch(i).lower[0] + turns(i);
+  }
+  double upper(const int i) const
+  {
+    return patch(i).upper[0] + turns(i);
+  }
+  double middle(const int i) const
+  {
+    return patch(i).centre()[0] + turns(i);
+  }
+  BoundaryPlace place(double s) const
+  {
+    const double length = side().length();
+    if (side().is_closed())
+      s -= length * std::floor(s / length);
+    return {side().name(), s, side().point(s)};
+  }
+
+  const ContactSurface<2> &surface_;
+  std::size_t first_;
+  std::vector<double> means_;
+  std::vector<bool> presses_;
+};
+
+void add_zones(const SidePatches &patches, std::vector<ContactZone> &zones)
+{
+  const Side<2> &side = patches.side();
+  if (patches.presses_everywhere())
+  {
+    const auto at = [&side](const double s) {
+      return ZoneEnd{{side.name(), s, side.point(s)}, 0.};
+    };
+    zones.push_back({at(0.), at(side.length())});
+    return;
+  }
+  for (int i = 0; i < patches.size(); ++i)
+    if (patches.presses(i) && !patches.presses(i - 1))
+    {
+      int last = i;
+      while (patches.presses(last + 1))
+        ++last;
+      zones.push_back({patches.end_of_run(i, -1), patches.end_of_run(last, 1)});
+    }
+}
+} // namespace
+
+std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
+                                       const dealii::Vector<double> &P)
+{
+  std::vector<ContactZone> zones;
+  const std::size_t n_patches = multipliers.surface().patches().size();
+  for (std::size_t first = 0; first < n_patches;)
+  {
+    const SidePatches patches(multipliers, P, first);
+    add_zones(patches, zones);
+    first += patches.size();
+  }
+  return zones;
+}
+} // namespace Signorini
