@@ -26,7 +26,7 @@ SideForce total_force(const std::vector<SideForce> &parts)
     }
   }
   constexpr double negligible = 1e-10;
-  if (total.resultant.force.norm() > negligible * sizes)
+  if (sizes > 0. && total.resultant.force.norm() > negligible * sizes)
     total.through = point_of_action(total.resultant, dealii::Point<2>(centre / sizes));
   return total;
 }
@@ -69,6 +69,7 @@ Answer compute_answer(const DisplacementSpace<2> &space,
                       const dealii::Vector<double> &P)
 {
   Answer answer;
+  answer.size = scene.geometry.diameter();
   answer.contact_by_side = contact_forces(multipliers, scene, P);
   answer.contact_force = total_force(answer.contact_by_side);
   answer.reactions = reactions(space, scene, forces);

@@ -11,6 +11,36 @@ namespace Signorini
 {
 namespace
 {
+/** What is known about a pressure that ends: the lengths of the last two patches that press, the
+ * distance from the edge between them to the farthest end that is thought of, and the ratio of the
+ * means, that of the last patch over the other. */
+struct EndOfPressure
+{
+  double inner, last, farthest, ratio;
+};
+
+/**
+ * The distance e from the edge between both patches at which -p = c (e - x)_+^{1/2} vanishes if its
+ * means have the given ratio:
+ *
+ *     (F(e) - F(e - last)) / last = ratio (F(e + inner) - F(e)) / inner,   F(x) = x_+^{3/2}.
+ */
+double root_end(const EndOfPressure &given)
+{
+  const auto F = [](const double x) { return std::pow(std::max(x, 0.), 1.5); };
+  const auto ratio = [&](const double e) {
+    return (F(e) - F(e - given.last)) / given.last / ((F(e + given.inner) - F(e)) / given.inner);
+  };
+  // The ratio grows with e from zero.
+  double low = 0., high = given.farthest;
+  for (unsigned int i = 0; i < 50; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (ratio(middle) < given.ratio ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
 /** The patches first, ..., first + n - 1 of one side; a closed side goes on with the first. */
 class SidePatches
 {
@@ -54,16 +84,16 @@ public:
     const double edge = step > 0 ? upper(last) : lower(last);
     if (!exists(last + step))
       return {place(edge), 0.};
+    const double inner_edge = step > 0 ? lower(last) : upper(last);
     double s = edge;
-    const double here = mean(last), inner = presses(last - step) ? mean(last - step) : 0.;
-    if (std::abs(inner) > std::abs(here))
+    if (presses(last - step) && std::abs(mean(last)) < std::abs(mean(last - step)))
     {
-      const double distance = std::abs(middle(last) - middle(last - step));
-      s = middle(last) + step * distance * here * here / (inner * inner - here * here);
+      const double next_edge = step > 0 ? lower(last - step) : upper(last - step);
+      s = inner_edge + step * root_end({std::abs(inner_edge - next_edge),
+                                        std::abs(edge - inner_edge),
+                                        std::abs(middle(last + step) - inner_edge),
+                                        mean(last) / mean(last - step)});
     }
-    const double before = step > 0 ? lower(last) : upper(last);
-    const double beyond = step > 0 ? upper(last + step) : lower(last + step);
-    s = std::clamp(s, std::min(before, beyond), std::max(before, beyond));
     const bool in_last = (edge - s) * step >= 0.;
     const int patch = in_last ? last : last + step;
     return {place(s), upper(patch) - lower(patch)};
@@ -125,7 +155,7 @@ void add_zones(const SidePatches &patches, std::vector<ContactZone> &zones)
     const auto at = [&side](const double s) {
       return ZoneEnd{{side.name(), s, side.point(s)}, 0.};
     };
-    zones.push_back({at(0.), at(side.length())});
+    zones.push_back({at(0.), at(side.length()), side.length()});
     return;
   }
   for (int i = 0; i < patches.size(); ++i)
@@ -134,7 +164,11 @@ void add_zones(const SidePatches &patches, std::vector<ContactZone> &zones)
       int last = i;
       while (patches.presses(last + 1))
         ++last;
-      zones.push_back({patches.end_of_run(i, -1), patches.end_of_run(last, 1)});
+      ContactZone zone = {patches.end_of_run(i, -1), patches.end_of_run(last, 1)};
+      zone.length = zone.end.place.arc_length - zone.start.place.arc_length;
+      if (zone.length < 0.) // It contains the start of a closed side.
+        zone.length += side.length();
+      zones.push_back(zone);
     }
 }
 } // namespace

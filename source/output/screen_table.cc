@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The table that a run shows, one line per level as it finishes.
+// The tables on the screen: one line per level as it finishes, and the errors at the end.
 
 #include <signorini/output/tables.h>
 
@@ -14,102 +14,145 @@ namespace
 constexpr int number_width = 11;
 constexpr int order_width = 6;
 
+/** Errors below are rounding (patch tests) and have no order. */
+constexpr double smallest_error = 1e-13;
+
 void print_count(std::ostream &stream, const int width, const unsigned long long value)
 {
   stream << std::setw(width) << value;
 }
 
-void print_number(std::ostream &stream, const std::optional<double> &value)
+void print_number(std::ostream &stream, const int width, const std::optional<double> &value)
 {
-  stream << std::setw(number_width);
+  stream << std::setw(width);
   if (value)
     stream << std::scientific << std::setprecision(3) << *value;
   else
     stream << "-";
 }
 
-/** log(before/now) / log(h before/h now). */
-void print_order(std::ostream &stream,
-                 const std::optional<double> &value,
-                 const std::optional<double> &before,
-                 const double refinement)
+void print_order(std::ostream &stream, const int width, const std::optional<double> &order)
 {
-  stream << std::setw(order_width);
-  // Rounding errors (patch tests) have no order.
-  const bool meaningful = value && before && *value > 1e-13 && *before > 1e-13 && refinement > 1.;
-  if (meaningful)
-    stream << std::fixed << std::setprecision(2)
-           << std::log(*before / *value) / std::log(refinement);
+  stream << std::setw(width);
+  if (order)
+    stream << std::fixed << std::setprecision(2) << *order;
   else
     stream << "-";
 }
 
-/** An error on the screen: its title, and its column of convergence.csv. */
+/** A number on the screen: its title, and its column of convergence.csv. */
 struct ErrorColumn
 {
   const char *title;
   const char *name;
 };
 
-constexpr ErrorColumn displacement_columns[] = {{"|u-uh|1", "u_h1"},
-                                                {"|u-uh|0", "u_l2"},
-                                                {"|Iu-uh|1", "u_superclose_h1"},
-                                                {"|u-PIuh|1", "u_post_h1"}};
-constexpr ErrorColumn pressure_columns[] = {{"|p-pH|0", "p_l2"}};
-constexpr ErrorColumn estimate_column = {"estimate", "estimated_h1"};
-} // namespace
+constexpr ErrorColumn error_columns[] = {{"|u-uh|1", "u_h1"},
+                                         {"|u-uh|0", "u_l2"},
+                                         {"|Iu-uh|1", "u_superclose_h1"},
+                                         {"|u-PIuh|1", "u_post_h1"},
+                                         {"|p-pH|0", "p_l2"}};
+constexpr const char *estimate_name = "estimated_h1";
 
-ScreenTable::ScreenTable(const bool with_displacement_errors, const bool with_pressure_errors)
-  : with_displacement_errors_(with_displacement_errors)
-  , with_pressure_errors_(with_pressure_errors)
+/** log(before/now) / log(h before/h now). */
+std::optional<double> order(const LevelRecord &level,
+                            const LevelRecord *before,
+                            const std::string &name)
 {
+  if (before == nullptr || !(before->sizes.h > level.sizes.h))
+    return {};
+  const std::optional<double> now = value(level, name), then = value(*before, name);
+  if (!now || !then || *now <= smallest_error || *then <= smallest_error)
+    return {};
+  return std::log(*then / *now) / std::log(before->sizes.h / level.sizes.h);
 }
 
-std::string ScreenTable::header() const
+/** The slope of log(error) over log(h), least squares over the last levels. */
+std::optional<double> slope(const std::vector<LevelRecord> &levels, const std::string &name)
+{
+  constexpr std::size_t n_levels = 4;
+  double n = 0., sum_x = 0., sum_y = 0., sum_xx = 0., sum_xy = 0.;
+  for (std::size_t i = levels.size() - std::min(n_levels, levels.size()); i < levels.size(); ++i)
+    if (const std::optional<double> error = value(levels[i], name);
+        error && *error > smallest_error)
+    {
+      const double x = std::log(levels[i].sizes.h), y = std::log(*error);
+      n += 1.;
+      sum_x += x;
+      sum_y += y;
+      sum_xx += x * x;
+      sum_xy += x * y;
+    }
+  const double determinant = n * sum_xx - sum_x * sum_x;
+  if (n < 3. || !(determinant > 0.))
+    return {};
+  return (n * sum_xy - sum_x * sum_y) / determinant;
+}
+} // namespace
+
+std::string screen_header()
 {
   std::ostringstream line;
   line << "level" << std::setw(9) << "dofs" << std::setw(6) << "m" << std::setw(7) << "active"
-       << std::setw(6) << "its" << std::setw(number_width) << "force" << std::setw(number_width)
-       << "max p";
-  const auto print = [&](const ErrorColumn &column) {
-    line << std::setw(number_width) << column.title << std::setw(order_width) << "order";
-  };
-  if (with_displacement_errors_)
-    for (const ErrorColumn &column : displacement_columns)
-      print(column);
-  else
-    print(estimate_column);
-  if (with_pressure_errors_)
-    for (const ErrorColumn &column : pressure_columns)
-      print(column);
+       << std::setw(5) << "its" << std::setw(number_width) << "force" << std::setw(number_width)
+       << "peak p" << std::setw(number_width) << "estimate" << std::setw(order_width) << "order";
   return line.str();
 }
 
-std::string ScreenTable::row(const LevelRecord &level, const LevelRecord *before) const
+std::string screen_row(const LevelRecord &level, const LevelRecord *before)
 {
   std::ostringstream line;
   print_count(line, 5, level.sizes.level);
   print_count(line, 9, level.sizes.dofs);
   print_count(line, 6, level.sizes.multipliers);
   print_count(line, 7, level.contact.active);
-  print_count(line, 6, level.dual.iterations);
-  print_number(line, level.contact.normal_force);
-  print_number(line, level.contact.max_pressure);
-  const double refinement = before == nullptr ? 0. : before->sizes.h / level.sizes.h;
-  const auto print = [&](const ErrorColumn &column) {
-    const std::optional<double> error = value(level, column.name);
-    print_number(line, error);
-    print_order(
-      line, error, before == nullptr ? std::nullopt : value(*before, column.name), refinement);
-  };
-  if (with_displacement_errors_)
-    for (const ErrorColumn &column : displacement_columns)
-      print(column);
-  else
-    print(estimate_column);
-  if (with_pressure_errors_)
-    for (const ErrorColumn &column : pressure_columns)
-      print(column);
+  print_count(line, 5, level.dual.iterations);
+  print_number(line, number_width, level.contact.normal_force);
+  print_number(
+    line, number_width, level.answer.peak_pressure ? level.answer.peak_pressure->value : 0.);
+  print_number(line, number_width, value(level, estimate_name));
+  print_order(line, order_width, order(level, before, estimate_name));
   return line.str();
+}
+
+std::string screen_legend()
+{
+  return "m: patches; active: those that press; its: iterations of the dual problem;\n"
+         "force: contact force; peak p: largest contact pressure (both positive in\n"
+         "compression); estimate: of the error of u_h in the H1 norm\n";
+}
+
+std::string error_table(const std::vector<LevelRecord> &levels)
+{
+  constexpr int error_width = 10, error_order_width = 5;
+  std::vector<ErrorColumn> columns;
+  for (const ErrorColumn &column : error_columns)
+    if (value(levels.back(), column.name))
+      columns.push_back(column);
+  if (columns.empty())
+    return "";
+  std::ostringstream text;
+  text << "level";
+  for (const ErrorColumn &column : columns)
+    text << std::setw(error_width) << column.title << std::setw(error_order_width) << "ord";
+  const LevelRecord *before = nullptr;
+  for (const LevelRecord &level : levels)
+  {
+    text << "\n";
+    print_count(text, 5, level.sizes.level);
+    for (const ErrorColumn &column : columns)
+    {
+      print_number(text, error_width, value(level, column.name));
+      print_order(text, error_order_width, order(level, before, column.name));
+    }
+    before = &level;
+  }
+  text << "\nslope";
+  for (const ErrorColumn &column : columns)
+    print_order(text, error_width + error_order_width, slope(levels, column.name));
+  text << "\nErrors against the exact solution (1: norm of H1, 0: of L2; Iu: nodal\n"
+          "interpolant; PI: interpolation on cells of 2h). Slope: least squares over the\n"
+          "last four levels.\n";
+  return text.str();
 }
 } // namespace Signorini

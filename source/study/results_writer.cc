@@ -5,6 +5,7 @@
 
 #include <signorini/base/agreement.h>
 #include <signorini/base/exceptions.h>
+#include <signorini/output/answer_output.h>
 #include <signorini/output/contact_line.h>
 #include <signorini/output/files.h>
 #include <signorini/output/matrix_market.h>
@@ -31,8 +32,9 @@ void write_on_first_rank(MPI_Comm communicator, const std::function<void()> &wri
 /** Whether a file of this name is written below, parameters.prm and certificate.json apart. */
 bool is_result(const std::string &name)
 {
-  static const std::regex names("convergence\\.csv|(solution|contact)\\.pvd|contact-[0-9]{2}\\.csv|"
-                                "(solution|contact)-[0-9]{2}\\.vtu|[CDFG]-[0-9]{2}\\.mtx");
+  static const std::regex names(
+    "convergence\\.csv|answer\\.json|(solution|contact)\\.pvd|contact-[0-9]{2}\\.csv|"
+    "(solution|contact)-[0-9]{2}\\.vtu|[CDFG]-[0-9]{2}\\.mtx");
   return std::regex_match(name, names);
 }
 
@@ -154,6 +156,17 @@ void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,
     write_certificate_of(levels, verdict);
     if (!verdict.reason.empty())
       write_convergence_of(levels);
+  });
+}
+
+void ResultsWriter::write_answer(const std::vector<LevelRecord> &levels,
+                                 const StudyVerdict &verdict)
+{
+  if (directory_.empty())
+    return;
+  write_on_first_rank(communicator_, [&]() {
+    write_file(directory_ / "answer.json",
+               [&](std::ostream &stream) { Signorini::write_answer(stream, levels, verdict); });
   });
 }
 

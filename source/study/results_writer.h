@@ -34,6 +34,8 @@ public:
 
   /** convergence.csv and certificate.json for the levels so far. */
   void write_tables(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
+  /** answer.json, after the last level. Collective. */
+  void write_answer(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
 
   /**
    * For a study that an InputError ended, on every rank: without finished levels nothing is left

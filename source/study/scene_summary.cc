@@ -76,10 +76,6 @@ void print_verdict(const std::vector<LevelRecord> &levels,
   if (!levels.empty())
   {
     const LevelRecord &finest = levels.back();
-    screen << "\nContact force " << finest.contact.normal_force << ", largest pressure "
-           << finest.contact.max_pressure << ", contact length " << finest.contact.length
-           << ", energy " << finest.certificate.energy;
-    screen << ".\n";
     if (finest.dual.increment_iterations)
       screen << "Projected SOR: of " << finest.dual.iterations
              << " sweeps, the increment alone was small after " << *finest.dual.increment_iterations

@@ -3,6 +3,7 @@
 
 #include <signorini/base/exceptions.h>
 #include <signorini/base/stage_timer.h>
+#include <signorini/output/answer_output.h>
 #include <signorini/output/tables.h>
 #include <signorini/postprocess/locking.h>
 #include <signorini/stiffness_inverse/library_threads.h>
@@ -81,6 +82,22 @@ void write_failure(ResultsWriter &writer, const StudyResult &result)
     // The first failure is the one to be told.
   }
 }
+
+/** What a user reads after the last level. */
+void print_end(const std::vector<LevelRecord> &levels,
+               const Judge &judge,
+               const StudyVerdict &verdict,
+               const StudyReport &report)
+{
+  if (!levels.empty())
+  {
+    const std::string errors = error_table(levels);
+    report.screen << "\n" << errors << (errors.empty() ? "" : "\n");
+    print_answer(report.screen, levels, report.directory);
+    report.screen << "\n";
+  }
+  print_verdict(levels, judge, verdict, report.screen);
+}
 } // namespace
 
 template <int dim>
@@ -104,9 +121,7 @@ StudyResult run_study(const Parameters &parameters,
   ResultsWriter writer(parameters, judge, report.directory, communicator);
   StudyResult result;
   print_scene(parameters, scene, report.screen);
-  const ScreenTable table(errors && scene.exact_displacement != nullptr,
-                          errors && scene.has_exact_pressure());
-  report.screen << table.header() << std::endl;
+  report.screen << screen_legend() << "\n" << screen_header() << std::endl;
   try
   {
     for (unsigned int level = given.coarsest_level; level <= given.finest_level; ++level)
@@ -117,7 +132,7 @@ StudyResult run_study(const Parameters &parameters,
       memory.check(level);
       const LevelRecord record = run_level(context, level, progress, writer, result.pressure);
       report.progress("");
-      report.screen << table.row(record, result.levels.empty() ? nullptr : &result.levels.back())
+      report.screen << screen_row(record, result.levels.empty() ? nullptr : &result.levels.back())
                     << std::endl;
       print_warnings(record, judge, report.screen);
       result.levels.push_back(record);
@@ -125,7 +140,10 @@ StudyResult run_study(const Parameters &parameters,
       result.verdict = last ? judge.verdict(result.levels) : judge.unfinished(result.levels);
       writer.write_tables(result.levels, result.verdict);
       if (last)
+      {
+        writer.write_answer(result.levels, result.verdict);
         break;
+      }
     }
   }
   catch (const ComputationError &error)
@@ -138,7 +156,7 @@ StudyResult run_study(const Parameters &parameters,
     writer.abandon(result.levels, error.what());
     throw;
   }
-  print_verdict(result.levels, judge, result.verdict, report.screen);
+  print_end(result.levels, judge, result.verdict, report);
   return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include "csv.h"
@@ -71,12 +72,14 @@ void convergence_csv(Checks &checks)
 void screen_table(Checks &checks)
 {
   const auto levels = two_levels();
-  const ScreenTable table(true, true);
-  const std::string first = table.row(levels[0], nullptr),
-                    second = table.row(levels[1], &levels[0]);
+  const std::string first = screen_row(levels[0], nullptr),
+                    second = screen_row(levels[1], &levels[0]);
   checks.that("rows align with the header",
-              table.header().size() == first.size() && first.size() == second.size());
-  const auto words = split_words(second);
+              screen_header().size() == first.size() && first.size() == second.size());
+  const std::string errors = error_table(levels);
+  std::string in_one_line = errors;
+  std::replace(in_one_line.begin(), in_one_line.end(), '\n', ' ');
+  const auto words = split_words(in_one_line);
   // h is halved: 0.4 -> 0.2 is order 1, 0.02 -> 0.005 order 2.
   const auto order_after = [&](const std::string &number) {
     for (std::size_t i = 0; i + 1 < words.size(); ++i)
@@ -88,13 +91,30 @@ void screen_table(Checks &checks)
   checks.that("order of the L2 error", order_after("5.000e-03") == "2.00");
   checks.that("order of the pressure error", order_after("1.500e-01") == "1.00");
   checks.that("no order without a value before", order_after("1.000e-03") == "-");
-  checks.that("no orders on the first level", first.find("1.00 ") == std::string::npos);
-  const ScreenTable without(false, false);
-  checks.that("the estimate stands in for errors",
-              without.header().find("estimate") != std::string::npos &&
-                without.header().find("|u-uh|1") == std::string::npos);
-  checks.that("its rows align, too",
-              without.header().size() == without.row(levels[1], &levels[0]).size());
+  checks.that("no orders on the first level", order_after("4.000e-01") == "-");
+  checks.that("no slope from two levels", errors.find("slope              -") != std::string::npos);
+  auto four = levels;
+  // 0.2 -> 0.05 -> 0.0125: with 0.4 -> 0.2 before, least squares over x = 0..3 (in log 2) and
+  // y = 0, 1, 3, 5 give the slope sum (x - 1.5)(y - 2.25)/5 = 1.7.
+  for (const double error : {0.05, 0.0125})
+  {
+    four.push_back(four.back());
+    four.back().sizes.h /= 2.;
+    four.back().displacement_errors->h1 = error;
+  }
+  const std::string slopes = error_table(four);
+  checks.that("least-squares slope", slopes.find("slope           1.70") != std::string::npos);
+  std::size_t longest = 0;
+  std::istringstream lines(slopes + screen_header() + "\n" + screen_legend());
+  for (std::string line; std::getline(lines, line);)
+    longest = std::max(longest, line.size());
+  checks.that("tables have 80 columns", longest <= 80);
+  for (LevelRecord &level : four)
+  {
+    level.displacement_errors.reset();
+    level.pressure_errors.reset();
+  }
+  checks.that("no table of errors without an exact solution", error_table(four).empty());
 }
 
 void certificate(Checks &checks)

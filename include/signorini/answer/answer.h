@@ -21,6 +21,8 @@ struct Penetration
 /** What an engineer wants to know about one level. Pressures are positive in compression. */
 struct Answer
 {
+  /** Of the body (length): smaller coordinates may be rounding. */
+  double size = 0.;
   /** Of all contact sides together. */
   SideForce contact_force;
   std::vector<SideForce> contact_by_side;

@@ -21,15 +21,18 @@ struct ZoneEnd
 struct ContactZone
 {
   ZoneEnd start, end;
+  /** From start to end along the side. */
+  double length = 0.;
 };
 
 /**
  * The contact zones, side after side in the order of arc length. A closed side that presses
  * everywhere is one zone from its start to its start.
  *
- * At an end of smooth contact the pressure falls like the root of the distance. So p_H² over the
- * last two pressing patches is continued linearly to zero. The end is kept within the last pressing
- * patch and the one after it.
+ * At an end of smooth contact the pressure falls like the root of the distance. So the end is that
+ * of c (s_0 - s)_+^{1/2} with the means of p_H over the last two pressing patches, at most in the
+ * middle of the patch after them. Where the pressure does not fall, as under a sharp edge, or where
+ * a single patch presses, the zone ends with its last patch.
  */
 std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
                                        const dealii::Vector<double> &P);

@@ -9,22 +9,20 @@
 
 namespace Signorini
 {
-/** Columns of the table on the screen, with the widths that keep it aligned. */
-class ScreenTable
-{
-public:
-  /** @param with_displacement_errors, with_pressure_errors whether those columns will be filled. */
-  ScreenTable(bool with_displacement_errors, bool with_pressure_errors);
+/** The line of column names of the table that grows as levels finish. */
+std::string screen_header();
 
-  /** The line of column names. */
-  std::string header() const;
-  /** The line of a level; orders are taken against @p before, which may be null. */
-  std::string row(const LevelRecord &level, const LevelRecord *before) const;
+/** The line of a level; the order of the estimate is taken against @p before, which may be null. */
+std::string screen_row(const LevelRecord &level, const LevelRecord *before);
 
-private:
-  bool with_displacement_errors_;
-  bool with_pressure_errors_;
-};
+/** What the columns mean. */
+std::string screen_legend();
+
+/**
+ * The errors that are known with their orders from level to level, and below them the slopes of
+ * log(error) over log(h), least squares over the last four levels. Empty if nothing is known.
+ */
+std::string error_table(const std::vector<LevelRecord> &levels);
 
 /** convergence.csv, all levels. */
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels);

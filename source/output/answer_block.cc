@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The answer of the finest level, for people to read.
+
+#include <signorini/answer/trend.h>
+#include <signorini/output/answer_output.h>
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "answer_trends.h"
+
+namespace Signorini
+{
+namespace
+{
+constexpr std::size_t line_width = 80;
+constexpr std::size_t label_width = 20;
+
+std::string digits(const double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(6) << value;
+  return text.str();
+}
+
+/** Zero for what is rounding against @p size. */
+double rounded(const double value, const double size)
+{
+  constexpr double rounding = 1e-10;
+  return std::abs(value) <= rounding * size ? 0. : value;
+}
+
+/** "(0.25, 0)". */
+std::string vector_text(const dealii::Tensor<1, 2> &x, const double size)
+{
+  return "(" + digits(rounded(x[0], size)) + ", " + digits(rounded(x[1], size)) + ")";
+}
+
+/** "label  part part part", broken between parts where the line is full. */
+class Lines
+{
+public:
+  explicit Lines(std::ostream &stream)
+    : stream_(stream)
+  {
+  }
+  void add(const std::string &label, const std::vector<std::string> &parts)
+  {
+    std::string line = "  " + label;
+    line.resize(std::max(label_width, line.size() + 1), ' ');
+    const std::size_t indent = line.size();
+    for (const std::string &part : parts)
+    {
+      if (line.size() > indent && line.size() + 1 + part.size() > line_width)
+      {
+        stream_ << line << "\n";
+        line = std::string(indent, ' ');
+      }
+      line += (line.size() > indent ? " " : "") + part;
+    }
+    stream_ << line << "\n";
+  }
+
+private:
+  std::ostream &stream_;
+};
+
+/** Writes one answer; lengths are those of the body, for what is rounding. */
+class AnswerBlock
+{
+public:
+  AnswerBlock(std::ostream &stream, const std::vector<LevelRecord> &levels)
+    : lines_(stream)
+    , levels_(levels)
+    , level_(levels.back())
+    , answer_(level_.answer)
+  {
+  }
+
+  void print_forces()
+  {
+    std::vector<std::string> total = force_parts(answer_.contact_force);
+    if (level_.bound && level_.bound->force_error)
+      total.push_back("error at most " + digits(*level_.bound->force_error));
+    lines_.add("Contact force", total);
+    if (answer_.contact_by_side.size() > 1)
+      for (const SideForce &force : answer_.contact_by_side)
+        lines_.add("  on " + force.side, force_parts(force));
+    for (const SideForce &force : answer_.reactions)
+      lines_.add("Reaction of " + force.side, force_parts(force));
+  }
+
+  void print_pressure()
+  {
+    if (!answer_.peak_pressure)
+    {
+      lines_.add("Peak pressure", {"0: nothing touches"});
+      return;
+    }
+    const PeakPressure &peak = *answer_.peak_pressure;
+    lines_.add("Peak pressure",
+               {digits(peak.value),
+                at(peak.place) + ",",
+                trend_text(peak_pressures(levels_)) + ";",
+                "mean of its patch",
+                digits(peak.mean),
+                "(" + percent(peak.mean / peak.value - 1.) + ")"});
+  }
+
+  void print_zones()
+  {
+    for (const ContactZone &zone : answer_.zones)
+      if (zone.start.place.point.distance(zone.end.place.point) <= 1e-10 * answer_.size)
+        lines_.add("Contact zone",
+                   {"all around " + zone.start.place.side + ",", "length", digits(zone.length)});
+      else
+        lines_.add("Contact zone",
+                   {zone.start.place.side + " from",
+                    end_text(zone.start),
+                    "to",
+                    end_text(zone.end) + ",",
+                    "length",
+                    digits(zone.length)});
+  }
+
+  void print_penetration()
+  {
+    if (!answer_.penetration)
+      return;
+    const Penetration &deepest = *answer_.penetration;
+    if (deepest.value > 0.)
+      lines_.add("Penetration",
+                 {"at most", digits(deepest.value), at(deepest.place), "(between the means)"});
+    else
+      lines_.add("Smallest opening", {digits(-deepest.value), at(deepest.place)});
+  }
+
+  void print_stress()
+  {
+    const VonMises &stress = answer_.von_mises;
+    lines_.add("Von Mises stress",
+               {digits(stress.value),
+                "at",
+                vector_text(stress.point, answer_.size) + ",",
+                trend_text(von_mises_stresses(levels_))});
+  }
+
+  void print_energy()
+  {
+    std::vector<std::string> parts = {digits(level_.certificate.energy)};
+    if (level_.bound && level_.bound->energy_lower && level_.bound->energy_upper)
+      parts.insert(parts.end(),
+                   {"(exact: between",
+                    digits(*level_.bound->energy_lower),
+                    "and",
+                    digits(*level_.bound->energy_upper) + ")"});
+    lines_.add("Energy", parts);
+  }
+
+  void print_end(const std::filesystem::path &directory)
+  {
+    double seconds = 0.;
+    for (const LevelRecord &level : levels_)
+      seconds += level.times.total();
+    lines_.add("Time", {digits(std::round(1000. * seconds) / 1000.), "s"});
+    if (!directory.empty())
+      lines_.add("Results", {"in", directory.string()});
+  }
+
+private:
+  double scale_of_forces() const
+  {
+    double scale = level_.contact.normal_force;
+    for (const auto *const forces : {&answer_.contact_by_side, &answer_.reactions})
+      for (const SideForce &force : *forces)
+        scale = std::max(scale, force.resultant.force.norm());
+    return scale;
+  }
+  std::vector<std::string> force_parts(const SideForce &force) const
+  {
+    const double scale = scale_of_forces();
+    std::vector<std::string> parts = {vector_text(force.resultant.force, scale)};
+    if (force.through)
+      parts.insert(parts.end(),
+                   {"through",
+                    vector_text(*force.through, answer_.size) + ",",
+                    "moment " + digits(rounded(force.resultant.moment[0], scale * answer_.size))});
+    return parts;
+  }
+  std::string at(const BoundaryPlace &place) const
+  {
+    return "on " + place.side + " at " + vector_text(place.point, answer_.size);
+  }
+  std::string end_text(const ZoneEnd &end) const
+  {
+    const std::string point = vector_text(end.place.point, answer_.size);
+    return end.uncertainty > 0. ? point + " +- " + digits(end.uncertainty) : point;
+  }
+  static std::string percent(const double share)
+  {
+    std::ostringstream text;
+    text << std::showpos << std::setprecision(2) << 100. * share << " %";
+    return text.str();
+  }
+  static std::string trend_text(const std::vector<std::optional<double>> &values)
+  {
+    const Trend trend = trend_of(values);
+    const std::string word = word_for(trend.kind);
+    return trend.change ? word + " (" + percent(*trend.change) + " from the level before)" : word;
+  }
+
+  Lines lines_;
+  const std::vector<LevelRecord> &levels_;
+  const LevelRecord &level_;
+  const Answer &answer_;
+};
+} // namespace
+
+void print_answer(std::ostream &stream,
+                  const std::vector<LevelRecord> &levels,
+                  const std::filesystem::path &directory)
+{
+  stream << "Answer of level " << levels.back().sizes.level
+         << ", per unit of thickness (pressure: positive in compression)\n";
+  AnswerBlock block(stream, levels);
+  block.print_forces();
+  block.print_pressure();
+  block.print_zones();
+  block.print_penetration();
+  block.print_stress();
+  block.print_energy();
+  block.print_end(directory);
+}
+} // namespace Signorini

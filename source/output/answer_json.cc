@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// answer.json: the answer of the finest level, for programs to read.
+
+#include <signorini/answer/trend.h>
+#include <signorini/output/answer_output.h>
+
+#include <nlohmann/json.hpp>
+
+#include "answer_trends.h"
+
+namespace Signorini
+{
+namespace
+{
+using AnswerJson = nlohmann::ordered_json;
+
+AnswerJson optional_number(const std::optional<double> &value)
+{
+  return value ? AnswerJson(*value) : AnswerJson(nullptr);
+}
+
+AnswerJson components(const dealii::Tensor<1, 2> &x)
+{
+  return {x[0], x[1]};
+}
+
+AnswerJson describe(const BoundaryPlace &place)
+{
+  return {
+    {"side", place.side}, {"arc_length", place.arc_length}, {"point", components(place.point)}};
+}
+
+AnswerJson describe(const SideForce &force)
+{
+  AnswerJson json;
+  if (!force.side.empty())
+    json["side"] = force.side;
+  json["force"] = components(force.resultant.force);
+  json["moment"] = force.resultant.moment[0];
+  json["through"] = force.through ? components(*force.through) : AnswerJson(nullptr);
+  return json;
+}
+
+AnswerJson describe(const std::vector<SideForce> &forces)
+{
+  AnswerJson json = AnswerJson::array();
+  for (const SideForce &force : forces)
+    json.push_back(describe(force));
+  return json;
+}
+
+AnswerJson describe(const ZoneEnd &end)
+{
+  AnswerJson json = describe(end.place);
+  json["uncertainty"] = end.uncertainty;
+  return json;
+}
+
+void add_trend(const std::vector<std::optional<double>> &values, AnswerJson &json)
+{
+  const Trend trend = trend_of(values);
+  json["change"] = optional_number(trend.change);
+  json["trend"] = word_for(trend.kind);
+}
+
+AnswerJson peak_of(const std::vector<LevelRecord> &levels)
+{
+  const std::optional<PeakPressure> &peak = levels.back().answer.peak_pressure;
+  if (!peak)
+    return nullptr;
+  AnswerJson json = {{"value", peak->value}};
+  json.update(describe(peak->place));
+  json["mean"] = peak->mean;
+  add_trend(peak_pressures(levels), json);
+  return json;
+}
+
+AnswerJson von_mises_of(const std::vector<LevelRecord> &levels)
+{
+  const VonMises &stress = levels.back().answer.von_mises;
+  AnswerJson json = {{"value", stress.value}, {"point", components(stress.point)}};
+  add_trend(von_mises_stresses(levels), json);
+  return json;
+}
+
+AnswerJson zones_of(const Answer &answer)
+{
+  AnswerJson json = AnswerJson::array();
+  for (const ContactZone &zone : answer.zones)
+    json.push_back(
+      {{"start", describe(zone.start)}, {"end", describe(zone.end)}, {"length", zone.length}});
+  return json;
+}
+
+AnswerJson penetration_of(const Answer &answer)
+{
+  if (!answer.penetration)
+    return nullptr;
+  AnswerJson json = {{"value", answer.penetration->value}};
+  json.update(describe(answer.penetration->place));
+  return json;
+}
+} // namespace
+
+void write_answer(std::ostream &stream,
+                  const std::vector<LevelRecord> &levels,
+                  const StudyVerdict &verdict)
+{
+  const LevelRecord &finest = levels.back();
+  const Answer &answer = finest.answer;
+  const ErrorBound bound = finest.bound.value_or(ErrorBound());
+  double seconds = 0.;
+  for (const LevelRecord &level : levels)
+    seconds += level.times.total();
+  AnswerJson total = describe(answer.contact_force);
+  total["error"] = optional_number(bound.force_error);
+  const AnswerJson json = {{"level", finest.sizes.level},
+                           {"verdict", word_for(verdict.outcome)},
+                           {"accuracy", verdict.accuracy},
+                           {"contact_force", total},
+                           {"contact_by_side", describe(answer.contact_by_side)},
+                           {"reactions", describe(answer.reactions)},
+                           {"peak_pressure", peak_of(levels)},
+                           {"contact_zones", zones_of(answer)},
+                           {"penetration", penetration_of(answer)},
+                           {"von_mises", von_mises_of(levels)},
+                           {"energy",
+                            {{"value", finest.certificate.energy},
+                             {"lower", optional_number(bound.energy_lower)},
+                             {"upper", optional_number(bound.energy_upper)}}},
+                           {"seconds", seconds}};
+  stream << json.dump(2) << "\n";
+}
+} // namespace Signorini
