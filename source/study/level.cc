@@ -122,9 +122,13 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   times = discretization.times;
 
   progress("assembly");
-  const LinearSystem<dim> system = timed(times.assembly, [&]() {
-    return assemble_linear_system(space, scene, discretization.n_points);
+  const auto owned_system = timed(times.assembly, [&]() {
+    return std::make_shared<const LinearSystem<dim>>(
+      assemble_linear_system(space, scene, discretization.n_points));
   });
+  const LinearSystem<dim> &system = *owned_system;
+  if (parameters.output.compliance)
+    solution.system = owned_system;
 
   progress("factorisation");
   const auto inverse = timed(times.factor, [&]() {
@@ -178,11 +182,13 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   {
     progress("bound of the error");
     const StageTimer bound_timer(times.bound);
-    record.bound = compute_error_bound(
+    LocatedBound located = compute_located_bound(
       {{space, scene, discretization.multipliers, solution.U, solution.P, discretization.n_points},
        *inverse,
        discretization.condensed_D,
        discretization.G});
+    record.bound = located.bound;
+    solution.bound_fields = std::move(located.fields);
   }
   return solution;
 }

@@ -5,6 +5,7 @@
 
 #include <signorini/base/agreement.h>
 #include <signorini/base/exceptions.h>
+#include <signorini/base/gather.h>
 #include <signorini/output/contact_line.h>
 #include <signorini/output/files.h>
 #include <signorini/output/matrix_market.h>
@@ -32,7 +33,7 @@ void write_on_first_rank(MPI_Comm communicator, const std::function<void()> &wri
 bool is_result(const std::string &name)
 {
   static const std::regex names("convergence\\.csv|(solution|contact)\\.pvd|contact-[0-9]{2}\\.csv|"
-                                "(solution|contact)-[0-9]{2}\\.vtu|[CDFG]-[0-9]{2}\\.mtx");
+                                "(solution|contact)-[0-9]{2}\\.vtu|[ACDFGPf]-[0-9]{2}\\.mtx");
   return std::regex_match(name, names);
 }
 
@@ -103,8 +104,8 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization,
   const VtuLevels vtu = parameters_.output.vtu;
   if (vtu == VtuLevels::all || (vtu == VtuLevels::finest && last_level))
     write_vtu(discretization, scene, solution, line);
-  if (parameters_.output.compliance)
-    write_on_first_rank(communicator_, [&]() { write_dual_problem(discretization, solution); });
+  if (solution.system != nullptr)
+    write_dual_problem(discretization, solution);
 }
 
 template <int dim>
@@ -116,11 +117,13 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
   const unsigned int level = solution.record.sizes.level;
   const auto body = level_file("solution", level, ".vtu");
   const auto contact = level_file("contact", level, ".vtu");
-  write_solution_vtu(body, discretization.space, scene, solution.U);
+  write_solution_vtu(body, discretization.space, scene, solution.U, solution.bound_fields);
   solution_files_.emplace_back(level, body.filename().string());
   contact_files_.emplace_back(level, contact.filename().string());
   write_on_first_rank(communicator_, [&]() {
-    write_file(contact, [&](std::ostream &stream) { write_contact_vtu(stream, line); });
+    write_file(contact, [&](std::ostream &stream) {
+      write_contact_vtu(stream, line, solution.bound_fields.contact);
+    });
     write_pvd(directory_ / "solution.pvd", solution_files_);
     write_pvd(directory_ / "contact.pvd", contact_files_);
   });
@@ -130,15 +133,32 @@ template <int dim>
 void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization,
                                        const LevelSolution<dim> &solution)
 {
-  const auto write = [&](const char *name, const auto &...what) {
-    write_file(level_file(name, solution.record.sizes.level, ".mtx"),
-               [&](std::ostream &stream) { write_matrix_market(stream, what...); });
+  const DisplacementSpace<dim> &space = discretization.space;
+  const LinearSystem<dim> &system = *solution.system;
+  const std::vector<std::string> A =
+    gather_texts(lower_triangle(system.matrix, system.unit), communicator_);
+  const dealii::Vector<double> f(system.f);
+  // F = G - D^T A^{-1} f for unconstrained unknowns: prescribed displacements count as gap.
+  dealii::Vector<double> G = discretization.G;
+  G -= discretization.D.transpose_product(space.complete(space.make_vector()));
+  const auto write = [&](const char *name, const std::function<void(std::ostream &)> &content) {
+    write_file(level_file(name, solution.record.sizes.level, ".mtx"), content);
   };
-  write("F", solution.F);
-  write("G", discretization.G);
-  write("D", discretization.D, discretization.space.dofs().n_dofs());
-  if (solution.C.m() > 0)
-    write("C", solution.C);
+  const auto write_vector = [&](const char *name, const dealii::Vector<double> &vector) {
+    write(name, [&](std::ostream &stream) { write_matrix_market(stream, vector); });
+  };
+  write_on_first_rank(communicator_, [&]() {
+    write("A", [&](std::ostream &stream) { write_symmetric_matrix_market(stream, f.size(), A); });
+    write("D", [&](std::ostream &stream) {
+      write_matrix_market(stream, discretization.condensed_D, f.size());
+    });
+    write_vector("f", f);
+    write_vector("G", G);
+    write_vector("F", solution.F);
+    write_vector("P", solution.P);
+    if (solution.C.m() > 0)
+      write("C", [&](std::ostream &stream) { write_symmetric_matrix_market(stream, solution.C); });
+  });
 }
 
 void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,

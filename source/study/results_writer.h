@@ -48,6 +48,7 @@ private:
                  const Scene<dim> &scene,
                  const LevelSolution<dim> &solution,
                  const std::vector<ContactSegment> &line);
+  /** Collective. */
   template <int dim>
   void write_dual_problem(const Discretization<dim> &discretization,
                           const LevelSolution<dim> &solution);
