@@ -15,6 +15,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <regex>
+#include <sstream>
 
 namespace Signorini
 {
@@ -37,12 +38,23 @@ bool is_result(const std::string &name)
   return std::regex_match(name, names);
 }
 
+/** Every line behind "# ". */
+std::string commented(const std::string &text)
+{
+  std::istringstream lines(text);
+  std::string result;
+  for (std::string line; std::getline(lines, line);)
+    result += "# " + line + "\n";
+  return result;
+}
+
 constexpr const char *parameters_name = "parameters.prm";
 constexpr const char *certificate_name = "certificate.json";
 } // namespace
 
 ResultsWriter::ResultsWriter(const Parameters &parameters,
                              const Judge &judge,
+                             const std::string &scene_description,
                              std::filesystem::path directory,
                              MPI_Comm communicator)
   : parameters_(parameters)
@@ -52,17 +64,18 @@ ResultsWriter::ResultsWriter(const Parameters &parameters,
 {
   if (directory_.empty())
     return;
-  write_on_first_rank(communicator_, [&]() { start_directory(); });
+  write_on_first_rank(communicator_, [&]() { start_directory(scene_description); });
 }
 
-void ResultsWriter::start_directory()
+void ResultsWriter::start_directory(const std::string &scene_description)
 {
   // In this order the files in the directory tell the truth at every moment.
   had_parameters_ = std::filesystem::exists(directory_ / parameters_name);
   write_certificate_of({}, judge_.unfinished({}));
   remove_files(directory_, is_result);
-  write_file(directory_ / parameters_name,
-             [&](std::ostream &stream) { stream << parameters_.echo; });
+  write_file(directory_ / parameters_name, [&](std::ostream &stream) {
+    stream << commented(scene_description) << parameters_.echo;
+  });
 }
 
 void ResultsWriter::write_convergence_of(const std::vector<LevelRecord> &levels) const

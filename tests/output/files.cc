@@ -286,6 +286,9 @@ void vtu(Checks &checks, const fs::path &directory)
   checks.that("PVD lists its files",
               pvd.find("solution-00.vtu") != std::string::npos &&
                 pvd.find("solution-01.vtu") != std::string::npos);
+  checks.that("its times are levels",
+              pvd.find("timestep=\"1\" group=\"\" part=\"0\" file=\"solution-01.vtu\"") !=
+                std::string::npos);
 }
 } // namespace
 
