@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Every file of a run, every column, key and field in it stands in doc/output.md.
-# usage: documented.sh PROGRAM DOCUMENT
+# usage: documented.sh PROGRAM DOCUMENT SCENE
 
 program=$(realpath "$1")
 document=$(realpath "$2")
+scene=$(realpath "$3")
 . "$(dirname "$0")/../command_line/checks.sh"
 
 # all_named WORDS...: each stands in backticks.
@@ -21,20 +22,8 @@ keys_of() { grep -o '"[a-z_]*":' "$1" | tr -d '":' | sort -u; }
 fields_of() { grep -o 'Name="[^"]*"' "$1" | sed 's/.*="//; s/"//' | grep -vx 'connectivity\|offsets\|types'; }
 files_of() { ls "$1" | sed 's/-[0-9][0-9]\./-LL./' | sort -u; }
 
-cat >scene.prm <<'SCENE'
-subsection Scene
-  set Name = A1
-end
-subsection Discretization
-  set Coarsest level = 2
-  set Finest level = 3
-end
-subsection Output
-  set Compliance = true
-  set VTU = all
-end
-SCENE
-"$program" scene.prm --set 'Solver/Tolerated error=1e-9' --output run >stdout 2>stderr
+"$program" "$scene" --set 'Discretization/Finest level=3' --set Output/Compliance=true --set Output/VTU=all \
+  --set 'Solver/Tolerated error=1e-9' --output run >stdout 2>stderr
 check "a run that is not resolved, which has every key" [ $? -eq 2 ]
 check "files" all_named $(files_of run)
 check "columns of convergence.csv" all_named $(columns_of run/convergence.csv)
