@@ -66,6 +66,16 @@ std::string name_of_worst_cell(const StressBound &bound, const DisplacementSpace
   return "";
 }
 
+/** Of numbers that are not negative, up to rounding. */
+template <typename Numbers>
+std::vector<double> roots(const Numbers &squares)
+{
+  std::vector<double> result;
+  for (const double square : squares)
+    result.push_back(std::sqrt(std::max(0., square)));
+  return result;
+}
+
 double ratio(const double value, const double scale)
 {
   if (value == 0.)
@@ -74,13 +84,14 @@ double ratio(const double value, const double scale)
 }
 } // namespace
 
-ErrorBound compute_error_bound(const BoundData &data)
+LocatedBound compute_located_bound(const BoundData &data)
 {
   const StressData &given = data.stress;
-  ErrorBound result;
+  LocatedBound located;
+  ErrorBound &result = located.bound;
   result.missing = EquilibratedStress::objection(given);
   if (!result.missing.empty())
-    return result;
+    return located;
   const EquilibratedStress stress(given);
   const StressBound of_stress = stress.bound();
   const ContactLift lift(
@@ -94,12 +105,12 @@ ErrorBound compute_error_bound(const BoundData &data)
   result.place_of_penetration = name_of(lift.trace().place_of_largest(), given.scene);
   result.missing = lift.no_bound();
   if (!lift.bound())
-    return result;
+    return located;
   const ContactBound &contact = *lift.bound();
   if (!std::isfinite(of_stress.square) || !std::isfinite(contact.square()))
   {
     result.missing = "the sums of the bound are no finite numbers";
-    return result;
+    return located;
   }
   result.oscillation = std::sqrt(of_stress.oscillation_square) + of_stress.lift;
   result.mesh = std::max(0., std::sqrt(of_stress.square) - std::sqrt(of_stress.oscillation_square));
@@ -123,7 +134,11 @@ ErrorBound compute_error_bound(const BoundData &data)
   result.largest_cell = name_of_worst_cell(of_stress, given.space);
   if (!given.scene.contact_sides().empty())
     result.largest_face = name_of(contact.largest_part, given.scene);
-  return result;
+  located.fields = {of_stress.misfit,
+                    of_stress.oscillation,
+                    roots(contact.cell_energies),
+                    roots(contact.face_terms)};
+  return located;
 }
 
 Columns<ErrorBound> ErrorBound::columns()

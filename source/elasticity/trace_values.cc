@@ -29,13 +29,22 @@ TraceValues<dim>::reinit(const ContactFace<dim> &face,
 }
 
 template <int dim>
-std::vector<double> TraceValues<dim>::normal_displacement(const ContactFace<dim> &face,
-                                                          const SurfaceRule<dim> &rule,
-                                                          const NodalVector &U)
+std::vector<dealii::Tensor<1, dim>> TraceValues<dim>::displacement(const ContactFace<dim> &face,
+                                                                   const SurfaceRule<dim> &rule,
+                                                                   const NodalVector &U)
 {
   const auto &values = reinit(face, rule.on_face);
   std::vector<dealii::Tensor<1, dim>> u(rule.size());
   values[dealii::FEValuesExtractors::Vector(0)].get_function_values(U, u);
+  return u;
+}
+
+template <int dim>
+std::vector<double> TraceValues<dim>::normal_displacement(const ContactFace<dim> &face,
+                                                          const SurfaceRule<dim> &rule,
+                                                          const NodalVector &U)
+{
+  const std::vector<dealii::Tensor<1, dim>> u = displacement(face, rule, U);
   std::vector<double> u_n(rule.size());
   for (std::size_t q = 0; q < rule.size(); ++q)
     u_n[q] = u[q] * rule.normals[q];

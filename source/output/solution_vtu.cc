@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The body for ParaView: displacement, its recovery, stresses.
+// The body for ParaView: displacement, its recovery, stresses, bound.
 
 #include <signorini/base/agreement.h>
 #include <signorini/base/exceptions.h>
+#include <signorini/base/gather.h>
 #include <signorini/output/files.h>
 #include <signorini/output/solution_vtu.h>
-#include <signorini/postprocess/error_estimate.h>
+#include <signorini/output/vtu_text.h>
 #include <signorini/postprocess/mean_dilatation.h>
-#include <signorini/postprocess/patch_interpolation.h>
+#include <signorini/postprocess/recovered_displacement.h>
+#include <signorini/postprocess/stress.h>
 
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/numerics/data_out.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -23,10 +23,21 @@ namespace Signorini
 {
 namespace
 {
-/** sigma = E : eps(u) and the von Mises stress at the output points. */
+constexpr std::array<const char *, 8> stress_names = {"stress_xx",
+                                                      "stress_yy",
+                                                      "stress_zz",
+                                                      "stress_xy",
+                                                      "von_mises_stress",
+                                                      "principal_stress_1",
+                                                      "principal_stress_2",
+                                                      "principal_stress_3"};
+
+/** sigma = E : eps(u) and what is read off it, at the output points. */
 template <int dim>
 class StressPostprocessor : public dealii::DataPostprocessor<dim>
 {
+  static_assert(dim == 2, "The components are those of a plane body.");
+
 public:
   /** @param dilatation instead of tr eps(u), by active cell index; empty: tr eps(u) itself. */
   StressPostprocessor(const Material<dim> &material, std::vector<double> dilatation)
@@ -37,18 +48,14 @@ public:
 
   std::vector<std::string> get_names() const override
   {
-    std::vector<std::string> names(dim * dim, "stress");
-    names.emplace_back("von_mises_stress");
-    return names;
+    return {stress_names.begin(), stress_names.end()};
   }
 
   std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation>
   get_data_component_interpretation() const override
   {
-    using namespace dealii::DataComponentInterpretation;
-    std::vector<DataComponentInterpretation> interpretation(dim * dim, component_is_part_of_tensor);
-    interpretation.push_back(component_is_scalar);
-    return interpretation;
+    return std::vector(stress_names.size(),
+                       dealii::DataComponentInterpretation::component_is_scalar);
   }
 
   dealii::UpdateFlags get_needed_update_flags() const override
@@ -78,11 +85,17 @@ private:
   {
     try
     {
-      const dealii::SymmetricTensor<2, dim> stress = material_.hooke(x) * strain;
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
-          computed[dim * i + j] = stress[i][j];
-      computed[dim * dim] = von_mises(stress, material_.out_of_plane_stress(x, strain));
+      const SpatialStress stress = stress_in_space(material_, x, strain);
+      const std::array<double, 3> principal = principal_stresses(stress);
+      const double values[stress_names.size()] = {stress[0][0],
+                                                  stress[1][1],
+                                                  stress[2][2],
+                                                  stress[0][1],
+                                                  von_mises(stress),
+                                                  principal[0],
+                                                  principal[1],
+                                                  principal[2]};
+      std::copy(std::begin(values), std::end(values), computed.begin());
     }
     catch (const InputError &)
     {
@@ -91,58 +104,11 @@ private:
     }
   }
 
-  /** sqrt(3/2 s:s), s the deviator of the stress in space. */
-  static double von_mises(const dealii::SymmetricTensor<2, dim> &stress, const double out_of_plane)
-  {
-    const double mean = (trace(stress) + (dim == 2 ? out_of_plane : 0.)) / 3.;
-    double sum = dim == 2 ? (out_of_plane - mean) * (out_of_plane - mean) : 0.;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        sum += std::pow(stress[i][j] - (i == j ? mean : 0.), 2);
-    return std::sqrt(1.5 * sum);
-  }
-
   const Material<dim> &material_;
   std::vector<double> dilatation_;
 };
 
-/** The patch interpolation of u_h that comes closest to u, as a function of degree two on T^h, for
- * output only. Collective. */
-template <int dim>
-struct RecoveredField
-{
-  RecoveredField(const DisplacementSpace<dim> &space, const NodalVector &U)
-    : element(dealii::FE_Q<dim>(2), dim)
-    , dofs(space.mesh().triangulation())
-  {
-    dofs.distribute_dofs(element);
-    values.reinit(dofs.n_dofs());
-    const dealii::Quadrature<dim> nodes(element.base_element(0).get_unit_support_points());
-    dealii::FEValues<dim> at_nodes(
-      space.mesh().mapping(), space.element(), nodes, dealii::update_inverse_jacobians);
-    PatchInterpolation<dim> interpolation(space, nodes, best_interpolation(space, U));
-    dealii::Vector<double> cell_values(element.n_dofs_per_cell());
-    auto cell = dofs.begin_active();
-    for (const auto &q1_cell : space.dofs().active_cell_iterators())
-    {
-      at_nodes.reinit(q1_cell);
-      const FieldValues<dim> &recovered = interpolation.evaluate(U, q1_cell, at_nodes);
-      for (unsigned int i = 0; i < cell_values.size(); ++i)
-      {
-        const auto component_and_node = element.system_to_component_index(i);
-        cell_values[i] = recovered.values[component_and_node.second][component_and_node.first];
-      }
-      cell->set_dof_values(cell_values, values);
-      ++cell;
-    }
-  }
-
-  dealii::FESystem<dim> element;
-  dealii::DoFHandler<dim> dofs;
-  NodalVector values;
-};
-
-/** A field of which every rank writes the piece on its own cells. */
+/** Fields of which every rank writes the piece on its own cells. */
 template <int dim>
 class FieldPieces : public dealii::DataOut<dim>
 {
@@ -155,32 +121,38 @@ public:
                                         this->get_nonscalar_data_ranges(),
                                         flags,
                                         stream);
-    return stream.str();
+    std::string text = stream.str();
+    // A rank may have no cells, and then has no point data.
+    if (!this->get_patches().empty())
+      add_to_point_data(text, vtu_array("stress", 9, stress_tensors()));
+    return text;
+  }
+
+private:
+  /** The tensor in space, point by point: deal.II's tensors of plane bodies have sigma_zz = 0. */
+  std::vector<float> stress_tensors() const
+  {
+    const std::vector<std::string> names = this->get_dataset_names();
+    const auto row = [&](const char *name) {
+      return static_cast<unsigned int>(std::find(names.begin(), names.end(), name) - names.begin());
+    };
+    const unsigned int xx = row("stress_xx"), yy = row("stress_yy"), zz = row("stress_zz"),
+                       xy = row("stress_xy");
+    std::vector<float> tensors;
+    for (const auto &patch : this->get_patches())
+      for (unsigned int v = 0; v < patch.data.n_cols(); ++v)
+      {
+        const auto value = [&](const unsigned int n) { return patch.data(n, v); };
+        tensors.insert(tensors.end(),
+                       {value(xx), value(xy), 0.F, value(xy), value(yy), 0.F, 0.F, 0.F, value(zz)});
+      }
+    return tensors;
   }
 };
 
-/** All ranks' texts on rank 0, in order; nothing on the others. A text has less than 2 GiB. */
-std::vector<std::string> gather(std::string text, MPI_Comm communicator)
+dealii::Vector<double> to_vector(const std::vector<double> &values)
 {
-  const int rank = static_cast<int>(dealii::Utilities::MPI::this_mpi_process(communicator));
-  const int n_ranks = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(communicator));
-  const auto sizes = dealii::Utilities::MPI::all_gather(communicator, text.size());
-  if (*std::max_element(sizes.begin(), sizes.end()) > std::numeric_limits<int>::max())
-    throw ComputationError("A rank's piece of the VTU file has more than 2 GiB; more ranks or "
-                           "'VTU = none' avoid that.");
-  const auto size = [&](const int r) { return static_cast<int>(sizes[static_cast<unsigned>(r)]); };
-  if (rank != 0)
-  {
-    MPI_Send(text.data(), size(rank), MPI_CHAR, 0, 0, communicator);
-    return {};
-  }
-  std::vector<std::string> texts = {std::move(text)};
-  for (int r = 1; r < n_ranks; ++r)
-  {
-    texts.emplace_back(sizes[static_cast<unsigned>(r)], ' ');
-    MPI_Recv(texts.back().data(), size(r), MPI_CHAR, r, 0, communicator, MPI_STATUS_IGNORE);
-  }
-  return texts;
+  return {values.begin(), values.end()};
 }
 
 /** Rank 0 writes the pieces of all: when the disk is full, all hear of it. */
@@ -189,7 +161,7 @@ void write_pieces(const std::filesystem::path &path,
                   const dealii::DataOutBase::VtkFlags &flags,
                   MPI_Comm communicator)
 {
-  const std::vector<std::string> pieces = gather(std::move(piece), communicator);
+  const std::vector<std::string> pieces = gather_texts(std::move(piece), communicator);
   agree(communicator, [&]() {
     if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
@@ -207,7 +179,8 @@ template <int dim>
 void write_solution_vtu(const std::filesystem::path &path,
                         const DisplacementSpace<dim> &space,
                         const Scene<dim> &scene,
-                        const NodalVector &U)
+                        const NodalVector &U,
+                        const BoundFields &bound)
 {
   using namespace dealii::DataComponentInterpretation;
   const std::vector<DataComponentInterpretation> vector(dim, component_is_part_of_vector);
@@ -217,20 +190,27 @@ void write_solution_vtu(const std::filesystem::path &path,
                                           : std::vector<double>());
   const dealii::DataOutBase::VtkFlags flags(
     space.mesh().level(), space.mesh().level(), false, dealii::DataOutBase::VtkFlags::best_speed);
+  const std::array<std::pair<const char *, dealii::Vector<double>>, 3> cell_fields = {
+    {{"bound_mesh", to_vector(bound.mesh)},
+     {"bound_oscillation", to_vector(bound.oscillation)},
+     {"bound_lift", to_vector(bound.lift)}}};
   FieldPieces<dim> data_out;
   data_out.add_data_vector(space.dofs(), U, std::vector<std::string>(dim, "displacement"), vector);
-  std::optional<RecoveredField<dim>> recovered;
+  std::optional<RecoveredDisplacement<dim>> recovered;
   if (space.mesh().has_parents())
   {
     recovered.emplace(space, U);
-    data_out.add_data_vector(recovered->dofs,
-                             recovered->values,
+    data_out.add_data_vector(recovered->dofs(),
+                             recovered->values(),
                              std::vector<std::string>(dim, "recovered_displacement"),
                              vector);
-    data_out.add_data_vector(recovered->dofs, recovered->values, stress);
+    data_out.add_data_vector(recovered->dofs(), recovered->values(), stress);
   }
   else
     data_out.add_data_vector(space.dofs(), U, stress);
+  for (const auto &[name, values] : cell_fields)
+    if (values.size() > 0)
+      data_out.add_data_vector(values, name, dealii::DataOut<dim>::type_cell_data);
   data_out.build_patches(space.mesh().mapping(),
                          space.mesh().has_parents() ? 2 : 1,
                          space.mesh().is_curved() ? dealii::DataOut<dim>::curved_inner_cells
@@ -254,5 +234,6 @@ void write_pvd(const std::filesystem::path &path,
 template void write_solution_vtu(const std::filesystem::path &,
                                  const DisplacementSpace<2> &,
                                  const Scene<2> &,
-                                 const NodalVector &);
+                                 const NodalVector &,
+                                 const BoundFields &);
 } // namespace Signorini

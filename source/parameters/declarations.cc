@@ -137,6 +137,11 @@ void Declarations::declare_material(MaterialParameters &material)
       "Degrees from the x-axis to the first axis of an orthotropic material.",
       Patterns::Double(),
       "a number");
+  add("Moduli across the plane",
+      material.moduli_across,
+      "Orthotropic law in plane strain: Q31; Q32 (force/area), sigma_zz = Q31*e11 + Q32*e22 in the "
+      "material's own axes. General law: Z1; Z2; Z3, sigma_zz = Z1*e11 + Z2*e22 + Z3*2*e12. Only "
+      "the stresses that are written need them. Empty: plane stress, sigma_zz = 0.");
   add("Plane state",
       material.plane_state,
       "What the third direction does (isotropic law; the others are given for the plane).");
@@ -305,7 +310,8 @@ void Declarations::declare_output(OutputParameters &output)
       "its own factorisation).");
   add("Compliance",
       output.compliance,
-      "Write C, F, D and G of the dual problem as Matrix Market files.",
+      "Write the dual problem and its solution as Matrix Market files: C, F, P, and A, D, f, G "
+      "behind them.",
       Patterns::Bool(),
       "true, false");
   add("Errors",

@@ -147,9 +147,11 @@ class Anisotropic : public Material<2>
 public:
   Anisotropic(const std::vector<Expression<2>> &entries,
               const double degrees,
+              const std::vector<Expression<2>> &across,
               const dealii::Point<2> &reference)
     : Material<2>(unit_of_stress(entries[0], reference))
     , entries_(entries)
+    , across_(across)
     , angle_(degrees * dealii::numbers::PI / 180.)
   {
   }
@@ -173,10 +175,17 @@ public:
     return true;
   }
 
-  double out_of_plane_stress(const dealii::Point<2> &,
-                             const dealii::SymmetricTensor<2, 2> &) const override
+  double out_of_plane_stress(const dealii::Point<2> &x,
+                             const dealii::SymmetricTensor<2, 2> &strain) const override
   {
-    return 0.;
+    const dealii::Tensor<1, 2> first({std::cos(angle_), std::sin(angle_)}),
+      second({-first[1], first[0]});
+    const std::array<double, 3> in_own_axes = {
+      first * (strain * first), second * (strain * second), 2. * (first * (strain * second))};
+    double stress = 0.;
+    for (std::size_t i = 0; i < across_.size(); ++i)
+      stress += across_[i](x) * in_own_axes[i];
+    return stress;
   }
 
 private:
@@ -188,7 +197,7 @@ private:
     return {e(0), e(1), e(2), e(3), e(4), e(5)};
   }
 
-  std::vector<Expression<2>> entries_;
+  std::vector<Expression<2>> entries_, across_;
   double angle_;
 };
 } // namespace
@@ -203,18 +212,20 @@ std::shared_ptr<const Material<dim>> make_isotropic(const Expression<dim> &young
 }
 
 std::shared_ptr<const Material<2>> make_general(const std::vector<Expression<2>> &entries,
+                                                const std::vector<Expression<2>> &across,
                                                 const dealii::Point<2> &reference)
 {
   AssertDimension(entries.size(), 6);
-  return std::make_shared<Anisotropic>(entries, 0., reference);
+  return std::make_shared<Anisotropic>(entries, 0., across, reference);
 }
 
 std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression<2>> &moduli,
                                                     const double degrees,
+                                                    const std::vector<Expression<2>> &across,
                                                     const dealii::Point<2> &reference)
 {
   AssertDimension(moduli.size(), 4);
-  return std::make_shared<Anisotropic>(moduli, degrees, reference);
+  return std::make_shared<Anisotropic>(moduli, degrees, across, reference);
 }
 
 template std::shared_ptr<const Material<2>>

@@ -65,7 +65,9 @@ void refuse_foreign_moduli(const MaterialParameters &given)
     {&given.plane_state, MaterialLaw::isotropic},
     {&given.hooke_tensor, MaterialLaw::general},
     {&given.orthotropic_moduli, MaterialLaw::orthotropic},
-    {&given.orientation, MaterialLaw::orthotropic}};
+    {&given.orientation, MaterialLaw::orthotropic},
+    {&given.moduli_across,
+     given.law == MaterialLaw::general ? MaterialLaw::general : MaterialLaw::orthotropic}};
   for (const auto &[entry, law] : laws_of_entries)
     if (law != given.law && entry->changed)
       throw InputError(entry->where() + ": this entry belongs to Law = " + to_text(law) +
@@ -83,10 +85,15 @@ std::shared_ptr<const Material<2>> read_material(const MaterialParameters &given
     check_moduli(expressions, geometry);
     return expressions;
   };
+  const auto across = [&](const unsigned int n) {
+    return given.moduli_across.value.empty() ? std::vector<Expression<2>>()
+                                             : moduli(given.moduli_across, n);
+  };
   if (given.law == MaterialLaw::general)
-    return make_general(moduli(given.hooke_tensor, 6), reference);
+    return make_general(moduli(given.hooke_tensor, 6), across(3), reference);
   if (given.law == MaterialLaw::orthotropic)
-    return make_orthotropic(moduli(given.orthotropic_moduli, 4), given.orientation, reference);
+    return make_orthotropic(
+      moduli(given.orthotropic_moduli, 4), given.orientation, across(2), reference);
   const Expression<2> youngs_modulus = moduli(given.youngs_modulus, 1).front();
   const Expression<2> poissons_ratio = reader.components(given.poissons_ratio, 1).front();
   return make_isotropic<2>(youngs_modulus, poissons_ratio, given.plane_state, reference);

@@ -77,6 +77,7 @@ Scene<2> make_scene(const Parameters &parameters)
     scene = found->make();
     scene.name = found->name;
     scene.title = found->title;
+    scene.description = describe_scene(name);
   }
   refuse_free_motions(scene, parameters.boundary.where);
   const DiscretizationParameters &discretization = parameters.discretization;

@@ -105,6 +105,27 @@ Pressure find_pressure(const Parameters &parameters,
   solution.record.dual = summary_of(result, solver.contact_solver);
   return {result.P, C->apply(result.P), diagonal_times(*C, result.P)};
 }
+
+/** The bound of the error of U and P, and where it comes from. */
+template <int dim>
+void add_bound(const Scene<dim> &scene,
+               const Discretization<dim> &discretization,
+               const StiffnessInverse &inverse,
+               LevelSolution<dim> &solution)
+{
+  const StageTimer timer(solution.record.times.bound);
+  LocatedBound located = compute_located_bound({{discretization.space,
+                                                 scene,
+                                                 discretization.multipliers,
+                                                 solution.U,
+                                                 solution.P,
+                                                 discretization.n_points},
+                                                inverse,
+                                                discretization.condensed_D,
+                                                discretization.G});
+  solution.record.bound = located.bound;
+  solution.bound_fields = std::move(located.fields);
+}
 } // namespace
 
 template <int dim>
@@ -122,9 +143,13 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   times = discretization.times;
 
   progress("assembly");
-  const LinearSystem<dim> system = timed(times.assembly, [&]() {
-    return assemble_linear_system(space, scene, discretization.n_points);
+  const auto owned_system = timed(times.assembly, [&]() {
+    return std::make_shared<const LinearSystem<dim>>(
+      assemble_linear_system(space, scene, discretization.n_points));
   });
+  const LinearSystem<dim> &system = *owned_system;
+  if (parameters.output.compliance)
+    solution.system = owned_system;
 
   progress("factorisation");
   const auto inverse = timed(times.factor, [&]() {
@@ -182,12 +207,7 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   if (wants_bound(parameters.discretization, record.sizes.level))
   {
     progress("bound of the error");
-    const StageTimer bound_timer(times.bound);
-    record.bound = compute_error_bound(
-      {{space, scene, discretization.multipliers, solution.U, solution.P, discretization.n_points},
-       *inverse,
-       discretization.condensed_D,
-       discretization.G});
+    add_bound(scene, discretization, *inverse, solution);
   }
   return solution;
 }

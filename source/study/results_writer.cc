@@ -5,6 +5,7 @@
 
 #include <signorini/base/agreement.h>
 #include <signorini/base/exceptions.h>
+#include <signorini/base/gather.h>
 #include <signorini/output/answer_output.h>
 #include <signorini/output/contact_line.h>
 #include <signorini/output/files.h>
@@ -15,6 +16,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <regex>
+#include <sstream>
 
 namespace Signorini
 {
@@ -34,8 +36,18 @@ bool is_result(const std::string &name)
 {
   static const std::regex names(
     "convergence\\.csv|answer\\.json|(solution|contact)\\.pvd|contact-[0-9]{2}\\.csv|"
-    "(solution|contact)-[0-9]{2}\\.vtu|[CDFG]-[0-9]{2}\\.mtx");
+    "(solution|contact)-[0-9]{2}\\.vtu|[ACDFGPf]-[0-9]{2}\\.mtx");
   return std::regex_match(name, names);
+}
+
+/** Every line behind "# ". */
+std::string commented(const std::string &text)
+{
+  std::istringstream lines(text);
+  std::string result;
+  for (std::string line; std::getline(lines, line);)
+    result += "# " + line + "\n";
+  return result;
 }
 
 constexpr const char *parameters_name = "parameters.prm";
@@ -44,6 +56,7 @@ constexpr const char *certificate_name = "certificate.json";
 
 ResultsWriter::ResultsWriter(const Parameters &parameters,
                              const Judge &judge,
+                             const std::string &scene_description,
                              std::filesystem::path directory,
                              MPI_Comm communicator)
   : parameters_(parameters)
@@ -53,17 +66,18 @@ ResultsWriter::ResultsWriter(const Parameters &parameters,
 {
   if (directory_.empty())
     return;
-  write_on_first_rank(communicator_, [&]() { start_directory(); });
+  write_on_first_rank(communicator_, [&]() { start_directory(scene_description); });
 }
 
-void ResultsWriter::start_directory()
+void ResultsWriter::start_directory(const std::string &scene_description)
 {
   // In this order the files in the directory tell the truth at every moment.
   had_parameters_ = std::filesystem::exists(directory_ / parameters_name);
   write_certificate_of({}, judge_.unfinished({}));
   remove_files(directory_, is_result);
-  write_file(directory_ / parameters_name,
-             [&](std::ostream &stream) { stream << parameters_.echo; });
+  write_file(directory_ / parameters_name, [&](std::ostream &stream) {
+    stream << commented(scene_description) << parameters_.echo;
+  });
 }
 
 void ResultsWriter::write_convergence_of(const std::vector<LevelRecord> &levels) const
@@ -105,8 +119,8 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization,
   const VtuLevels vtu = parameters_.output.vtu;
   if (vtu == VtuLevels::all || (vtu == VtuLevels::finest && last_level))
     write_vtu(discretization, scene, solution, line);
-  if (parameters_.output.compliance)
-    write_on_first_rank(communicator_, [&]() { write_dual_problem(discretization, solution); });
+  if (solution.system != nullptr)
+    write_dual_problem(discretization, solution);
 }
 
 template <int dim>
@@ -118,11 +132,13 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
   const unsigned int level = solution.record.sizes.level;
   const auto body = level_file("solution", level, ".vtu");
   const auto contact = level_file("contact", level, ".vtu");
-  write_solution_vtu(body, discretization.space, scene, solution.U);
+  write_solution_vtu(body, discretization.space, scene, solution.U, solution.bound_fields);
   solution_files_.emplace_back(level, body.filename().string());
   contact_files_.emplace_back(level, contact.filename().string());
   write_on_first_rank(communicator_, [&]() {
-    write_file(contact, [&](std::ostream &stream) { write_contact_vtu(stream, line); });
+    write_file(contact, [&](std::ostream &stream) {
+      write_contact_vtu(stream, line, solution.bound_fields.contact);
+    });
     write_pvd(directory_ / "solution.pvd", solution_files_);
     write_pvd(directory_ / "contact.pvd", contact_files_);
   });
@@ -132,15 +148,32 @@ template <int dim>
 void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization,
                                        const LevelSolution<dim> &solution)
 {
-  const auto write = [&](const char *name, const auto &...what) {
-    write_file(level_file(name, solution.record.sizes.level, ".mtx"),
-               [&](std::ostream &stream) { write_matrix_market(stream, what...); });
+  const DisplacementSpace<dim> &space = discretization.space;
+  const LinearSystem<dim> &system = *solution.system;
+  const std::vector<std::string> A =
+    gather_texts(lower_triangle(system.matrix, system.unit), communicator_);
+  const dealii::Vector<double> f(system.f);
+  // F = G - D^T A^{-1} f for unconstrained unknowns: prescribed displacements count as gap.
+  dealii::Vector<double> G = discretization.G;
+  G -= discretization.D.transpose_product(space.complete(space.make_vector()));
+  const auto write = [&](const char *name, const std::function<void(std::ostream &)> &content) {
+    write_file(level_file(name, solution.record.sizes.level, ".mtx"), content);
   };
-  write("F", solution.F);
-  write("G", discretization.G);
-  write("D", discretization.D, discretization.space.dofs().n_dofs());
-  if (solution.C.m() > 0)
-    write("C", solution.C);
+  const auto write_vector = [&](const char *name, const dealii::Vector<double> &vector) {
+    write(name, [&](std::ostream &stream) { write_matrix_market(stream, vector); });
+  };
+  write_on_first_rank(communicator_, [&]() {
+    write("A", [&](std::ostream &stream) { write_symmetric_matrix_market(stream, f.size(), A); });
+    write("D", [&](std::ostream &stream) {
+      write_matrix_market(stream, discretization.condensed_D, f.size());
+    });
+    write_vector("f", f);
+    write_vector("G", G);
+    write_vector("F", solution.F);
+    write_vector("P", solution.P);
+    if (solution.C.m() > 0)
+      write("C", [&](std::ostream &stream) { write_symmetric_matrix_market(stream, solution.C); });
+  });
 }
 
 void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,

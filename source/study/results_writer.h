@@ -17,11 +17,12 @@ class ResultsWriter
 public:
   /**
    * Removes the results of an earlier run from the directory, by their names, and writes
-   * parameters.prm and a certificate that says "unfinished". Collective, like all members but
-   * abandon().
+   * parameters.prm, with the description as comments, and a certificate that says "unfinished".
+   * Collective, like all members but abandon().
    */
   ResultsWriter(const Parameters &parameters,
                 const Judge &judge,
+                const std::string &scene_description,
                 std::filesystem::path directory,
                 MPI_Comm communicator);
 
@@ -50,11 +51,12 @@ private:
                  const Scene<dim> &scene,
                  const LevelSolution<dim> &solution,
                  const std::vector<ContactSegment> &line);
+  /** Collective. */
   template <int dim>
   void write_dual_problem(const Discretization<dim> &discretization,
                           const LevelSolution<dim> &solution);
 
-  void start_directory();
+  void start_directory(const std::string &scene_description);
   void write_convergence_of(const std::vector<LevelRecord> &levels) const;
   void write_certificate_of(const std::vector<LevelRecord> &levels,
                             const StudyVerdict &verdict) const;

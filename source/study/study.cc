@@ -118,7 +118,7 @@ StudyResult run_study(const Parameters &parameters,
   if (errors && scene.has_exact_pressure())
     context.exact_pressure = std::make_unique<const ExactPressure>(scene);
   // What can be wrong before the first level has been found: earlier results are not lost for it.
-  ResultsWriter writer(parameters, judge, report.directory, communicator);
+  ResultsWriter writer(parameters, judge, scene.description, report.directory, communicator);
   StudyResult result;
   print_scene(parameters, scene, report.screen);
   report.screen << screen_legend() << "\n" << screen_header() << std::endl;

@@ -129,7 +129,7 @@ test_run() {
   check "  header of convergence.csv" header_is_right results/a1/convergence.csv
   check "  one row per level" [ "$(cells_of results/a1)" = '2,16 3,64 ' ]
   check "  header of contact-03.csv" [ "$(head -n 1 results/a1/contact-03.csv)" = \
-    'side,s,x,y,p_H,p_recovered,u_n,g,p_exact' ]
+    'side,s,x,y,p_H,p_recovered,u_n,g,p_exact,patch,patch_length' ]
   check "  verdict" verdict_is results/a1 certified
   for key in verdict tolerance levels level stationarity penetration sign complementarity \
     duality_gap force_balance moment_balance inf_sup degenerate_patches; do
@@ -143,7 +143,7 @@ test_run() {
     --output=one/two --set 'Output/VTU=none' --set 'Output/Compliance=true'
   check "  the last --set wins" [ "$(wc -l <one/two/convergence.csv)" -eq 2 ]
   check "  no VTU" [ ! -e one/two/solution-02.vtu ]
-  for name in C F D G; do
+  for name in A C D F G P f; do
     check "  $name-02.mtx" [ -s "one/two/$name-02.mtx" ]
   done
 }

@@ -173,14 +173,19 @@ void test_other_scenes(Checks &checks)
   compare(checks, "block displacement", *condition(block, "top").data, x, {0., -0.05}, 0.);
   checks.that("block is not known exactly",
               block.exact_displacement == nullptr && !block.has_exact_pressure());
-  bool listed = true;
+  bool listed = true, described = true;
   for (const CatalogueEntry &entry : catalogue())
   {
     const Scene<2> found = scene({"Scene/Name=" + entry.name});
     listed = listed && found.name == entry.name && found.title == entry.title &&
              describe_catalogue().find(entry.name) != std::string::npos;
+    for (const char *key : {"Body ", "Material ", "Boundary ", "Load ", "Gap ", "Exact u "})
+      described = described && found.description.find(key) != std::string::npos;
+    described = described && (found.description.find("Exact p ") != std::string::npos) ==
+                               found.has_exact_pressure();
   }
   checks.that("all scenes are listed and bear their names", listed);
+  checks.that("all scenes are described", described);
 }
 
 /** A1 spelled out in a parameter file is A1. */

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace Signorini
 {
@@ -59,6 +60,27 @@ struct ErrorBound
   static Columns<ErrorBound> columns();
 };
 
+/**
+ * Where the bound comes from (roots of energies); all empty where there is none:
+ *
+ *     sum_K ((mesh_K + oscillation_K)² + lift_K²) + sum_F contact_F² = (absolute - |||z|||)².
+ */
+struct BoundFields
+{
+  /** ‖sigma(u_h) - tau‖_{C^{-1},K}, osc_K and |||w|||_K by active cell; the last is zero on cells
+   * of other ranks. */
+  std::vector<double> mesh, oscillation, lift;
+  /** (2 int_F p_H (u_{h,n} - g - w_n))^{1/2}, in the order of ContactSurface::faces(). */
+  std::vector<double> contact;
+};
+
+/** A bound with its parts by cell and contact face. */
+struct LocatedBound
+{
+  ErrorBound bound;
+  BoundFields fields;
+};
+
 /** What contact_lift needs besides the data of the stress. */
 struct BoundData
 {
@@ -70,5 +92,11 @@ struct BoundData
 
 /** Computes the bound for a plane body with straight sides; missing says why there is none for
  * others. Collective. */
-ErrorBound compute_error_bound(const BoundData &data);
+LocatedBound compute_located_bound(const BoundData &data);
+
+/** The same without its places. Collective. */
+inline ErrorBound compute_error_bound(const BoundData &data)
+{
+  return compute_located_bound(data).bound;
+}
 } // namespace Signorini

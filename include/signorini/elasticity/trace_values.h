@@ -23,6 +23,11 @@ public:
   const dealii::FEFaceValues<dim> &reinit(const ContactFace<dim> &face,
                                           const std::vector<dealii::Point<dim - 1>> &on_face);
 
+  /** u_h at the points of a rule on the face. */
+  std::vector<dealii::Tensor<1, dim>> displacement(const ContactFace<dim> &face,
+                                                   const SurfaceRule<dim> &rule,
+                                                   const NodalVector &U);
+
   /** u_h.n at the points of a rule on the face. */
   std::vector<double> normal_displacement(const ContactFace<dim> &face,
                                           const SurfaceRule<dim> &rule,

@@ -11,23 +11,29 @@
 
 namespace Signorini
 {
-/** What is known at one point of the contact boundary of a plane body. */
+/** What is known at one point of the contact boundary of a plane body. Pressures are those of the
+ * formulas, sigma_n: negative in compression. */
 struct ContactPoint
 {
-  std::string side;
   /** Arc length along the side. */
   double s;
   dealii::Point<2> x;
   double p_H;
   double p_recovered;
+  dealii::Tensor<1, 2> u;
   double u_n;
   double g;
   std::optional<double> p_exact;
 };
 
-/** The ends and the middle of a piece face ∩ patch. */
+/** A piece face ∩ patch: its ends and its middle. */
 struct ContactSegment
 {
+  std::string side;
+  /** Number of the side in the geometry, of the contact face and of the patch. */
+  unsigned int side_number, face, patch;
+  /** |tau| (length). */
+  double patch_length;
   ContactPoint start, middle, end;
 };
 
@@ -40,6 +46,12 @@ std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space
 /** contact-LL.csv: one row per middle of a piece. */
 void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment> &line);
 
-/** contact-LL.vtu: pressure, gap and opening along the contact boundary. */
-void write_contact_vtu(std::ostream &stream, const std::vector<ContactSegment> &line);
+/**
+ * contact-LL.vtu: pressures (positive in compression), displacement, gap and opening along the
+ * contact boundary.
+ * @param bound of every contact face; empty if there is none.
+ */
+void write_contact_vtu(std::ostream &stream,
+                       const std::vector<ContactSegment> &line,
+                       const std::vector<double> &bound);
 } // namespace Signorini

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/elasticity/displacement_space.h>
+#include <signorini/bound/error_bound.h>
 
 #include <filesystem>
 #include <string>
@@ -11,14 +11,16 @@
 namespace Signorini
 {
 /**
- * Writes u_h, the patch interpolation that comes closest to u (pi^{2h} u_h or the one of degree
- * four, where T^{2h} exists), its stress and its von Mises stress for ParaView. Collective.
+ * Writes for ParaView u_h, the patch interpolation that comes closest to u (RecoveredDisplacement,
+ * where T^{2h} exists) and its stress in space, its von Mises stress and its principal stresses;
+ * and the bound cell by cell, where there is one. Collective.
  */
 template <int dim>
 void write_solution_vtu(const std::filesystem::path &path,
                         const DisplacementSpace<dim> &space,
                         const Scene<dim> &scene,
-                        const NodalVector &U);
+                        const NodalVector &U,
+                        const BoundFields &bound);
 
 /** Writes a .pvd that lists one file per level; the level plays the part of time. */
 void write_pvd(const std::filesystem::path &path,

@@ -42,6 +42,7 @@ struct MaterialParameters
   Given<std::string> hooke_tensor;
   Given<std::string> orthotropic_moduli;
   Given<double> orientation{0.};
+  Given<std::string> moduli_across;
   Given<PlaneState> plane_state{PlaneState::strain};
 };
 

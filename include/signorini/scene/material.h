@@ -39,7 +39,8 @@ public:
   /** Whether E_ijkl is the same everywhere. */
   virtual bool is_constant() const = 0;
 
-  /** The stress normal to the plane, for the von Mises stress; 0 where the law does not say. */
+  /** sigma_zz, the stress normal to the plane. The problem does not contain it, but the von Mises
+   * stress does. */
   virtual double out_of_plane_stress(const dealii::Point<dim> &x,
                                      const dealii::SymmetricTensor<2, dim> &strain) const = 0;
 
@@ -58,15 +59,19 @@ make_isotropic(const Expression<dim> &youngs_modulus,
                const dealii::Point<dim> &reference = dealii::Point<dim>());
 
 /** (s11,s22,s12) = C (e11,e22,2 e12) with the entries C11, C12, C13, C22, C23, C33; positive
- * definite at every point. E_0 is C11 at the point @p reference. */
+ * definite at every point; s33 = Z (e11,e22,2 e12) with the three entries Z of @p across, which is
+ * empty in plane stress. E_0 is C11 at the point @p reference. */
 std::shared_ptr<const Material<2>>
 make_general(const std::vector<Expression<2>> &entries,
+             const std::vector<Expression<2>> &across = {},
              const dealii::Point<2> &reference = dealii::Point<2>());
 
-/** Moduli Q11, Q22, Q12, Q66 in axes that are rotated by @p degrees against the x-axis. E_0 is Q11
- * at the point @p reference. */
+/** Moduli Q11, Q22, Q12, Q66 in axes that are rotated by @p degrees against the x-axis; s33 =
+ * Q31 e11 + Q32 e22 in these axes with the two entries of @p across, which is empty in plane
+ * stress. E_0 is Q11 at the point @p reference. */
 std::shared_ptr<const Material<2>>
 make_orthotropic(const std::vector<Expression<2>> &moduli,
                  double degrees,
+                 const std::vector<Expression<2>> &across = {},
                  const dealii::Point<2> &reference = dealii::Point<2>());
 } // namespace Signorini

@@ -51,6 +51,8 @@ struct Scene
   std::string name;
   /** One line that says what the scene shows. */
   std::string title;
+  /** What a catalogue scene solves, in lines; empty where the parameters say it. */
+  std::string description;
   Geometry<dim> geometry;
   /** boundary[i] belongs to geometry.sides[i]. */
   std::vector<BoundaryCondition<dim>> boundary;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/elasticity/linear_system.h>
 #include <signorini/errors/dual_norm_errors.h>
 #include <signorini/record/level_record.h>
 #include <signorini/study/discretization.h>
@@ -8,6 +9,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace Signorini
@@ -18,6 +20,8 @@ struct LevelSolution
 {
   /** Filled up to recovery; errors and output follow. */
   LevelRecord record;
+  /** Empty where record.bound is. */
+  BoundFields bound_fields;
   NodalVector U;
   dealii::Vector<double> P;
   dealii::Vector<double> F;
@@ -25,6 +29,8 @@ struct LevelSolution
   dealii::FullMatrix<double> C;
   /** f_j for all j, not condensed. */
   DistributedVector loads;
+  /** A and f. Only with Output/Compliance. */
+  std::shared_ptr<const LinearSystem<dim>> system;
 };
 
 /** Called with what is being done, for the user to watch. */

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/**
+ * A field of @p n_components numbers per point as a <DataArray>, point by point, in the same form
+ * as the arrays of deal.II: 32-bit floats in one block, compressed by zlib, in base 64.
+ */
+std::string vtu_array(const std::string &name,
+                      unsigned int n_components,
+                      const std::vector<float> &values);
+
+/** Adds an array to the point data of a <Piece>. */
+void add_to_point_data(std::string &piece, const std::string &array);
+} // namespace Signorini

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Every file of a run, every column, key and field in it stands in doc/output.md.
+# usage: documented.sh PROGRAM DOCUMENT SCENE
+
+program=$(realpath "$1")
+document=$(realpath "$2")
+scene=$(realpath "$3")
+. "$(dirname "$0")/../command_line/checks.sh"
+
+# all_named WORDS...: each stands in backticks.
+all_named() {
+  local name complete=true
+  for name in "$@"; do
+    grep -qF "\`$name\`" "$document" || { echo "not in $document: $name"; complete=false; }
+  done
+  [ "$#" -gt 0 ] && $complete
+}
+columns_of() { head -n 1 "$1" | tr ',' ' '; }
+keys_of() { grep -o '"[a-z_]*":' "$1" | tr -d '":' | sort -u; }
+# The points, the cells and their numbering belong to the format.
+fields_of() { grep -o 'Name="[^"]*"' "$1" | sed 's/.*="//; s/"//' | grep -vx 'connectivity\|offsets\|types'; }
+files_of() { ls "$1" | sed 's/-[0-9][0-9]\./-LL./' | sort -u; }
+
+"$program" "$scene" --set 'Discretization/Finest level=3' --set Output/Compliance=true --set Output/VTU=all \
+  --set 'Solver/Tolerated error=1e-9' --output run >stdout 2>stderr
+check "a run that is not resolved, which has every key" [ $? -eq 2 ]
+check "files" all_named $(files_of run)
+check "columns of convergence.csv" all_named $(columns_of run/convergence.csv)
+check "columns of contact-03.csv" all_named $(columns_of run/contact-03.csv)
+check "keys of certificate.json" all_named $(keys_of run/certificate.json)
+check "  the reason among them" grep -q '"failure":' run/certificate.json
+check "  the bound among them" grep -q '"place_of_penetration":' run/certificate.json
+check "fields of solution-03.vtu" all_named $(fields_of run/solution-03.vtu)
+check "  the bound among them" grep -q 'Name="bound_mesh"' run/solution-03.vtu
+check "fields of contact-03.vtu" all_named $(fields_of run/contact-03.vtu)
+check "the scene's formulas in parameters.prm" grep -q '^# Exact p   -10 (xi-x)_+^3' run/parameters.prm
+
+# From the files alone, by the recipes of the document.
+force=$(awk -F, 'NR > 1 && !seen[$10]++ { sum -= $5 * $11 } END { printf "%.12e", sum }' run/contact-03.csv)
+peak=$(awk -F, 'NR > 1 && -$5 > peak { peak = -$5 } END { printf "%.12e", peak }' run/contact-03.csv)
+column() { awk -F, -v name="$1" 'NR == 1 { for (c = 1; c <= NF; ++c) if ($c == name) k = c } END { printf "%.12e", $k }' run/convergence.csv; }
+check "the contact force from contact-03.csv" [ "$force" = "$(column contact_force_n)" ]
+check "the peak pressure from contact-03.csv" [ "$peak" = "$(column max_pressure)" ]
+p=$(awk -F, 'NR > 1 && !seen[$10]++ { printf "%.12e ", $5 }' run/contact-03.csv)
+check "P from contact-03.csv" [ "$p" = "$(tail -n +3 run/P-03.mtx | awk '{ printf "%.12e ", $1 }')" ]
+echo "$failures failures"
+[ "$failures" -eq 0 ]
