@@ -31,6 +31,7 @@ check "columns of contact-03.csv" all_named $(columns_of run/contact-03.csv)
 check "keys of certificate.json" all_named $(keys_of run/certificate.json)
 check "  the reason among them" grep -q '"failure":' run/certificate.json
 check "  the bound among them" grep -q '"place_of_penetration":' run/certificate.json
+check "keys of answer.json" all_named $(keys_of run/answer.json)
 check "fields of solution-03.vtu" all_named $(fields_of run/solution-03.vtu)
 check "  the bound among them" grep -q 'Name="bound_mesh"' run/solution-03.vtu
 check "fields of contact-03.vtu" all_named $(fields_of run/contact-03.vtu)
