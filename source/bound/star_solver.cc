@@ -220,13 +220,23 @@ StarSolver::StarSolver(const EdgeMesh &mesh, const CellEnergies &energies)
       }
       known[name] = matrices_.size();
     }
-    matrix_of_star_[v] = matrices_.size();
-    const dealii::FullMatrix<double> matrix = solve_star(star, energies);
-    std::vector<double> &rows = matrices_.emplace_back(matrix.m() * matrix.n());
-    for (unsigned int i = 0; i < matrix.m(); ++i)
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        rows[i * matrix.n() + j] = matrix(i, j);
+    matrix_of_star_[v] = add_matrix(star, energies);
   }
+}
+
+unsigned int StarSolver::add_matrix(const Star &star, const CellEnergies &energies)
+{
+  const dealii::FullMatrix<double> matrix = solve_star(star, energies);
+  std::vector<double> &rows = matrices_.emplace_back(matrix.m() * matrix.n());
+  for (unsigned int i = 0; i < matrix.m(); ++i)
+    for (unsigned int j = 0; j < matrix.n(); ++j)
+      rows[i * matrix.n() + j] = matrix(i, j);
+  return matrices_.size() - 1;
+}
+
+void StarSolver::renew(const unsigned int vertex, const CellEnergies &energies)
+{
+  matrix_of_star_[vertex] = add_matrix(mesh_.stars()[vertex], energies);
 }
 
 std::vector<unsigned int> StarSolver::key(const Star &star, const CellEnergies &energies) const
