@@ -11,8 +11,8 @@ namespace
 /** The strain of a function with the given gradient in one component. */
 Components strain_of_component(const dealii::Tensor<1, 2> &gradient, const unsigned int component)
 {
-  return component == 0 ? Components{{gradient[0], 0., gradient[1]}} :
-                          Components{{0., gradient[1], gradient[0]}};
+  return component == 0 ? Components{{gradient[0], 0., gradient[1]}}
+                        : Components{{0., gradient[1], gradient[0]}};
 }
 } // namespace
 
@@ -72,8 +72,9 @@ double BubbleForm::change(const PatchBubbles::Coefficients &b, const CellMisfit 
   return sum;
 }
 
-const BubbleForm *
-BubbleForms::of(const unsigned int cell, const CellTable &table, const CellData &data)
+const BubbleForm *BubbleForms::of(const unsigned int cell,
+                                  const CellTable &table,
+                                  const CellData &data)
 {
   const unsigned int shape = table.shape_of(cell);
   if (!table.constant_law() || !data.shape.affine)
@@ -86,7 +87,8 @@ BubbleForms::of(const unsigned int cell, const CellTable &table, const CellData 
   if (forms_.empty())
     forms_.resize(table.n_shapes());
   if (!forms_[shape])
-    forms_[shape] = std::make_unique<const BubbleForm>(data.shape, table.law(data.shape.corners[0]));
+    forms_[shape] =
+      std::make_unique<const BubbleForm>(data.shape, table.law(data.shape.corners[0]));
   return forms_[shape].get();
 }
 } // namespace Signorini

@@ -59,8 +59,7 @@ ContactTrace::ContactTrace(const DisplacementSpace<2> &space,
   find_obstacle();
 }
 
-void ContactTrace::find_faces(const dealii::Vector<double> &P,
-                              const std::vector<FaceField> &fields)
+void ContactTrace::find_faces(const dealii::Vector<double> &P, const std::vector<FaceField> &fields)
 {
   const ContactSurface<2> &surface = multipliers_.surface();
   for (unsigned int i = 0; i < surface.faces().size(); ++i)

@@ -52,6 +52,8 @@ EquilibratedStress::EquilibratedStress(const StressData &data, const Improvement
   , loads_(make_loads(data.space, data.scene, mesh_, data.n_points))
   , given_(given_tractions(data.space, data.scene, mesh_, data.multipliers, data.P, data.n_points))
 {
+  if (data.space.mesh().has_parents())
+    bubbles_ = std::make_unique<const PatchBubbles>(data.space, mesh_, data.U);
   const auto R = residuals();
   const EdgeMoments start(mesh_, R, given_.moments, mean_tractions());
   moments_ = start.moments();
@@ -64,8 +66,6 @@ EquilibratedStress::EquilibratedStress(const StressData &data, const Improvement
       algebra_ =
         std::max(algebra_, start.rest()[v].norm() * mesh_.stars()[v].cells.size() / largest);
   balanced_ = balance_cells(mesh_, start.rest(), moments_);
-  if (data.space.mesh().has_parents())
-    bubbles_ = std::make_unique<const PatchBubbles>(data.space, mesh_, data.U);
   improve(options);
 }
 
@@ -264,8 +264,9 @@ StressBound EquilibratedStress::bound() const
     result.oscillation.push_back(rest);
     result.square += (misfit + rest) * (misfit + rest);
     result.oscillation_square += rest * rest;
-    result.complementary_energy +=
-      0.5 * std::pow(std::sqrt(squares.stress) + rest, 2) - support_work(c);
+    const double norm = std::sqrt(squares.stress), work = support_work(c);
+    result.complementary_energy.lower += 0.5 * std::pow(std::max(0., norm - rest), 2) - work;
+    result.complementary_energy.upper += 0.5 * std::pow(norm + rest, 2) - work;
     lift_square += squares.lift;
     if (bubbles_)
     {

@@ -107,7 +107,7 @@ double total(const double stress_square, const double lift, const ContactBound &
 /** What follows for the energy and for the stress from the bounds of u_h and pi^{2h} u_h. */
 struct Consequences
 {
-  Consequences(const double J_star, const double stress_square, const ContactBound &contact)
+  Consequences(const Bracket &J_star, const double stress_square, const ContactBound &contact)
     : J_star(J_star)
   {
     consider(stress_square, contact);
@@ -117,11 +117,10 @@ struct Consequences
     const double eta = std::sqrt(stress_square), lift_norm = std::sqrt(contact.lift_energy);
     const Bracket found = energy_bracket(J_star, eta, lift_norm, contact.contact_term);
     energy = {found.lower, std::min(energy.upper, found.upper)};
-    stress_error =
-      std::min(stress_error, stress_error_bound(eta, lift_norm, contact.contact_term));
+    stress_error = std::min(stress_error, stress_error_bound(eta, lift_norm, contact.contact_term));
   }
 
-  double J_star;
+  Bracket J_star;
   Bracket energy = {0., std::numeric_limits<double>::infinity()};
   /** ‖sigma(u) - tau‖ at most. */
   double stress_error = std::numeric_limits<double>::infinity();
@@ -161,8 +160,11 @@ ErrorBound compute_error_bound(const BoundData &data)
   const double scale = std::max(energy_norm(given), rounding);
   result.relative = ratio(*result.absolute, scale);
   const auto change = lift.trace().traction_change();
-  const double J_star = of_stress.complementary_energy - given.P * data.G - change.work_of_gap;
-  Consequences consequences(J_star, of_stress.square, contact);
+  const double work_of_gap = given.P * data.G + change.work_of_gap;
+  const Bracket &complementary = of_stress.complementary_energy;
+  Consequences consequences({complementary.lower - work_of_gap, complementary.upper - work_of_gap},
+                            of_stress.square,
+                            contact);
   if (of_stress.of_patches)
   {
     const double square = of_stress.of_patches->square;

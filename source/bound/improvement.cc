@@ -7,8 +7,7 @@
 #include <signorini/bound/star_solver.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <cstdio>
+#include <limits>
 
 namespace Signorini
 {
@@ -65,7 +64,9 @@ EquilibratedStress::Residual EquilibratedStress::residual(CellEnergies &energies
         for (unsigned int l = 0; l < 3; ++l)
           dual[9 * point.triangle + 3 * m + l] += point.weight * point.psi[m] * of_misfit[l];
     }
-    result.square += bubbles_ ? patch_misfit_square(c, data, square) : square;
+    result.square += square;
+    result.square_of_patches +=
+      bubbles_ ? patch_misfit_square(c, data, square) : std::numeric_limits<double>::infinity();
     add_moments(mesh_.cells()[c], data.composite.transposed(dual), result.r);
     if (!energies.knows(c))
       energies.set(c, make_energy(data, laws));
@@ -98,7 +99,6 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
     if (edges.empty())
       break;
     ++restarts_;
-    if (std::getenv("DBG")) std::fprintf(stderr, "  restart after %u, %zu pull\n", steps_, edges.size());
     moments_ = start;
     for (const unsigned int edge : edges)
     {
@@ -109,7 +109,6 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
       for (const unsigned int vertex : mesh_.edges()[edge].vertices)
         solver.renew(vertex, energies);
   }
-  if (std::getenv("DBG")) std::fprintf(stderr, "steps %u restarts %u free %zu\n", steps_, restarts_, free.size());
   for (const unsigned int edge : free)
     given_.normal_rest[edge] = 0.;
 }
@@ -122,7 +121,7 @@ std::vector<unsigned int> EquilibratedStress::iterate(Residual at_start,
 {
   std::vector<double> &r = at_start.r;
   std::vector<double> z(r.size(), 0.), q(r.size(), 0.);
-  double square = at_start.square;
+  double square = at_start.square, square_of_patches = at_start.square_of_patches;
   solver.apply(r, z);
   std::vector<double> p = z;
   double rz = product(r, z);
@@ -140,7 +139,10 @@ std::vector<unsigned int> EquilibratedStress::iterate(Residual at_start,
     if (const auto edges = pulling(mesh_, free, moments_); !edges.empty())
       return edges;
     square -= decrease;
-    if (decrease < options.least_share * square || square < 0.)
+    square_of_patches -= decrease;
+    const double least =
+      std::min(options.least_share * square, options.least_share_of_patches * square_of_patches);
+    if (decrease < least || square < 0. || square_of_patches < 0.)
       break;
     add(r, -alpha, q);
     solver.apply(r, z);

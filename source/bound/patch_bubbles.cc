@@ -13,8 +13,8 @@ using Vector2 = dealii::Tensor<1, 2>;
 /** The middles of the edges of a cell counter-clockwise, and its centre. */
 dealii::Quadrature<2> bubble_points()
 {
-  return dealii::Quadrature<2>(std::vector<dealii::Point<2>>{
-    {0.5, 0.}, {1., 0.5}, {0.5, 1.}, {0., 0.5}, {0.5, 0.5}});
+  return dealii::Quadrature<2>(
+    std::vector<dealii::Point<2>>{{0.5, 0.}, {1., 0.5}, {0.5, 1.}, {0., 0.5}, {0.5, 0.5}});
 }
 } // namespace
 

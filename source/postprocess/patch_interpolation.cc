@@ -189,8 +189,8 @@ PatchInterpolation<dim>::collect_values(const NodalVector &U, const CellIterator
 }
 
 template <int dim>
-const std::vector<dealii::Tensor<1, dim>> &
-PatchInterpolation<dim>::values(const NodalVector &U, const CellIterator &cell)
+const std::vector<dealii::Tensor<1, dim>> &PatchInterpolation<dim>::values(const NodalVector &U,
+                                                                           const CellIterator &cell)
 {
   const ShapeTable &shapes = tables_[lexicographic(collect_values(U, cell), n_cells_)];
   const unsigned int n_nodes = nodal_values_.size();

@@ -60,8 +60,8 @@ struct ContactBound
  *     r_F >= b - e,   r_F = 0 at both ends.
  *
  * Where the face presses, r_F = max(b - e, min(b, 0)): w_n = q where w_h touches at both ends,
- * since -2 tau_n (w_n - d) counts; elsewhere r_F = max(b - e, 0). Both are piecewise quadratic, with
- * breaks at the zeros of b and b - e as well. Hence w_n = Iq + e + r_F >= q >= d, and c² >= 0.
+ * since -2 tau_n (w_n - d) counts; elsewhere r_F = max(b - e, 0). Both are piecewise quadratic,
+ * with breaks at the zeros of b and b - e as well. Hence w_n = Iq + e + r_F >= q >= d, and c² >= 0.
  *
  * The bound is exact up to rounding, the sampling of g (see interpolate_from_above()) and, with
  * moduli that vary or cells that are no parallelograms, the quadrature of |||w|||².

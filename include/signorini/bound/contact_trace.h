@@ -69,8 +69,8 @@ struct PenetrationFace
   double pressure(double t) const;
   double traction(const double t) const
   {
-    return field.traction ? (1. - t) * (*field.traction)[0] + t * (*field.traction)[1] :
-                            pressure(t);
+    return field.traction ? (1. - t) * (*field.traction)[0] + t * (*field.traction)[1]
+                          : pressure(t);
   }
   /** Whether a part presses, and whether all do. */
   bool presses() const;
@@ -92,9 +92,9 @@ struct NodeCondition
 };
 
 /**
- * d = ũ_n - g on Gamma_c, with ũ = u_h or pi^{2h} u_h, face by face, and what a w in V^h with w_n >= d at contact nodes has
- * to satisfy: one condition per contact node and direction of the normal (a corner of two contact
- * sides has two).
+ * d = ũ_n - g on Gamma_c, with ũ = u_h or pi^{2h} u_h, face by face, and what a w in V^h with w_n
+ * >= d at contact nodes has to satisfy: one condition per contact node and direction of the normal
+ * (a corner of two contact sides has two).
  */
 class ContactTrace
 {

@@ -4,6 +4,7 @@
 #include <signorini/bound/bubble_form.h>
 #include <signorini/bound/cell_table.h>
 #include <signorini/bound/edge_tractions.h>
+#include <signorini/bound/energy_bracket.h>
 #include <signorini/bound/prescribed_lift.h>
 
 #include <array>
@@ -42,9 +43,9 @@ struct StressBound
     double square, lift;
   };
   std::optional<OfPatches> of_patches;
-  /** J*(tau) = 1/2 sum_K (‖tau‖_{C^{-1},K} + osc_K)² - int_{Gamma_D} tau n.u_D, without the part
-   * -int_{Gamma_c} tau_n g. */
-  double complementary_energy = 0.;
+  /** 1/2 sum_K (‖tau‖_{C^{-1},K} ± osc_K)² - int_{Gamma_D} tau n.u_D. Between these lies J* of the
+   * stress that balances the loads themselves, without its part -int_{Gamma_c} tau_n g. */
+  Bracket complementary_energy = {0., 0.};
   /** The largest force at a vertex that the linear solver left unbalanced, relative to the largest
    * force that a cell exerts on a vertex. */
   double algebra = 0.;
@@ -59,8 +60,9 @@ struct StressBound
 struct ImprovementOptions
 {
   unsigned int most_steps = 50;
-  /** Stop when a step takes less than this share of the square of the misfit. */
-  double least_share = 0.01;
+  /** Stop when a step takes less than this share of the square of the misfit of u_h, and of
+   * pi^{2h} u_h where there is one. */
+  double least_share = 0.01, least_share_of_patches = 0.03;
 };
 
 /** What a bound of the stress is made from; everything must outlive it. */
@@ -145,8 +147,7 @@ private:
   /** int_{Gamma_D} tau n.u_D on the edges of a cell. */
   double support_work(unsigned int cell) const;
   /** ‖sigma(pi^{2h} u_h + z) - tau‖² on a cell, from the same number of u_h + E. */
-  double
-  patch_misfit_square(unsigned int cell, const CellData &data, double misfit_square) const;
+  double patch_misfit_square(unsigned int cell, const CellData &data, double misfit_square) const;
   /** |||z|||² on a cell where PatchBubbles holds back. */
   double patch_lift_energy(unsigned int cell, const CellData &data) const;
   void improve(const ImprovementOptions &options);
@@ -154,8 +155,11 @@ private:
   struct Residual
   {
     std::vector<double> r;
-    /** The square of the misfit, and of tau. */
-    double square = 0., energy = 0.;
+    /** The squares of the misfits of u_h and of pi^{2h} u_h, the last one infinite where there is
+     * none. */
+    double square = 0., square_of_patches = 0.;
+    /** The square of tau. */
+    double energy = 0.;
   };
   Residual residual(CellEnergies &energies) const;
   /** Conjugate gradients. @return the edges among @p free that pull; then the moments are not to be

@@ -19,8 +19,8 @@ namespace Signorini
  * with s_k the position along edge k and d_k the depth behind it, both in [0,1]; m_k is the value
  * of b in the middle of the edge, the same from both of its cells.
  *
- * On edges with prescribed displacements m_k is held back: there pi^{2h} u_h is not u_D, either, and
- * PrescribedLift makes up for u_D - u_h.
+ * On edges with prescribed displacements m_k is held back: there pi^{2h} u_h is not u_D, either,
+ * and PrescribedLift makes up for u_D - u_h.
  */
 class PatchBubbles
 {

@@ -64,11 +64,6 @@ public:
   void apply(const std::vector<double> &r, std::vector<double> &z) const;
 
 private:
-  struct Entry
-  {
-    unsigned int position;
-    double sign;
-  };
   /** Adds the matrix of a star. @return its number. */
   unsigned int add_matrix(const Star &star, const CellEnergies &energies);
   /** Z (ZᵀSZ)^{-1} Zᵀ of a star, in the order spoke, end (centre first), component. */
