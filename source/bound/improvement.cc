@@ -140,9 +140,10 @@ std::vector<unsigned int> EquilibratedStress::iterate(Residual at_start,
       return edges;
     square -= decrease;
     square_of_patches -= decrease;
-    const double least =
-      std::min(options.least_share * square, options.least_share_of_patches * square_of_patches);
-    if (decrease < least || square < 0. || square_of_patches < 0.)
+    // Rounding may make the square for pi^{2h} u_h negative.
+    const double least = std::min(options.least_share * square,
+                                  options.least_share_of_patches * std::max(0., square_of_patches));
+    if (decrease < least || square < 0.)
       break;
     add(r, -alpha, q);
     solver.apply(r, z);
