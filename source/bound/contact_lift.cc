@@ -114,24 +114,22 @@ std::string describe(const std::string &reason, const SidePlace &place, const Sc
   return text.str();
 }
 
-/** int_F p_H (d - w_n). */
+/** int_F tau_n (d - w_n). */
 double contact_term(const ContactTrace &trace, const LiftField &lift, const unsigned int face)
 {
   static const dealii::QGauss<1> gauss(4);
   const PenetrationFace &F = trace.faces()[face];
   double sum = 0.;
   for (const EdgeFunction::Part &part : F.d.parts())
-  {
-    const double p = F.pressure(0.5 * (part.start + part.end));
-    if (p == 0.)
-      continue;
     for (unsigned int q = 0; q < gauss.size(); ++q)
     {
       const double t = part.start + (part.end - part.start) * gauss.point(q)[0];
-      sum += p * (trace.penetration(F, t) - lift.normal_value(face, t)) * F.length *
+      const double traction = F.traction(t);
+      if (traction == 0.)
+        continue;
+      sum += traction * (trace.penetration(F, t) - lift.normal_value(face, t)) * F.length *
              (part.end - part.start) * gauss.weight(q);
     }
-  }
   return sum;
 }
 } // namespace
@@ -141,7 +139,8 @@ ContactLift::ContactLift(const DisplacementSpace<2> &space,
                          const MultiplierSpace<2> &multipliers,
                          const NodalVector &U,
                          const dealii::Vector<double> &P,
-                         const std::optional<DualData> &dual)
+                         const std::optional<DualData> &dual,
+                         const std::vector<FaceField> &fields)
   : space_(space)
   , scene_(scene)
 {
@@ -155,7 +154,7 @@ ContactLift::ContactLift(const DisplacementSpace<2> &space,
     no_bound_ = "the displacement has a degree above one, and the bound is for bilinear elements.";
     return;
   }
-  trace_ = std::make_unique<const ContactTrace>(space, scene, multipliers, U, P);
+  trace_ = std::make_unique<const ContactTrace>(space, scene, multipliers, U, P, fields);
   if (trace_->obstacle())
   {
     no_bound_ = describe(trace_->obstacle()->first, trace_->obstacle()->second, scene);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The penetration of u_h along Gamma_c, and the contact nodes.
+// The penetration of u_h or pi^{2h} u_h along Gamma_c, and the contact nodes.
 
 #include <signorini/bound/contact_trace.h>
 #include <signorini/postprocess/contact_pressure.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,28 +45,36 @@ ContactTrace::ContactTrace(const DisplacementSpace<2> &space,
                            const Scene<2> &scene,
                            const MultiplierSpace<2> &multipliers,
                            const NodalVector &U,
-                           const dealii::Vector<double> &P)
+                           const dealii::Vector<double> &P,
+                           const std::vector<FaceField> &fields)
   : space_(space)
   , scene_(scene)
   , multipliers_(multipliers)
   , U_(U)
   , normals_(std::vector<Coupling::Column>())
 {
-  find_faces(P);
+  find_faces(P, fields);
   find_conditions();
   sample();
   find_obstacle();
 }
 
-void ContactTrace::find_faces(const dealii::Vector<double> &P)
+void ContactTrace::find_faces(const dealii::Vector<double> &P, const std::vector<FaceField> &fields)
 {
   const ContactSurface<2> &surface = multipliers_.surface();
+  const double rounding = 1e-14 * U_.linfty_norm();
   for (unsigned int i = 0; i < surface.faces().size(); ++i)
   {
     const ContactFace<2> &contact = surface.faces()[i];
     const auto cell = space_.dof_cell(contact.cell);
     PenetrationFace face = {};
     face.number = i;
+    if (!fields.empty())
+      face.field = fields[i];
+    // Where pi^{2h} u_h = u_h but for rounding, the contact term would be rounding, and the root of
+    // rounding is not.
+    if (std::abs(face.field.bubble) <= rounding)
+      face.field.bubble = 0.;
     face.side = contact.side;
     for (unsigned int end = 0; end < 2; ++end)
     {
@@ -145,7 +154,29 @@ void ContactTrace::find_conditions()
 
 double ContactTrace::penetration(const PenetrationFace &face, const double t) const
 {
-  return face.normal_value(U_, t) - scene_.boundary[face.side].data->value(face.point(t));
+  return face.normal_value(U_, t) + 4. * t * (1. - t) * face.field.bubble -
+         scene_.boundary[face.side].data->value(face.point(t));
+}
+
+ContactTrace::TractionChange ContactTrace::traction_change() const
+{
+  const dealii::QGauss<1> gauss(4);
+  TractionChange change;
+  for (const PenetrationFace &face : faces_)
+  {
+    if (!face.field.traction)
+      continue;
+    for (const EdgeFunction::Part &part : face.d.parts())
+      for (unsigned int q = 0; q < gauss.size(); ++q)
+      {
+        const double t = part.start + (part.end - part.start) * gauss.point(q)[0];
+        const double force = (face.traction(t) - face.pressure(t)) * face.length *
+                             (part.end - part.start) * gauss.weight(q);
+        change.force += force;
+        change.work_of_gap += force * scene_.boundary[face.side].data->value(face.point(t));
+      }
+  }
+  return change;
 }
 
 void ContactTrace::sample()

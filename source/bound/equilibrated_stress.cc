@@ -4,7 +4,7 @@
 #include <signorini/bound/balance.h>
 #include <signorini/bound/equilibrated_stress.h>
 #include <signorini/bound/oscillation.h>
-#include <signorini/bound/star_solver.h>
+#include <signorini/bound/pointwise.h>
 #include <signorini/elasticity/cell_stiffness.h>
 
 #include <algorithm>
@@ -15,36 +15,6 @@ namespace Signorini
 namespace
 {
 using Vector2 = dealii::Tensor<1, 2>;
-
-double product(const std::vector<double> &a, const std::vector<double> &b)
-{
-  double sum = 0.;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += a[i] * b[i];
-  return sum;
-}
-
-/** a += factor b. */
-void add(std::vector<double> &a, const double factor, const std::vector<double> &b)
-{
-  for (std::size_t i = 0; i < a.size(); ++i)
-    a[i] += factor * b[i];
-}
-
-double product(const Components &a, const Components &b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Components difference(const Components &a, const Components &b)
-{
-  return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
-}
-
-const Law &law_at(const std::vector<Law> &laws, const std::size_t i)
-{
-  return laws[laws.size() == 1 ? 0 : i];
-}
 
 /** Adds half of the moments of a traction that is sampled at the points of an edge. */
 void add_edge(const std::array<EdgePoint, 2> &points,
@@ -82,6 +52,8 @@ EquilibratedStress::EquilibratedStress(const StressData &data, const Improvement
   , loads_(make_loads(data.space, data.scene, mesh_, data.n_points))
   , given_(given_tractions(data.space, data.scene, mesh_, data.multipliers, data.P, data.n_points))
 {
+  if (data.space.mesh().has_parents())
+    bubbles_ = std::make_unique<const PatchBubbles>(data.space, mesh_, data.U);
   const auto R = residuals();
   const EdgeMoments start(mesh_, R, given_.moments, mean_tractions());
   moments_ = start.moments();
@@ -208,65 +180,7 @@ Components EquilibratedStress::strain(const unsigned int cell,
   const Components of_u_h = strain_of(point.gradients, u);
   if (!lift_.cells()[cell])
     return of_u_h;
-  const Components more = lift_.strain(cell, point);
-  return {{of_u_h[0] + more[0], of_u_h[1] + more[1], of_u_h[2] + more[2]}};
-}
-
-void EquilibratedStress::improve(const ImprovementOptions &options)
-{
-  if (options.most_steps == 0)
-    return;
-  // r = -(the gradient of half the square of the misfit).
-  std::vector<double> r(moments_.size(), 0.), z(r.size()), q(r.size());
-  CellEnergies energies(table_, mesh_.cells().size());
-  double square = 0., energy = 0.;
-  for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
-  {
-    const CellData &data = table_(c);
-    const std::vector<Law> &laws = table_.laws(c, data);
-    const std::vector<Components> tau = stress(c, data);
-    const CornerValues u = displacement(mesh_.cells()[c]);
-    CompositeCell::Stresses dual{};
-    for (std::size_t i = 0; i < data.points.size(); ++i)
-    {
-      const StressPoint &point = data.points[i];
-      const Law &law = law_at(laws, i);
-      const Components misfit = difference(law.stress(strain(c, point, u)), tau[i]);
-      const Components of_misfit = law.strain(misfit);
-      square += point.weight * product(misfit, of_misfit);
-      energy += point.weight * product(tau[i], law.strain(tau[i]));
-      for (unsigned int m = 0; m < 3; ++m)
-        for (unsigned int l = 0; l < 3; ++l)
-          dual[9 * point.triangle + 3 * m + l] += point.weight * point.psi[m] * of_misfit[l];
-    }
-    add_moments(mesh_.cells()[c], data.composite.transposed(dual), r);
-    if (!energies.knows(c))
-      energies.set(c, make_energy(data, laws));
-  }
-  const StarSolver solver(mesh_, energies);
-  solver.apply(r, z);
-  std::vector<double> p = z;
-  double rz = product(r, z);
-  // Below that, the misfit is rounding.
-  const double least_square = 1e-22 * energy;
-  while (rz > 0. && square > least_square && steps_ < options.most_steps)
-  {
-    multiply(mesh_, energies, p, q);
-    const double alpha = rz / product(p, q), decrease = alpha * rz;
-    if (!(decrease > 0.))
-      return;
-    ++steps_;
-    add(moments_, alpha, p);
-    square -= decrease;
-    if (decrease < options.least_share * square || square < 0.)
-      return;
-    add(r, -alpha, q);
-    solver.apply(r, z);
-    const double new_rz = product(r, z), beta = new_rz / rz;
-    rz = new_rz;
-    for (std::size_t i = 0; i < p.size(); ++i)
-      p[i] = z[i] + beta * p[i];
-  }
+  return sum(of_u_h, lift_.strain(cell, point));
 }
 
 EquilibratedStress::CellSquares EquilibratedStress::integrate(const unsigned int cell,
@@ -275,23 +189,23 @@ EquilibratedStress::CellSquares EquilibratedStress::integrate(const unsigned int
   const std::vector<Law> &laws = table_.laws(cell, data);
   const std::vector<Components> tau = stress(cell, data);
   const CornerValues u = displacement(mesh_.cells()[cell]);
-  CellSquares sum;
-  sum.smallest_eigenvalue = laws[0].smallest_eigenvalue;
+  CellSquares squares;
+  squares.smallest_eigenvalue = laws[0].smallest_eigenvalue;
   for (std::size_t i = 0; i < data.points.size(); ++i)
   {
     const StressPoint &point = data.points[i];
     const Law &law = law_at(laws, i);
     const Components misfit = difference(law.stress(strain(cell, point, u)), tau[i]);
-    sum.misfit += point.weight * product(misfit, law.strain(misfit));
-    sum.stress += point.weight * product(tau[i], law.strain(tau[i]));
+    squares.misfit += point.weight * contraction(misfit, law.strain(misfit));
+    squares.stress += point.weight * contraction(tau[i], law.strain(tau[i]));
     if (lift_.cells()[cell])
     {
       const Components e = lift_.strain(cell, point);
-      sum.lift += point.weight * product(e, law.stress(e));
+      squares.lift += point.weight * contraction(e, law.stress(e));
     }
-    sum.smallest_eigenvalue = std::min(sum.smallest_eigenvalue, law.smallest_eigenvalue);
+    squares.smallest_eigenvalue = std::min(squares.smallest_eigenvalue, law.smallest_eigenvalue);
   }
-  return sum;
+  return squares;
 }
 
 double EquilibratedStress::oscillation(const unsigned int cell,
@@ -338,7 +252,8 @@ StressBound EquilibratedStress::bound() const
   result.algebra = algebra_;
   result.balanced = balanced_;
   result.steps = steps_;
-  double lift_square = 0.;
+  result.restarts = restarts_;
+  double lift_square = 0., patch_square = 0., patch_lift_square = 0.;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
     const CellData &data = table_(c);
@@ -349,11 +264,20 @@ StressBound EquilibratedStress::bound() const
     result.oscillation.push_back(rest);
     result.square += (misfit + rest) * (misfit + rest);
     result.oscillation_square += rest * rest;
-    result.complementary_energy +=
-      0.5 * std::pow(std::sqrt(squares.stress) + rest, 2) - support_work(c);
+    const double norm = std::sqrt(squares.stress), work = support_work(c);
+    result.complementary_energy.lower += 0.5 * std::pow(std::max(0., norm - rest), 2) - work;
+    result.complementary_energy.upper += 0.5 * std::pow(norm + rest, 2) - work;
     lift_square += squares.lift;
+    if (bubbles_)
+    {
+      const double of_patches = std::sqrt(patch_misfit_square(c, data, squares.misfit)) + rest;
+      patch_square += of_patches * of_patches;
+      patch_lift_square += bubbles_->holds_back(c) ? patch_lift_energy(c, data) : squares.lift;
+    }
   }
   result.lift = std::sqrt(lift_square);
+  if (bubbles_)
+    result.of_patches = {patch_square, std::sqrt(patch_lift_square)};
   return result;
 }
 } // namespace Signorini

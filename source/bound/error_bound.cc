@@ -82,6 +82,59 @@ double ratio(const double value, const double scale)
     return 0.;
   return scale > 0. ? value / scale : std::numeric_limits<double>::infinity();
 }
+
+/** tau_n on contact faces, with pi^{2h} u_h if wanted, or with u_h. */
+std::vector<FaceField> fields_of(const EquilibratedStress &stress, const bool of_patches)
+{
+  std::vector<FaceField> fields;
+  for (const auto &traction : stress.free_tractions())
+    fields.push_back({0., traction});
+  if (of_patches)
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      fields[i].bubble = stress.normal_bubble(i);
+  return fields;
+}
+
+ContactLift make_lift(const BoundData &data,
+                      const double stress_square,
+                      const std::vector<FaceField> &fields)
+{
+  const StressData &given = data.stress;
+  return {given.space,
+          given.scene,
+          given.multipliers,
+          given.U,
+          given.P,
+          ContactLift::DualData{data.inverse, data.condensed_D, 0.05 * stress_square},
+          fields};
+}
+
+double total(const double stress_square, const double lift, const ContactBound &contact)
+{
+  return lift + std::sqrt(stress_square + std::max(0., contact.square()));
+}
+
+/** What follows for the energy and for the stress from the bounds of u_h and pi^{2h} u_h. */
+struct Consequences
+{
+  Consequences(const Bracket &J_star, const double stress_square, const ContactBound &contact)
+    : J_star(J_star)
+  {
+    consider(stress_square, contact);
+  }
+  void consider(const double stress_square, const ContactBound &contact)
+  {
+    const double eta = std::sqrt(stress_square), lift_norm = std::sqrt(contact.lift_energy);
+    const Bracket found = energy_bracket(J_star, eta, lift_norm, contact.contact_term);
+    energy = {found.lower, std::min(energy.upper, found.upper)};
+    stress_error = std::min(stress_error, stress_error_bound(eta, lift_norm, contact.contact_term));
+  }
+
+  Bracket J_star;
+  Bracket energy = {0., std::numeric_limits<double>::infinity()};
+  /** ‖sigma(u) - tau‖ at most. */
+  double stress_error = std::numeric_limits<double>::infinity();
+};
 } // namespace
 
 LocatedBound compute_located_bound(const BoundData &data)
@@ -94,13 +147,7 @@ LocatedBound compute_located_bound(const BoundData &data)
     return located;
   const EquilibratedStress stress(given);
   const StressBound of_stress = stress.bound();
-  const ContactLift lift(
-    given.space,
-    given.scene,
-    given.multipliers,
-    given.U,
-    given.P,
-    ContactLift::DualData{data.inverse, data.condensed_D, 0.05 * of_stress.square});
+  const ContactLift lift = make_lift(data, of_stress.square, fields_of(stress, false));
   result.penetration = lift.trace().largest_penetration();
   result.place_of_penetration = name_of(lift.trace().place_of_largest(), given.scene);
   result.missing = lift.no_bound();
@@ -117,20 +164,35 @@ LocatedBound compute_located_bound(const BoundData &data)
   result.contact = std::sqrt(std::max(0., contact.square()));
   result.algebra = of_stress.algebra;
   // The inequality holds for u_h + E with the prescribed displacement itself; E is zero on contact.
-  result.absolute = of_stress.lift + std::sqrt(of_stress.square + std::max(0., contact.square()));
+  result.absolute = total(of_stress.square, of_stress.lift, contact);
   // Where the body moves as a whole, |||u_h||| and the bound are nothing but rounding.
   const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * given.U.linfty_norm() *
                           std::sqrt(given.scene.material->modulus());
-  result.relative = ratio(*result.absolute, std::max(energy_norm(given), rounding));
-  const double J_star = of_stress.complementary_energy - given.P * data.G;
-  const double eta = std::sqrt(of_stress.square), lift_norm = std::sqrt(contact.lift_energy);
-  const Bracket energy = energy_bracket(J_star, eta, lift_norm, contact.contact_term);
-  result.energy_lower = energy.lower;
-  result.energy_upper = energy.upper;
+  const double scale = std::max(energy_norm(given), rounding);
+  result.relative = ratio(*result.absolute, scale);
+  const auto change = lift.trace().traction_change();
+  const double work_of_gap = given.P * data.G + change.work_of_gap;
+  const Bracket &complementary = of_stress.complementary_energy;
+  Consequences consequences({complementary.lower - work_of_gap, complementary.upper - work_of_gap},
+                            of_stress.square,
+                            contact);
+  if (of_stress.of_patches)
+  {
+    const double square = of_stress.of_patches->square;
+    const ContactLift of_patches = make_lift(data, square, fields_of(stress, true));
+    if (of_patches.bound() && std::isfinite(square + of_patches.bound()->square()))
+    {
+      result.post_absolute = total(square, of_stress.of_patches->lift, *of_patches.bound());
+      result.post_relative = ratio(*result.post_absolute, scale);
+      consequences.consider(square, *of_patches.bound());
+    }
+  }
+  result.energy_lower = consequences.energy.lower;
+  result.energy_upper = consequences.energy.upper;
   if (const auto unit_lift =
         norm_of_unit_lift(given.space, given.scene, lift.trace(), data.inverse))
     result.force_error =
-      contact_force_bound(stress_error_bound(eta, lift_norm, contact.contact_term), *unit_lift);
+      contact_force_bound(consequences.stress_error, *unit_lift) + std::abs(change.force);
   result.largest_cell = name_of_worst_cell(of_stress, given.space);
   if (!given.scene.contact_sides().empty())
     result.largest_face = name_of(contact.largest_part, given.scene);
@@ -149,6 +211,8 @@ Columns<ErrorBound> ErrorBound::columns()
           {"bound_oscillation", &ErrorBound::oscillation},
           {"bound_contact", &ErrorBound::contact},
           {"bound_algebra", &ErrorBound::algebra},
+          {"bound_post_energy", &ErrorBound::post_absolute},
+          {"bound_post_relative", &ErrorBound::post_relative},
           {"max_penetration", &ErrorBound::penetration},
           {"energy_lower", &ErrorBound::energy_lower},
           {"energy_upper", &ErrorBound::energy_upper},

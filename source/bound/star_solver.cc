@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace Signorini
 {
@@ -136,6 +137,46 @@ dealii::FullMatrix<double> solve(dealii::FullMatrix<double> A, dealii::FullMatri
     }
   return B;
 }
+/** Inside the body four edges meet: then the compiler knows the sizes of loops. */
+constexpr unsigned int usual_size = 16;
+
+/** Calls @p f(number, position, sign) for the n moments of a star, in the order of its matrix. */
+template <typename Size, typename Function>
+void for_moments(const Star &star, const Size n, const Function &f)
+{
+  for (unsigned int j = 0; j < n / 4; ++j)
+  {
+    const Spoke &spoke = star.spokes[j];
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      const unsigned int end = i < 2 ? spoke.end : 1 - spoke.end;
+      f(4 * j + i, 4 * spoke.edge + 2 * end + i % 2, spoke.sign);
+    }
+  }
+}
+
+/** z += the solution for one star; n is a number or a constant. */
+template <typename Size, typename Array>
+void add_solution(const Star &star,
+                  const double *row,
+                  const Size n,
+                  const std::vector<double> &r,
+                  std::vector<double> &z,
+                  Array &x,
+                  Array &y)
+{
+  for_moments(star, n, [&](const unsigned int i, const unsigned int position, const double sign) {
+    x[i] = sign * r[position];
+    y[i] = 0.;
+  });
+  // Symmetric: rows are columns.
+  for (unsigned int j = 0; j < n; ++j, row += n)
+    for (unsigned int i = 0; i < n; ++i)
+      y[i] += row[i] * x[j];
+  for_moments(star, n, [&](const unsigned int i, const unsigned int position, const double sign) {
+    z[position] += sign * y[i];
+  });
+}
 } // namespace
 
 dealii::FullMatrix<double> null_space(dealii::FullMatrix<double> matrix)
@@ -220,13 +261,23 @@ StarSolver::StarSolver(const EdgeMesh &mesh, const CellEnergies &energies)
       }
       known[name] = matrices_.size();
     }
-    matrix_of_star_[v] = matrices_.size();
-    const dealii::FullMatrix<double> matrix = solve_star(star, energies);
-    std::vector<double> &rows = matrices_.emplace_back(matrix.m() * matrix.n());
-    for (unsigned int i = 0; i < matrix.m(); ++i)
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        rows[i * matrix.n() + j] = matrix(i, j);
+    matrix_of_star_[v] = add_matrix(star, energies);
   }
+}
+
+unsigned int StarSolver::add_matrix(const Star &star, const CellEnergies &energies)
+{
+  const dealii::FullMatrix<double> matrix = solve_star(star, energies);
+  std::vector<double> &rows = matrices_.emplace_back(matrix.m() * matrix.n());
+  for (unsigned int i = 0; i < matrix.m(); ++i)
+    for (unsigned int j = 0; j < matrix.n(); ++j)
+      rows[i * matrix.n() + j] = matrix(i, j);
+  return matrices_.size() - 1;
+}
+
+void StarSolver::renew(const unsigned int vertex, const CellEnergies &energies)
+{
+  matrix_of_star_[vertex] = add_matrix(mesh_.stars()[vertex], energies);
 }
 
 std::vector<unsigned int> StarSolver::key(const Star &star, const CellEnergies &energies) const
@@ -269,29 +320,22 @@ dealii::FullMatrix<double> StarSolver::solve_star(const Star &star,
 void StarSolver::apply(const std::vector<double> &r, std::vector<double> &z) const
 {
   std::fill(z.begin(), z.end(), 0.);
+  std::array<double, usual_size> fixed_x, fixed_y;
   std::vector<double> x, y;
-  std::vector<Entry> at;
   for (unsigned int v = 0; v < mesh_.stars().size(); ++v)
   {
     const Star &star = mesh_.stars()[v];
     const unsigned int n = 4 * star.spokes.size();
-    x.assign(n, 0.);
-    y.assign(n, 0.);
-    at.clear();
-    for (const Spoke &spoke : star.spokes)
-      for (unsigned int end = 0; end < 2; ++end)
-        for (unsigned int c = 0; c < 2; ++c)
-          at.push_back(
-            {4 * spoke.edge + 2 * (end == 0 ? spoke.end : 1 - spoke.end) + c, spoke.sign});
-    for (unsigned int i = 0; i < n; ++i)
-      x[i] = at[i].sign * r[at[i].position];
-    const double *row = matrices_[matrix_of_star_[v]].data();
-    // Symmetric: rows are columns.
-    for (unsigned int j = 0; j < n; ++j, row += n)
-      for (unsigned int i = 0; i < n; ++i)
-        y[i] += row[i] * x[j];
-    for (unsigned int i = 0; i < n; ++i)
-      z[at[i].position] += at[i].sign * y[i];
+    const double *matrix = matrices_[matrix_of_star_[v]].data();
+    if (n == usual_size)
+    {
+      add_solution(
+        star, matrix, std::integral_constant<unsigned int, usual_size>(), r, z, fixed_x, fixed_y);
+      continue;
+    }
+    x.resize(n);
+    y.resize(n);
+    add_solution(star, matrix, n, r, z, x, y);
   }
 }
 

@@ -25,6 +25,8 @@ Json describe(const ErrorBound &bound)
           {"oscillation", number(bound.oscillation)},
           {"contact", number(bound.contact)},
           {"algebra", number(bound.algebra)},
+          {"post_absolute", number(bound.post_absolute)},
+          {"post_relative", number(bound.post_relative)},
           {"energy", {number(bound.energy_lower), number(bound.energy_upper)}},
           {"contact_force_error", number(bound.force_error)},
           {"max_penetration", bound.penetration},

@@ -164,9 +164,8 @@ void PatchInterpolation<dim>::find_nodes(const AncestorIterator &cell, const Pla
 }
 
 template <int dim>
-const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const NodalVector &U,
-                                                          const CellIterator &cell,
-                                                          const dealii::FEValues<dim> &fe_values)
+typename PatchInterpolation<dim>::Place
+PatchInterpolation<dim>::collect_values(const NodalVector &U, const CellIterator &cell)
 {
   AncestorIterator ancestor = cell;
   Place place = {};
@@ -186,6 +185,28 @@ const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const NodalVector &U,
   for (unsigned int k = 0; k < nodal_dofs_.size(); ++k)
     for (unsigned int d = 0; d < dim; ++d)
       nodal_values_[k][d] = U[nodal_dofs_[k][d]];
+  return place;
+}
+
+template <int dim>
+const std::vector<dealii::Tensor<1, dim>> &PatchInterpolation<dim>::values(const NodalVector &U,
+                                                                           const CellIterator &cell)
+{
+  const ShapeTable &shapes = tables_[lexicographic(collect_values(U, cell), n_cells_)];
+  const unsigned int n_nodes = nodal_values_.size();
+  result_.values.assign(usual_points_.size(), dealii::Tensor<1, dim>());
+  for (unsigned int q = 0; q < usual_points_.size(); ++q)
+    for (unsigned int k = 0; k < n_nodes; ++k)
+      result_.values[q] += shapes.values[q * n_nodes + k] * nodal_values_[k];
+  return result_.values;
+}
+
+template <int dim>
+const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const NodalVector &U,
+                                                          const CellIterator &cell,
+                                                          const dealii::FEValues<dim> &fe_values)
+{
+  const Place place = collect_values(U, cell);
   const ShapeTable &shapes = table(fe_values.get_quadrature(), place);
   const unsigned int n_points = fe_values.n_quadrature_points, n_nodes = nodal_values_.size();
   result_.values.assign(n_points, dealii::Tensor<1, dim>());

@@ -147,10 +147,20 @@ void add_cell(const EquilibratedStress &stress,
   }
 }
 
-/** -int_e t_h.v on edges where tractions are given; t_h has the moments of the scene's data. */
+bool is_free_contact(const EquilibratedStress &stress,
+                     const Scene<2> &scene,
+                     const unsigned int number)
+{
+  const Edge &edge = stress.mesh().edges()[number];
+  return edge.freedom == EdgeFreedom::normal && scene.boundary[edge.side].role == Role::contact;
+}
+
+/** -int_e t_h.v on edges where tractions are given, t_h with the moments of the scene's data, and
+ * on contact edges whose normal traction is free. */
 void add_edges(const EquilibratedStress &stress,
                const GivenTractions &given,
                const Mesh<2> &mesh,
+               const Scene<2> &scene,
                const TestField &field,
                Work &work)
 {
@@ -159,8 +169,10 @@ void add_edges(const EquilibratedStress &stress,
   for (unsigned int e = 0; e < stress.mesh().edges().size(); ++e)
   {
     const Edge &edge = stress.mesh().edges()[e];
-    if (edge.freedom != EdgeFreedom::none)
+    const bool is_free = is_free_contact(stress, scene, e);
+    if (edge.freedom != EdgeFreedom::none && !is_free)
       continue;
+    const std::vector<double> &moments = is_free ? stress.moments() : given.moments;
     const dealii::Point<2> a = vertices[edge.vertices[0]], b = vertices[edge.vertices[1]];
     for (unsigned int i = 0; i < rule.size(); ++i)
     {
@@ -168,7 +180,7 @@ void add_edges(const EquilibratedStress &stress,
       const Vector2 v = field.value(a + s * (b - a));
       for (unsigned int d = 0; d < 2; ++d)
       {
-        const double first = given.moments[4 * e + d], second = given.moments[4 * e + 2 + d];
+        const double first = moments[4 * e + d], second = moments[4 * e + 2 + d];
         const double t = (4. * first - 2. * second) * (1. - s) + (4. * second - 2. * first) * s;
         work.add(-t * v[d] * rule.weight(i));
       }
@@ -187,7 +199,7 @@ double imbalance(const Answer &answer, const ImprovementOptions &options, const 
   Work work;
   for (unsigned int c = 0; c < stress.mesh().cells().size(); ++c)
     add_cell(stress, c, field, work);
-  add_edges(stress, given, data.space.mesh(), field, work);
+  add_edges(stress, given, data.space.mesh(), data.scene, field, work);
   return std::abs(work.sum) / work.size;
 }
 
@@ -238,6 +250,36 @@ const std::vector<std::pair<std::string, std::string>> &scenes()
   return list;
 }
 
+/** On contact edges whose traction is free it has no shear and does not pull. */
+void contact_tractions(Checks &checks, const std::string &name, const Answer &answer)
+{
+  const EquilibratedStress stress(answer.data());
+  unsigned int n_free = 0;
+  double shear = 0., largest = 0., pull = 0.;
+  for (unsigned int e = 0; e < stress.mesh().edges().size(); ++e)
+  {
+    const Edge &edge = stress.mesh().edges()[e];
+    if (!is_free_contact(stress, answer.level.scene, e))
+      continue;
+    ++n_free;
+    Vector2 first, second;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      first[d] = stress.moments()[4 * e + d];
+      second[d] = stress.moments()[4 * e + 2 + d];
+    }
+    largest = std::max({largest, first.norm(), second.norm()});
+    shear =
+      std::max({shear, std::abs(cross(edge.normal, first)), std::abs(cross(edge.normal, second))});
+    // The linear traction with these moments at both ends, times the length.
+    pull = std::max(
+      {pull, (4. * first - 2. * second) * edge.normal, (4. * second - 2. * first) * edge.normal});
+  }
+  checks.that(name + ": free contact edges", n_free > 0);
+  checks.near(name + ": no shear", shear, 0., 1e-14 * largest);
+  checks.that(name + ": no pull", pull == 0.);
+}
+
 void equilibrium(Checks &checks)
 {
   for (const auto &scene : scenes())
@@ -248,6 +290,7 @@ void equilibrium(Checks &checks)
       checks.near(scene.first + ": improved", imbalance(answer, {5, 0.}, 2), 0., 1e-12);
       const EquilibratedStress stress(answer.data());
       checks.near(scene.first + ": algebra", stress.bound().algebra, 0., 1e-11);
+      contact_tractions(checks, scene.first, answer);
       answer.disturb(1e-4);
       const StressBound disturbed = EquilibratedStress(answer.data()).bound();
       checks.that(scene.first + ": disturbed and balanced",

@@ -27,10 +27,10 @@ struct ContactBound
 {
   /** |||w|||² (force x length per thickness). */
   double lift_energy = 0.;
-  /** int_{Gamma_c} p_H (u_{h,n} - g - w_n); not negative, up to rounding. */
+  /** int_{Gamma_c} tau_n (ũ_n - g - w_n); not negative, up to rounding. */
   double contact_term = 0.;
   LiftMethod method = LiftMethod::layer;
-  /** 2 int_F p_H (u_{h,n} - g - w_n), in the order of ContactSurface::faces(). */
+  /** 2 int_F tau_n (ũ_n - g - w_n), in the order of ContactSurface::faces(). */
   std::vector<double> face_terms;
   /** The part of |||w|||² of every active cell; zero for cells of other ranks. */
   dealii::Vector<double> cell_energies;
@@ -38,7 +38,7 @@ struct ContactBound
    */
   SidePlace largest_part;
 
-  /** c² = |||w|||² + 2 int p_H (u_{h,n} - g - w_n). */
+  /** c² = |||w|||² + 2 int tau_n (ũ_n - g - w_n). */
   double square() const
   {
     return lift_energy + 2. * contact_term;
@@ -46,12 +46,12 @@ struct ContactBound
 };
 
 /**
- * The contact part of the guaranteed bound of the energy error |||u - u_h|||,
+ * The contact part of the guaranteed bound of the energy error |||u - ũ|||, ũ = u_h or pi^{2h} u_h,
  *
- *     c² = |||w|||² + 2 int_{Gamma_c} p_H (u_{h,n} - g - w_n)
+ *     c² = |||w|||² + 2 int_{Gamma_c} tau_n (ũ_n - g - w_n)
  *
  * for a w in V (zero on clamped and prescribed sides, w_n = 0 on rollers) with
- * w_n >= d := u_{h,n} - g on Gamma_c. For plane bodies with straight sides.
+ * w_n >= d := ũ_n - g on Gamma_c. For plane bodies with straight sides.
  *
  * w = w_h + sum_F r_F psi_F n, see LiftField. w_h in V^h satisfies w_{h,n} >= d at contact nodes.
  * On a face, d is replaced by a piecewise quadratic q >= d (EdgeFunction); with its chord Iq,
@@ -60,8 +60,8 @@ struct ContactBound
  *     r_F >= b - e,   r_F = 0 at both ends.
  *
  * Where the face presses, r_F = max(b - e, min(b, 0)): w_n = q where w_h touches at both ends,
- * since -2 p_H (w_n - d) counts; elsewhere r_F = max(b - e, 0). Both are piecewise quadratic, with
- * breaks at the zeros of b and b - e as well. Hence w_n = Iq + e + r_F >= q >= d, and c² >= 0.
+ * since -2 tau_n (w_n - d) counts; elsewhere r_F = max(b - e, 0). Both are piecewise quadratic,
+ * with breaks at the zeros of b and b - e as well. Hence w_n = Iq + e + r_F >= q >= d, and c² >= 0.
  *
  * The bound is exact up to rounding, the sampling of g (see interpolate_from_above()) and, with
  * moduli that vary or cells that are no parallelograms, the quadrature of |||w|||².
@@ -88,6 +88,7 @@ public:
   /**
    * All but @p dual must outlive the object. Collective.
    * @param dual none: the layer alone.
+   * @param fields see ContactTrace.
    * @throws InputError where g has no value.
    */
   ContactLift(const DisplacementSpace<2> &space,
@@ -95,7 +96,8 @@ public:
               const MultiplierSpace<2> &multipliers,
               const NodalVector &U,
               const dealii::Vector<double> &P,
-              const std::optional<DualData> &dual);
+              const std::optional<DualData> &dual,
+              const std::vector<FaceField> &fields = {});
 
   /** None where no w exists, or none is known: see no_bound(). */
   const std::optional<ContactBound> &bound() const

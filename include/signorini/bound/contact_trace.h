@@ -24,7 +24,16 @@ struct SidePlace
   double arc_length = 0.;
 };
 
-/** A straight contact face with d = u_{h,n} - g on it, as a function of t in [0,1] from its vertex
+/** What ũ and tau have on a contact face other than u_h and p_H. */
+struct FaceField
+{
+  /** ũ_n = u_{h,n} + 4 t (1 - t) bubble. */
+  double bubble = 0.;
+  /** tau_n at vertex 0 and vertex 1, linear between them; none: tau_n = p_H. */
+  std::optional<std::array<double, 2>> traction;
+};
+
+/** A straight contact face with d = ũ_n - g on it, as a function of t in [0,1] from its vertex
  * 0 to its vertex 1. */
 struct PenetrationFace
 {
@@ -48,6 +57,7 @@ struct PenetrationFace
     bool presses;
   };
   std::vector<Pressed> pressures;
+  FaceField field;
   /** d from above. */
   EdgeFunction d;
 
@@ -55,8 +65,13 @@ struct PenetrationFace
   {
     return start + t * (end - start);
   }
-  /** p_H at t. */
+  /** p_H and tau_n at t. */
   double pressure(double t) const;
+  double traction(const double t) const
+  {
+    return field.traction ? (1. - t) * (*field.traction)[0] + t * (*field.traction)[1]
+                          : pressure(t);
+  }
   /** Whether a part presses, and whether all do. */
   bool presses() const;
   bool presses_everywhere() const;
@@ -77,19 +92,22 @@ struct NodeCondition
 };
 
 /**
- * d = u_{h,n} - g on Gamma_c, face by face, and what a w in V^h with w_n >= d at contact nodes has
- * to satisfy: one condition per contact node and direction of the normal (a corner of two contact
- * sides has two).
+ * d = ũ_n - g on Gamma_c, with ũ = u_h or pi^{2h} u_h, face by face, and what a w in V^h with w_n
+ * >= d at contact nodes has to satisfy: one condition per contact node and direction of the normal
+ * (a corner of two contact sides has two).
  */
 class ContactTrace
 {
 public:
-  /** All must outlive the object. @throws InputError where g has no value. */
+  /** All but the fields must outlive the object.
+   * @param fields in the order of ContactSurface::faces(); empty for u_h and p_H.
+   * @throws InputError where g has no value. */
   ContactTrace(const DisplacementSpace<2> &space,
                const Scene<2> &scene,
                const MultiplierSpace<2> &multipliers,
                const NodalVector &U,
-               const dealii::Vector<double> &P);
+               const dealii::Vector<double> &P,
+               const std::vector<FaceField> &fields = {});
 
   const std::vector<PenetrationFace> &faces() const
   {
@@ -110,6 +128,13 @@ public:
   }
   /** d itself, up to the evaluation of g. */
   double penetration(const PenetrationFace &face, double t) const;
+  /** int (tau_n - p_H) over Gamma_c, and int (tau_n - p_H) g with four Gauss points on every part
+   * of d. */
+  struct TractionChange
+  {
+    double force = 0., work_of_gap = 0.;
+  };
+  TractionChange traction_change() const;
   /** max (d)_+ over all samples, and where. */
   double largest_penetration() const
   {
@@ -126,7 +151,7 @@ public:
   }
 
 private:
-  void find_faces(const dealii::Vector<double> &P);
+  void find_faces(const dealii::Vector<double> &P, const std::vector<FaceField> &fields);
   void find_conditions();
   using ConditionsOfVertices = std::map<unsigned int, std::vector<unsigned int>>;
   /** The condition of one end of a face, made if it is new. */

@@ -14,7 +14,7 @@ enum class EdgeFreedom
 {
   /** Any: inside the body, and where displacements are prescribed. */
   any,
-  /** Normal ones: rollers. */
+  /** Normal ones: rollers, and contact edges that press once their traction is free. */
   normal,
   /** Those that are given: traction, free and contact sides. */
   none
@@ -109,6 +109,10 @@ public:
   const std::vector<Edge> &edges() const
   {
     return edges_;
+  }
+  void set_freedom(const unsigned int edge, const EdgeFreedom freedom)
+  {
+    edges_[edge].freedom = freedom;
   }
   /** Of all vertices. */
   const std::vector<Star> &stars() const

@@ -16,29 +16,29 @@ struct Bracket
 /**
  * The energy of the exact solution,
  *
- *     -J*(tau) <= J(u) <= -J*(tau) + 1/2 (eta + |||w|||)² + int_{Gamma_c} p_H (u_{h,n} - g - w_n).
+ *     -J*(tau) <= J(u) <= -J*(tau) + 1/2 (eta + |||w|||)² + int_{Gamma_c} tau_n (ũ_n - g - w_n).
  *
  * J(u_h) alone is no bound: u_h may penetrate.
  *
- * @param dual_energy J*(tau) of a stress in equilibrium
- * @param eta the sum of cells of ‖sigma(u_h) - tau‖ and oscillation, in the norm of stresses
+ * @param dual_energy between these lies J*(tau) of a stress in equilibrium
+ * @param eta the sum of cells of ‖sigma(ũ) - tau‖ and oscillation, in the norm of stresses
  * @param lift_norm |||w|||
- * @param contact_term int_{Gamma_c} p_H (u_{h,n} - g - w_n)
+ * @param contact_term int_{Gamma_c} tau_n (ũ_n - g - w_n)
  */
-inline Bracket energy_bracket(const double dual_energy,
+inline Bracket energy_bracket(const Bracket &dual_energy,
                               const double eta,
                               const double lift_norm,
                               const double contact_term)
 {
   const double gap = 0.5 * (eta + lift_norm) * (eta + lift_norm) + contact_term;
-  return {-dual_energy, -dual_energy + gap};
+  return {-dual_energy.upper, -dual_energy.lower + gap};
 }
 
 /**
  * A bound of ‖sigma(u) - tau‖ in the norm of stresses, by the identity behind the bound of the
  * energy error: with s = ‖sigma(u) - tau‖,
  *
- *     |||u - u_h|||² + s² <= eta² + 2 s |||w||| + 2 T,   T = int_{Gamma_c} p_H (u_{h,n} - g - w_n),
+ *     |||u - ũ|||² + s² <= eta² + 2 s |||w||| + 2 T,   T = int_{Gamma_c} tau_n (ũ_n - g - w_n),
  *
  * so s <= |||w||| + (|||w|||² + eta² + 2 T)^{1/2}.
  */
@@ -50,13 +50,12 @@ inline double stress_error_bound(const double eta,
 }
 
 /**
- * |int_{Gamma_c} sigma_n - sum_k P_k int psi_k| <= error_bound |||z|||, for z in V with z_n = 1 on
- * Gamma_c.
+ * |int_{Gamma_c} (sigma_n - tau_n)| <= error_bound |||z|||, for z in V with z_n = 1 on Gamma_c.
  *
- * @param error_bound a bound of ‖sigma(u) - tau‖ with tau_n = p_H (stress_error_bound()): the
- *   difference is int (sigma(u) - tau):eps(z). Or, for z in V^h and loads that were integrated
- *   exactly without StrainOperator::mean_dilatation, a bound of |||u - u_h|||: then it is also
- *   a(u - u_h, z).
+ * @param error_bound a bound of ‖sigma(u) - tau‖ (stress_error_bound()): the difference is
+ *   int (sigma(u) - tau):eps(z). Or, with p_H in the place of tau_n, for z in V^h and loads that
+ * were integrated exactly without StrainOperator::mean_dilatation, a bound of |||u - u_h|||: then
+ * it is also a(u - u_h, z).
  * @param lift_norm |||z|||, see norm_of_unit_lift()
  */
 inline double contact_force_bound(const double error_bound, const double lift_norm)

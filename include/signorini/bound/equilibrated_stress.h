@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/bound/cell_loads.h>
+#include <signorini/bound/bubble_form.h>
 #include <signorini/bound/cell_table.h>
 #include <signorini/bound/edge_tractions.h>
+#include <signorini/bound/energy_bracket.h>
 #include <signorini/bound/prescribed_lift.h>
 
+#include <array>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace Signorini
 {
+class CellEnergies;
+class StarSolver;
+
 /** What a stress in equilibrium says about the error of a displacement. All in units of energy
  * (force x length per thickness) or roots of it. */
 struct StressBound
@@ -28,25 +35,34 @@ struct StressBound
    * linear along edges and is zero elsewhere (PrescribedLift); that for u_h is larger by as much.
    */
   double lift = 0.;
-  /** J*(tau) = 1/2 sum_K (‖tau‖_{C^{-1},K} + osc_K)² - int_{Gamma_D} tau n.u_D, without the part
-   * -int_{Gamma_c} p_H g. */
-  double complementary_energy = 0.;
+  /** The same for pi^{2h} u_h, where there is one. */
+  struct OfPatches
+  {
+    /** sum_K (‖sigma(pi^{2h} u_h + z) - tau‖_{C^{-1},K} + osc_K)², and |||z|||; z makes up for
+     * u_D - pi^{2h} u_h. */
+    double square, lift;
+  };
+  std::optional<OfPatches> of_patches;
+  /** 1/2 sum_K (‖tau‖_{C^{-1},K} ± osc_K)² - int_{Gamma_D} tau n.u_D. Between these lies J* of the
+   * stress that balances the loads themselves, without its part -int_{Gamma_c} tau_n g. */
+  Bracket complementary_energy = {0., 0.};
   /** The largest force at a vertex that the linear solver left unbalanced, relative to the largest
    * force that a cell exerts on a vertex. */
   double algebra = 0.;
   /** Whether the stress balances it, too (balance_cells()): then it is in the misfit, and what is
    * left is rounding. */
   bool balanced = false;
-  /** Steps of the improvement. */
-  unsigned int steps = 0;
+  /** Steps of the improvement, and how often it was begun anew because a contact edge pulled. */
+  unsigned int steps = 0, restarts = 0;
 };
 
 /** How long the stress is improved. */
 struct ImprovementOptions
 {
   unsigned int most_steps = 50;
-  /** Stop when a step takes less than this share of the square of the misfit. */
-  double least_share = 0.01;
+  /** Stop when a step takes less than this share of the square of the misfit of u_h, and of
+   * pi^{2h} u_h where there is one. */
+  double least_share = 0.01, least_share_of_patches = 0.03;
 };
 
 /** What a bound of the stress is made from; everything must outlive it. */
@@ -102,6 +118,12 @@ public:
   std::vector<Components> stress(unsigned int cell, const CellData &data) const;
   /** f_h of a cell; zero without a body force. */
   CellLoad load(unsigned int cell) const;
+  /** For every face of the contact surface: tau_n at vertex 0 and vertex 1 of the face where tau_n
+   * is a free linear function, none where it is p_h. */
+  std::vector<std::optional<std::array<double, 2>>> free_tractions() const;
+  /** The normal component of pi^{2h} u_h - u_h in the middle of a face of the contact surface.
+   * Needs StressBound::of_patches. */
+  double normal_bubble(unsigned int contact_face) const;
 
 private:
   using CornerValues = std::array<dealii::Tensor<1, 2>, 4>;
@@ -124,7 +146,29 @@ private:
   double oscillation(unsigned int cell, const CellShape &shape, double smallest_eigenvalue) const;
   /** int_{Gamma_D} tau n.u_D on the edges of a cell. */
   double support_work(unsigned int cell) const;
+  /** ‖sigma(pi^{2h} u_h + z) - tau‖² on a cell, from the same number of u_h + E. */
+  double patch_misfit_square(unsigned int cell, const CellData &data, double misfit_square) const;
+  /** |||z|||² on a cell where PatchBubbles holds back. */
+  double patch_lift_energy(unsigned int cell, const CellData &data) const;
   void improve(const ImprovementOptions &options);
+  /** The residual of the improvement, -(the gradient of half the square of the misfit). */
+  struct Residual
+  {
+    std::vector<double> r;
+    /** The squares of the misfits of u_h and of pi^{2h} u_h, the last one infinite where there is
+     * none. */
+    double square = 0., square_of_patches = 0.;
+    /** The square of tau. */
+    double energy = 0.;
+  };
+  Residual residual(CellEnergies &energies) const;
+  /** Conjugate gradients. @return the edges among @p free that pull; then the moments are not to be
+   * used. */
+  std::vector<unsigned int> iterate(Residual at_start,
+                                    const StarSolver &solver,
+                                    const CellEnergies &energies,
+                                    const std::vector<unsigned int> &free,
+                                    const ImprovementOptions &options);
   CompositeCell::Stresses stresses(unsigned int cell, const CellData &data) const;
 
   StressData data_;
@@ -133,9 +177,11 @@ private:
   mutable CellTable table_;
   std::vector<CellLoad> loads_;
   GivenTractions given_;
+  std::unique_ptr<const PatchBubbles> bubbles_;
+  mutable BubbleForms forms_;
   std::vector<double> moments_;
   double algebra_ = 0.;
   bool balanced_ = false;
-  unsigned int steps_ = 0;
+  unsigned int steps_ = 0, restarts_ = 0;
 };
 } // namespace Signorini

@@ -22,6 +22,9 @@ namespace Signorini
  * Where u_h only interpolates prescribed displacements, |||z|||_K is added to osc_K and |||z||| to
  * the bound (PrescribedRest).
  *
+ * The same tau and another w bound the error of pi^{2h} u_h. There tau_n, a linear function on
+ * edges that press, takes the place of p_H.
+ *
  * Norms are roots of energies (force x length per thickness).
  */
 struct ErrorBound
@@ -34,8 +37,11 @@ struct ErrorBound
   /** The same divided by |||u_h|||, or by what rounding makes of it where that is larger; infinite
    * where u_h vanishes. */
   std::optional<double> relative;
-  /** Its parts: the first sum without oscillation, the oscillation of loads and of prescribed
-   * displacements, and the contact part. */
+  /** The bound of |||u - pi^{2h} u_h|||, and the same divided like relative; none where cells have
+   * no parents. */
+  std::optional<double> post_absolute, post_relative;
+  /** The parts of the bound for u_h: the first sum without oscillation, the oscillation of loads
+   * and of prescribed displacements, and the contact part. */
   std::optional<double> mesh, oscillation, contact;
   /** What the linear solver left unbalanced at nodes, relative to the forces there. */
   std::optional<double> algebra;

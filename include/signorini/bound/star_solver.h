@@ -57,15 +57,15 @@ class StarSolver
 public:
   StarSolver(const EdgeMesh &mesh, const CellEnergies &energies);
 
+  /** Solves the star of a vertex anew, whose edges have changed their freedom. */
+  void renew(unsigned int vertex, const CellEnergies &energies);
+
   /** z = sum_i Z_i (Z_iᵀ S Z_i)^{-1} Z_iᵀ r. */
   void apply(const std::vector<double> &r, std::vector<double> &z) const;
 
 private:
-  struct Entry
-  {
-    unsigned int position;
-    double sign;
-  };
+  /** Adds the matrix of a star. @return its number. */
+  unsigned int add_matrix(const Star &star, const CellEnergies &energies);
   /** Z (ZᵀSZ)^{-1} Zᵀ of a star, in the order spoke, end (centre first), component. */
   dealii::FullMatrix<double> solve_star(const Star &star, const CellEnergies &energies) const;
   /** Equal for stars with equal matrices; empty if that is not known. */

@@ -48,6 +48,8 @@ public:
   const FieldValues<dim> &evaluate(const NodalVector &U,
                                    const CellIterator &cell,
                                    const dealii::FEValues<dim> &fe_values);
+  /** The values alone, at the points of the usual rule. */
+  const std::vector<dealii::Tensor<1, dim>> &values(const NodalVector &U, const CellIterator &cell);
 
 private:
   /** Place of a cell among the descendants of its ancestor: 0..2^k-1 per direction. */
@@ -65,6 +67,8 @@ private:
   unsigned int lexicographic(const Place &place, unsigned int n_per_direction) const;
   ShapeTable make_table(const std::vector<dealii::Point<dim>> &points, const Place &place) const;
   const ShapeTable &table(const dealii::Quadrature<dim> &quadrature, const Place &place);
+  /** Fills nodal_values_ for the ancestor of a cell. @return the place of the cell. */
+  Place collect_values(const NodalVector &U, const CellIterator &cell);
   /** Fills nodal_dofs_ from the descendants of an ancestor. */
   void find_nodes(const AncestorIterator &cell, const Place &place);
 

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Conjugate gradients that bring the stress closer to that of the displacement.
+
+#include <signorini/bound/equilibrated_stress.h>
+#include <signorini/bound/pointwise.h>
+#include <signorini/bound/pressing_edges.h>
+#include <signorini/bound/star_solver.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Signorini
+{
+namespace
+{
+double product(const std::vector<double> &a, const std::vector<double> &b)
+{
+  double sum = 0.;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += a[i] * b[i];
+  return sum;
+}
+
+/** a += factor b. */
+void add(std::vector<double> &a, const double factor, const std::vector<double> &b)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] += factor * b[i];
+}
+
+std::vector<unsigned int> pulling(const EdgeMesh &mesh,
+                                  const std::vector<unsigned int> &edges,
+                                  const std::vector<double> &moments)
+{
+  std::vector<unsigned int> result;
+  for (const unsigned int edge : edges)
+    if (pulls(normal_tractions(mesh.edges()[edge], edge, moments)))
+      result.push_back(edge);
+  return result;
+}
+} // namespace
+
+EquilibratedStress::Residual EquilibratedStress::residual(CellEnergies &energies) const
+{
+  Residual result;
+  result.r.assign(moments_.size(), 0.);
+  for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
+  {
+    const CellData &data = table_(c);
+    const std::vector<Law> &laws = table_.laws(c, data);
+    const std::vector<Components> tau = stress(c, data);
+    const CornerValues u = displacement(mesh_.cells()[c]);
+    CompositeCell::Stresses dual{};
+    double square = 0.;
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+    {
+      const StressPoint &point = data.points[i];
+      const Law &law = law_at(laws, i);
+      const Components misfit = difference(law.stress(strain(c, point, u)), tau[i]);
+      const Components of_misfit = law.strain(misfit);
+      square += point.weight * contraction(misfit, of_misfit);
+      result.energy += point.weight * contraction(tau[i], law.strain(tau[i]));
+      for (unsigned int m = 0; m < 3; ++m)
+        for (unsigned int l = 0; l < 3; ++l)
+          dual[9 * point.triangle + 3 * m + l] += point.weight * point.psi[m] * of_misfit[l];
+    }
+    result.square += square;
+    result.square_of_patches +=
+      bubbles_ ? patch_misfit_square(c, data, square) : std::numeric_limits<double>::infinity();
+    add_moments(mesh_.cells()[c], data.composite.transposed(dual), result.r);
+    if (!energies.knows(c))
+      energies.set(c, make_energy(data, laws));
+  }
+  return result;
+}
+
+void EquilibratedStress::improve(const ImprovementOptions &options)
+{
+  if (options.most_steps == 0)
+    return;
+  CellEnergies energies(table_, mesh_.cells().size());
+  Residual at_start = residual(energies);
+  std::vector<unsigned int> free;
+  if (bubbles_)
+    free = pressing_edges(mesh_, data_.multipliers, data_.P);
+  for (const unsigned int edge : free)
+  {
+    mesh_.set_freedom(edge, EdgeFreedom::normal);
+    // int_e b.delta tau n with delta tau n from its moments: what the residual of pi^{2h} u_h has
+    // more than that of u_h, for stresses without loads.
+    for (unsigned int i = 0; i < 4; ++i)
+      at_start.r[4 * edge + i] += 2. / 3. * bubbles_->on_edge(edge)[i % 2];
+  }
+  StarSolver solver(mesh_, energies);
+  const std::vector<double> start = moments_;
+  for (;;)
+  {
+    const auto edges = iterate(at_start, solver, energies, free, options);
+    if (edges.empty())
+      break;
+    ++restarts_;
+    moments_ = start;
+    for (const unsigned int edge : edges)
+    {
+      free.erase(std::find(free.begin(), free.end(), edge));
+      mesh_.set_freedom(edge, EdgeFreedom::none);
+    }
+    for (const unsigned int edge : edges)
+      for (const unsigned int vertex : mesh_.edges()[edge].vertices)
+        solver.renew(vertex, energies);
+  }
+  for (const unsigned int edge : free)
+    given_.normal_rest[edge] = 0.;
+}
+
+std::vector<unsigned int> EquilibratedStress::iterate(Residual at_start,
+                                                      const StarSolver &solver,
+                                                      const CellEnergies &energies,
+                                                      const std::vector<unsigned int> &free,
+                                                      const ImprovementOptions &options)
+{
+  std::vector<double> &r = at_start.r;
+  std::vector<double> z(r.size(), 0.), q(r.size(), 0.);
+  double square = at_start.square, square_of_patches = at_start.square_of_patches;
+  solver.apply(r, z);
+  std::vector<double> p = z;
+  double rz = product(r, z);
+  // Below that, the misfit is rounding.
+  const double least_square = 1e-22 * at_start.energy;
+  steps_ = 0;
+  while (rz > 0. && square > least_square && steps_ < options.most_steps)
+  {
+    multiply(mesh_, energies, p, q);
+    const double alpha = rz / product(p, q), decrease = alpha * rz;
+    if (!(decrease > 0.))
+      break;
+    ++steps_;
+    add(moments_, alpha, p);
+    if (const auto edges = pulling(mesh_, free, moments_); !edges.empty())
+      return edges;
+    square -= decrease;
+    square_of_patches -= decrease;
+    // Rounding may make the square for pi^{2h} u_h negative.
+    const double least = std::min(options.least_share * square,
+                                  options.least_share_of_patches * std::max(0., square_of_patches));
+    if (decrease < least || square < 0.)
+      break;
+    add(r, -alpha, q);
+    solver.apply(r, z);
+    const double new_rz = product(r, z), beta = new_rz / rz;
+    rz = new_rz;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      p[i] = z[i] + beta * p[i];
+  }
+  return {};
+}
+} // namespace Signorini
