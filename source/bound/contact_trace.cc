@@ -151,6 +151,10 @@ double ContactTrace::penetration(const PenetrationFace &face, const double t) co
 void ContactTrace::sample()
 {
   largest_ = 0.;
+  // About 20000 points on all faces: a power of two per quarter of a face.
+  unsigned int n_scanned = 4;
+  while (n_scanned < 256 && 2 * n_scanned * 4 * faces_.size() <= 20000)
+    n_scanned *= 2;
   const double displacement = U_.linfty_norm();
   for (PenetrationFace &face : faces_)
   {
@@ -167,7 +171,7 @@ void ContactTrace::sample()
     const double rounding =
       1e-14 * (displacement + std::abs(penetration(face, 0.) - face.normal_value(U_, 0.)));
     const UpperInterpolant upper = interpolate_from_above(
-      [&](const double t) { return penetration(face, t); }, breaks, rounding, pinned);
+      [&](const double t) { return penetration(face, t); }, breaks, rounding, pinned, n_scanned);
     face.d = upper.function;
     if (upper.largest > largest_)
     {

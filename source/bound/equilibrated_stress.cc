@@ -2,6 +2,7 @@
 // The stress of the bound, from the residuals of the discrete solution.
 
 #include <signorini/bound/balance.h>
+#include <signorini/bound/best_change.h>
 #include <signorini/bound/equilibrated_stress.h>
 #include <signorini/bound/oscillation.h>
 #include <signorini/bound/star_solver.h>
@@ -46,6 +47,40 @@ const Law &law_at(const std::vector<Law> &laws, const std::size_t i)
   return laws[laws.size() == 1 ? 0 : i];
 }
 
+/** The integral of a function that is not negative; where the law is not resolved, from above: the
+ * largest value in a part counts for all of it. */
+class UpperSum
+{
+public:
+  void add(const StressPoint &point, const double value)
+  {
+    if (point.unresolved_part == StressPoint::resolved)
+    {
+      sum_ += point.weight * value;
+      return;
+    }
+    if (point.unresolved_part != part_)
+      close();
+    part_ = point.unresolved_part;
+    area_ += point.weight;
+    largest_ = std::max(largest_, value);
+  }
+  double value()
+  {
+    close();
+    return sum_;
+  }
+
+private:
+  void close()
+  {
+    sum_ += area_ * largest_;
+    area_ = largest_ = 0.;
+  }
+  double sum_ = 0., area_ = 0., largest_ = 0.;
+  unsigned int part_ = StressPoint::resolved;
+};
+
 /** Adds half of the moments of a traction that is sampled at the points of an edge. */
 void add_edge(const std::array<EdgePoint, 2> &points,
               const std::array<Vector2, 2> &tractions,
@@ -67,10 +102,12 @@ std::string EquilibratedStress::objection(const StressData &data)
   if (!of_mesh.empty())
     return of_mesh;
   const EdgeMesh mesh(data.space, data.scene);
-  if (PrescribedLift(data.scene, mesh, data.U).largest_jump() > 1e-10)
+  const PrescribedLift lift(data.scene, mesh, data.U);
+  if (lift.largest_jump() > 1e-10)
     return "the prescribed displacements jump at a corner, and no displacement of finite energy "
-           "takes "
-           "them";
+           "takes them";
+  if (lift.largest_misfit() > 0.02)
+    return "the prescribed displacements jump, or vary too fast within the edge of a cell";
   return "";
 }
 
@@ -78,7 +115,7 @@ EquilibratedStress::EquilibratedStress(const StressData &data, const Improvement
   : data_(data)
   , mesh_(data.space, data.scene)
   , lift_(data.scene, mesh_, data.U)
-  , table_(mesh_, data.scene, data.scene.body_force != nullptr, lift_.cells())
+  , table_(mesh_, data.scene, data.scene.body_force != nullptr, lift_)
   , loads_(make_loads(data.space, data.scene, mesh_, data.n_points))
   , given_(given_tractions(data.space, data.scene, mesh_, data.multipliers, data.P, data.n_points))
 {
@@ -217,7 +254,7 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
   if (options.most_steps == 0)
     return;
   // r = -(the gradient of half the square of the misfit).
-  std::vector<double> r(moments_.size(), 0.), z(r.size()), q(r.size());
+  std::vector<double> r(moments_.size(), 0.);
   CellEnergies energies(table_, mesh_.cells().size());
   double square = 0., energy = 0.;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
@@ -243,30 +280,49 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
     if (!energies.knows(c))
       energies.set(c, make_energy(data, laws));
   }
+  // Below that, the misfit is rounding.
+  const double least_square = 1e-22 * energy;
+  const bool settled = improve_step_by_step(options, energies, least_square, square, r);
+  if (square <= least_square || mesh_.cells().size() > options.most_cells_exactly ||
+      (settled && mesh_.cells().size() > options.few_cells))
+    return;
+  const std::vector<double> change = best_change(mesh_, energies, r);
+  if (change.empty())
+    return;
+  ++steps_;
+  add(moments_, 1., change);
+}
+
+bool EquilibratedStress::improve_step_by_step(const ImprovementOptions &options,
+                                              const CellEnergies &energies,
+                                              const double least_square,
+                                              double &square,
+                                              std::vector<double> &r)
+{
+  std::vector<double> z(r.size()), q(r.size());
   const StarSolver solver(mesh_, energies);
   solver.apply(r, z);
   std::vector<double> p = z;
   double rz = product(r, z);
-  // Below that, the misfit is rounding.
-  const double least_square = 1e-22 * energy;
   while (rz > 0. && square > least_square && steps_ < options.most_steps)
   {
     multiply(mesh_, energies, p, q);
     const double alpha = rz / product(p, q), decrease = alpha * rz;
     if (!(decrease > 0.))
-      return;
+      return true;
     ++steps_;
     add(moments_, alpha, p);
+    add(r, -alpha, q);
     square -= decrease;
     if (decrease < options.least_share * square || square < 0.)
-      return;
-    add(r, -alpha, q);
+      return true;
     solver.apply(r, z);
     const double new_rz = product(r, z), beta = new_rz / rz;
     rz = new_rz;
     for (std::size_t i = 0; i < p.size(); ++i)
       p[i] = z[i] + beta * p[i];
   }
+  return false;
 }
 
 EquilibratedStress::CellSquares EquilibratedStress::integrate(const unsigned int cell,
@@ -275,23 +331,23 @@ EquilibratedStress::CellSquares EquilibratedStress::integrate(const unsigned int
   const std::vector<Law> &laws = table_.laws(cell, data);
   const std::vector<Components> tau = stress(cell, data);
   const CornerValues u = displacement(mesh_.cells()[cell]);
-  CellSquares sum;
-  sum.smallest_eigenvalue = laws[0].smallest_eigenvalue;
+  UpperSum misfit_square, stress_square, lift_square;
+  double smallest_eigenvalue = laws[0].smallest_eigenvalue;
   for (std::size_t i = 0; i < data.points.size(); ++i)
   {
     const StressPoint &point = data.points[i];
     const Law &law = law_at(laws, i);
     const Components misfit = difference(law.stress(strain(cell, point, u)), tau[i]);
-    sum.misfit += point.weight * product(misfit, law.strain(misfit));
-    sum.stress += point.weight * product(tau[i], law.strain(tau[i]));
+    misfit_square.add(point, product(misfit, law.strain(misfit)));
+    stress_square.add(point, product(tau[i], law.strain(tau[i])));
     if (lift_.cells()[cell])
     {
       const Components e = lift_.strain(cell, point);
-      sum.lift += point.weight * product(e, law.stress(e));
+      lift_square.add(point, product(e, law.stress(e)));
     }
-    sum.smallest_eigenvalue = std::min(sum.smallest_eigenvalue, law.smallest_eigenvalue);
+    smallest_eigenvalue = std::min(smallest_eigenvalue, law.smallest_eigenvalue);
   }
-  return sum;
+  return {misfit_square.value(), stress_square.value(), lift_square.value(), smallest_eigenvalue};
 }
 
 double EquilibratedStress::oscillation(const unsigned int cell,

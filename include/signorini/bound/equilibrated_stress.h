@@ -5,6 +5,7 @@
 #include <signorini/bound/cell_table.h>
 #include <signorini/bound/edge_tractions.h>
 #include <signorini/bound/prescribed_lift.h>
+#include <signorini/bound/star_solver.h>
 
 #include <string>
 #include <vector>
@@ -47,6 +48,10 @@ struct ImprovementOptions
   unsigned int most_steps = 50;
   /** Stop when a step takes less than this share of the square of the misfit. */
   double least_share = 0.01;
+  /** On meshes with at most so many cells the best stress is computed (best_change()); with at most
+   * most_cells_exactly, if the steps did not end. */
+  std::size_t few_cells = 1024;
+  std::size_t most_cells_exactly = 4096;
 };
 
 /** What a bound of the stress is made from; everything must outlive it. */
@@ -116,8 +121,8 @@ private:
   /** Integrals over a cell. */
   struct CellSquares
   {
-    double misfit = 0., stress = 0., lift = 0.;
-    double smallest_eigenvalue = 0.;
+    double misfit, stress, lift;
+    double smallest_eigenvalue;
   };
   CellSquares integrate(unsigned int cell, const CellData &data) const;
   /** osc_K. */
@@ -125,6 +130,13 @@ private:
   /** int_{Gamma_D} tau n.u_D on the edges of a cell. */
   double support_work(unsigned int cell) const;
   void improve(const ImprovementOptions &options);
+  /** Steps of conjugate gradients. @p square and @p r, minus the gradient of half of it, are kept
+   * up to date. @return whether a step took less than least_share. */
+  bool improve_step_by_step(const ImprovementOptions &options,
+                            const CellEnergies &energies,
+                            double least_square,
+                            double &square,
+                            std::vector<double> &r);
   CompositeCell::Stresses stresses(unsigned int cell, const CellData &data) const;
 
   StressData data_;
