@@ -148,6 +148,10 @@ void balance(const DisplacementSpace<dim> &space,
     relative(sum.moment_about(centre).norm(), scale * (scene.geometry.diameter() + centre.norm()));
 }
 
+/** Contact may leave less of the displacement without contact than rounding does. A residual of
+ * 1e-8 of this share of it is 50 times the unit roundoff. */
+constexpr double least_share_of_free_state = 1e-6;
+
 /** Signs, penetration and complementarity of P and W = D^T U - G. */
 template <int dim>
 void check_contact(const MultiplierSpace<dim> &multipliers,
@@ -158,7 +162,9 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
 {
   const unsigned int m = W.size();
   const dealii::Vector<double> measures = multipliers.integrals();
-  double deepest = 0., largest_P = 0., tensile = 0., length_scale = solution.U.linfty_norm();
+  double deepest = 0., largest_P = 0., tensile = 0.;
+  double length_scale =
+    std::max(solution.U.linfty_norm(), least_share_of_free_state * solution.free_U.linfty_norm());
   for (unsigned int tau = 0; tau < m; ++tau)
   {
     deepest = std::max(deepest, W[tau] / measures[tau]);
@@ -222,7 +228,10 @@ Certificate certify(const DisplacementSpace<dim> &space,
   const double work_of_loads = solution.U * forces.loads;
   const double work_of_gap = solution.P * solution.G;
   const double energy_scale =
-    std::max({strain_energy, std::abs(work_of_loads), std::abs(work_of_gap)});
+    std::max({strain_energy,
+              std::abs(work_of_loads),
+              std::abs(work_of_gap),
+              least_share_of_free_state * std::abs(solution.P * solution.F)});
   check_contact(multipliers, solution, W, energy_scale, certificate);
   // J of (22); [p, Bu - g] is P^T W.
   certificate.energy = strain_energy - work_of_loads - solution.P * W;
