@@ -47,40 +47,6 @@ const Law &law_at(const std::vector<Law> &laws, const std::size_t i)
   return laws[laws.size() == 1 ? 0 : i];
 }
 
-/** The integral of a function that is not negative; where the law is not resolved, from above: the
- * largest value in a part counts for all of it. */
-class UpperSum
-{
-public:
-  void add(const StressPoint &point, const double value)
-  {
-    if (point.unresolved_part == StressPoint::resolved)
-    {
-      sum_ += point.weight * value;
-      return;
-    }
-    if (point.unresolved_part != part_)
-      close();
-    part_ = point.unresolved_part;
-    area_ += point.weight;
-    largest_ = std::max(largest_, value);
-  }
-  double value()
-  {
-    close();
-    return sum_;
-  }
-
-private:
-  void close()
-  {
-    sum_ += area_ * largest_;
-    area_ = largest_ = 0.;
-  }
-  double sum_ = 0., area_ = 0., largest_ = 0.;
-  unsigned int part_ = StressPoint::resolved;
-};
-
 /** Adds half of the moments of a traction that is sampled at the points of an edge. */
 void add_edge(const std::array<EdgePoint, 2> &points,
               const std::array<Vector2, 2> &tractions,
@@ -368,7 +334,9 @@ double EquilibratedStress::oscillation(const unsigned int cell,
   return sum / std::sqrt(smallest_eigenvalue);
 }
 
-double EquilibratedStress::support_work(const unsigned int number) const
+double EquilibratedStress::support_work(const unsigned int number,
+                                        const Vector2 &c,
+                                        Vector2 &force) const
 {
   const EdgeCell &cell = mesh_.cells()[number];
   const auto is_held = [&](const unsigned int k) {
@@ -384,7 +352,11 @@ double EquilibratedStress::support_work(const unsigned int number) const
     if (is_held(k))
       for (unsigned int end = 0; end < 2; ++end)
         for (unsigned int d = 0; d < 2; ++d)
-          work += moments[4 * k + 2 * end + d] * u[(k + end) % 4][d];
+        {
+          const double moment = moments[4 * k + 2 * end + d];
+          work += moment * (u[(k + end) % 4][d] - c[d]);
+          force[d] += moment;
+        }
   return work;
 }
 
@@ -394,6 +366,7 @@ StressBound EquilibratedStress::bound() const
   result.algebra = algebra_;
   result.balanced = balanced_;
   result.steps = steps_;
+  result.translation = displacement(mesh_.cells()[0])[0];
   double lift_square = 0.;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
@@ -405,8 +378,8 @@ StressBound EquilibratedStress::bound() const
     result.oscillation.push_back(rest);
     result.square += (misfit + rest) * (misfit + rest);
     result.oscillation_square += rest * rest;
-    result.complementary_energy +=
-      0.5 * std::pow(std::sqrt(squares.stress) + rest, 2) - support_work(c);
+    result.complementary_energy += 0.5 * std::pow(std::sqrt(squares.stress) + rest, 2) -
+                                   support_work(c, result.translation, result.support_force);
     lift_square += squares.lift;
   }
   result.lift = std::sqrt(lift_square);

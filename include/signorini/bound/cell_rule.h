@@ -3,6 +3,7 @@
 
 #include <signorini/bound/composite_cell.h>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -39,6 +40,40 @@ struct StressPoint
   unsigned int unresolved_part = resolved;
 
   static constexpr unsigned int resolved = static_cast<unsigned int>(-1);
+};
+
+/** The integral of a function that is not negative; where the law is not resolved, from above: the
+ * largest value in a part counts for all of it. */
+class UpperSum
+{
+public:
+  void add(const StressPoint &point, const double value)
+  {
+    if (point.unresolved_part == StressPoint::resolved)
+    {
+      sum_ += point.weight * value;
+      return;
+    }
+    if (point.unresolved_part != part_)
+      close();
+    part_ = point.unresolved_part;
+    area_ += point.weight;
+    largest_ = std::max(largest_, value);
+  }
+  double value()
+  {
+    close();
+    return sum_;
+  }
+
+private:
+  void close()
+  {
+    sum_ += area_ * largest_;
+    area_ = largest_ = 0.;
+  }
+  double sum_ = 0., area_ = 0., largest_ = 0.;
+  unsigned int part_ = StressPoint::resolved;
 };
 
 /** Gradients of the bilinear shape functions of the corners. */

@@ -29,9 +29,11 @@ struct StressBound
    * linear along edges and is zero elsewhere (PrescribedLift); that for u_h is larger by as much.
    */
   double lift = 0.;
-  /** J*(tau) = 1/2 sum_K (‖tau‖_{C^{-1},K} + osc_K)² - int_{Gamma_D} tau n.u_D, without the part
-   * -int_{Gamma_c} p_H g. */
+  /** 1/2 sum_K (‖tau‖_{C^{-1},K} + osc_K)² - int_{Gamma_D} tau n.(u_D - c), with c the translation
+   * below: the part of J*(tau) that sees no large translation. */
   double complementary_energy = 0.;
+  /** c, the displacement of a corner of the body, and int_{Gamma_D} tau n. */
+  dealii::Tensor<1, 2> translation, support_force;
   /** The largest force at a vertex that the linear solver left unbalanced, relative to the largest
    * force that a cell exerts on a vertex. */
   double algebra = 0.;
@@ -127,8 +129,10 @@ private:
   CellSquares integrate(unsigned int cell, const CellData &data) const;
   /** osc_K. */
   double oscillation(unsigned int cell, const CellShape &shape, double smallest_eigenvalue) const;
-  /** int_{Gamma_D} tau n.u_D on the edges of a cell. */
-  double support_work(unsigned int cell) const;
+  /** int_{Gamma_D} tau n.(u_D - c) on the edges of a cell; adds int_{Gamma_D} tau n to @p force. */
+  double support_work(unsigned int cell,
+                      const dealii::Tensor<1, 2> &c,
+                      dealii::Tensor<1, 2> &force) const;
   void improve(const ImprovementOptions &options);
   /** Steps of conjugate gradients. @p square and @p r, minus the gradient of half of it, are kept
    * up to date. @return whether a step took less than least_share. */
