@@ -114,6 +114,14 @@ EquilibratedStress::CornerValues EquilibratedStress::displacement(const EdgeCell
   return values;
 }
 
+EquilibratedStress::CornerValues EquilibratedStress::deformation(const EdgeCell &cell) const
+{
+  CornerValues values = displacement(cell);
+  for (unsigned int a = 4; a-- > 0;)
+    values[a] -= values[0];
+  return values;
+}
+
 std::vector<EdgeMoments::CornerForces> EquilibratedStress::residuals() const
 {
   constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}};
@@ -124,7 +132,7 @@ std::vector<EdgeMoments::CornerForces> EquilibratedStress::residuals() const
   for (const auto &cell : data_.space.mesh().triangulation().active_cell_iterators())
   {
     const dealii::FullMatrix<double> &K = stiffness(cell);
-    const CornerValues u = displacement(mesh_.cells()[number]);
+    const CornerValues u = deformation(mesh_.cells()[number]);
     for (unsigned int a = 0; a < 4; ++a)
       for (unsigned int c = 0; c < 2; ++c)
       {
@@ -149,7 +157,7 @@ std::vector<double> EquilibratedStress::mean_tractions() const
   {
     const EdgeCell &cell = mesh_.cells()[c];
     const auto on_edges = table_.on_edges(c);
-    const CornerValues u = displacement(cell);
+    const CornerValues u = deformation(cell);
     CellMoments here{};
     for (unsigned int k = 0; k < 4; ++k)
     {
@@ -228,7 +236,7 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
     const CellData &data = table_(c);
     const std::vector<Law> &laws = table_.laws(c, data);
     const std::vector<Components> tau = stress(c, data);
-    const CornerValues u = displacement(mesh_.cells()[c]);
+    const CornerValues u = deformation(mesh_.cells()[c]);
     CompositeCell::Stresses dual{};
     for (std::size_t i = 0; i < data.points.size(); ++i)
     {
@@ -296,7 +304,7 @@ EquilibratedStress::CellSquares EquilibratedStress::integrate(const unsigned int
 {
   const std::vector<Law> &laws = table_.laws(cell, data);
   const std::vector<Components> tau = stress(cell, data);
-  const CornerValues u = displacement(mesh_.cells()[cell]);
+  const CornerValues u = deformation(mesh_.cells()[cell]);
   UpperSum misfit_square, stress_square, lift_square;
   double smallest_eigenvalue = laws[0].smallest_eigenvalue;
   for (std::size_t i = 0; i < data.points.size(); ++i)

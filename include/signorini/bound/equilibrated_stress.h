@@ -114,6 +114,8 @@ private:
   using CornerValues = std::array<dealii::Tensor<1, 2>, 4>;
 
   CornerValues displacement(const EdgeCell &cell) const;
+  /** The same relative to corner 0: large translations have rounding errors, but no strain. */
+  CornerValues deformation(const EdgeCell &cell) const;
   /** R_K^i = int_K sigma_h:grad phi_i - int_K f phi_i, with the quadrature of the system. */
   std::vector<EdgeMoments::CornerForces> residuals() const;
   /** Moments of the mean of sigma_h n from both sides of edges. */
