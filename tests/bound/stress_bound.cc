@@ -182,9 +182,10 @@ void prescribed(Checks &checks)
     last_lift = answer.bound.lift;
     // J(u) = 1/2 int 4 eps12² mu - int f.u = 0.02/3 + 0.02/3, and J(u) + J*(tau) = 1/2 ‖sigma -
     // tau‖².
+    // tau is sigma up to rounding on small meshes.
     checks.between(name + ": energies",
                    0.04 / 3. + complementary_energy(answer.bound),
-                   0.,
+                   -1e-15,
                    0.5 * answer.bound.square);
   }
 }
