@@ -3,8 +3,11 @@
 
 #include <signorini/bound/cell_loads.h>
 #include <signorini/elasticity/integration.h>
+#include <signorini/scene/functions.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace Signorini
 {
@@ -92,7 +95,20 @@ double distribute(const CellShape &shape, const LinearForce &force, CellLoad &lo
   return square;
 }
 
-/** Evaluates the body force at the points of the system's quadrature. */
+/** Whether finer quadrature gives the same load. */
+bool agree(const CellLoad &load, const CellLoad &finer)
+{
+  constexpr double tolerance = 1e-4;
+  double difference = 0., size = 0.;
+  for (unsigned int a = 0; a < 4; ++a)
+  {
+    difference = std::max(difference, (load.nodal[a] - finer.nodal[a]).norm());
+    size = std::max(size, load.nodal[a].norm());
+  }
+  return difference <= tolerance * size && finer.rest <= 1.01 * load.rest + tolerance * size;
+}
+
+/** Evaluates the body force at the Gauss points of cells. */
 class ForceSampler
 {
 public:
@@ -209,10 +225,25 @@ std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
   std::vector<CellLoad> loads;
   if (scene.body_force == nullptr)
     return loads;
-  loads.reserve(mesh.cells().size());
+  const std::size_t n_cells = mesh.cells().size();
+  loads.reserve(n_cells);
   ForceSampler sampler(space, scene, n_points);
+  // About 500000 points on the mesh, as long as these are more than the system has.
+  const unsigned int n_fine = std::clamp<unsigned int>(std::sqrt(5e5 / n_cells), 1, 96);
+  std::unique_ptr<ForceSampler> finer;
+  if (n_fine > n_points && !is_constant(*scene.body_force))
+    finer = std::make_unique<ForceSampler>(space, scene, n_fine);
   for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
-    loads.push_back(make_load(CellShape(mesh.cells()[loads.size()].corners), sampler.sample(cell)));
+  {
+    const CellShape shape(mesh.cells()[loads.size()].corners);
+    loads.push_back(make_load(shape, sampler.sample(cell)));
+    if (finer)
+    {
+      const CellLoad load = make_load(shape, finer->sample(cell));
+      if (!agree(loads.back(), load))
+        loads.back() = load;
+    }
+  }
   return loads;
 }
 } // namespace Signorini

@@ -13,7 +13,7 @@ namespace Signorini
 namespace
 {
 using Vector2 = dealii::Tensor<1, 2>;
-using Triangle = std::array<dealii::Point<2>, 3>;
+using Triangle = RulePart::Triangle;
 
 double twice_area(const Triangle &x)
 {
@@ -108,6 +108,28 @@ std::vector<Triangle> cut(const std::vector<Triangle> &triangles, const KinkLine
       }
     }
   }
+  return parts;
+}
+
+/** The parts into which lines cut a triangle, divided further. */
+std::vector<RulePart> parts_of(const Triangle &whole,
+                               const std::vector<KinkLine<2>> &lines,
+                               const TriangleDivision &divide)
+{
+  std::vector<Triangle> triangles = {whole};
+  for (const KinkLine<2> &line : lines)
+    triangles = cut(triangles, line);
+  std::vector<RulePart> parts;
+  for (Triangle &triangle : triangles)
+    if (divide)
+    {
+      if (twice_area(triangle) < 0.)
+        std::swap(triangle[1], triangle[2]);
+      const std::vector<RulePart> finer = divide(triangle);
+      parts.insert(parts.end(), finer.begin(), finer.end());
+    }
+    else
+      parts.push_back({triangle});
   return parts;
 }
 
@@ -237,38 +259,41 @@ Components strain_of(const std::array<Vector2, 4> &gradients, const std::array<V
 
 std::vector<StressPoint> make_rule(const CellShape &shape,
                                    const RuleKind &kind,
-                                   const std::vector<KinkLine<2>> &lines)
+                                   const std::vector<KinkLine<2>> &lines,
+                                   const TriangleDivision &divide)
 {
   const bool exact = kind.constant_law && shape.affine && !kind.fine;
-  const unsigned int n_points =
-    std::max(kind.constant_law ? 4U : kind.n_points, kind.fine ? 6U : 0U);
-  const TriangleRule rule = !exact           ? collapsed_rule(n_points)
+  const unsigned int least = divide ? 3 : (kind.constant_law ? 4 : kind.n_points);
+  const TriangleRule rule = !exact           ? collapsed_rule(std::max(least, kind.fine ? 6U : 0U))
                             : kind.quadratic ? quartic_rule()
                                              : midpoint_rule();
   std::vector<StressPoint> points;
+  unsigned int n_parts = 0;
   for (unsigned int k = 0; k < 4; ++k)
   {
     const Triangle whole = {{shape.corners[k], shape.corners[(k + 1) % 4], shape.crossing}};
-    std::vector<Triangle> parts = {whole};
-    for (const KinkLine<2> &line : lines)
-      parts = cut(parts, line);
-    for (const Triangle &part : parts)
+    for (const RulePart &part : parts_of(whole, lines, divide))
+    {
+      ++n_parts;
       for (const TrianglePoint &at : rule)
       {
         StressPoint point;
         point.triangle = k;
-        point.weight = 0.5 * std::abs(twice_area(part)) * at.weight;
+        if (!part.resolved)
+          point.unresolved_part = n_parts;
+        point.weight = 0.5 * std::abs(twice_area(part.corners)) * at.weight;
         for (unsigned int v = 0; v < 3; ++v)
-          point.offset += at.lambda[v] * (part[v] - shape.corners[0]);
+          point.offset += at.lambda[v] * (part.corners[v] - shape.corners[0]);
         const dealii::Point<2> x = shape.corners[0] + point.offset;
         std::array<double, 3> lambda;
         for (unsigned int v = 0; v < 3; ++v)
           lambda[v] = twice_area({{x, whole[(v + 1) % 3], whole[(v + 2) % 3]}}) / twice_area(whole);
-        point.psi = midpoint_functions(lines.empty() ? at.lambda : lambda);
+        point.psi = midpoint_functions(lines.empty() && !divide ? at.lambda : lambda);
         point.reference = reference_coordinates(shape, point.offset);
         point.gradients = shape_gradients(shape, point.reference);
         points.push_back(point);
       }
+    }
   }
   return points;
 }

@@ -4,7 +4,6 @@
 #include <signorini/bound/cell_table.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace Signorini
 {
@@ -33,43 +32,25 @@ std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const E
 CellTable::CellTable(const EdgeMesh &mesh,
                      const Scene<2> &scene,
                      const bool quadratic,
-                     const std::vector<bool> &fine)
+                     const PrescribedLift &lift)
   : mesh_(mesh)
   , material_(*scene.material)
   , kind_{scene.material->is_constant(), quadratic}
-  , fine_(fine)
+  , lift_(lift)
 {
   if (!kind_.constant_law)
   {
     lines_ = scene.kinks.lines();
-    kind_.n_points = choose_points();
+    sampling_.emplace(material_, mesh.cells().size());
+    varied_.reserve(mesh.cells().size());
+    for (const EdgeCell &cell : mesh.cells())
+      varied_.push_back(LawSampling::varies(sampling_->scan(cell.corners)));
   }
   else
     laws_.emplace_back(material_.hooke(mesh.cells()[0].corners[0]));
   shape_of_.reserve(mesh.cells().size());
   for (unsigned int c = 0; c < mesh.cells().size(); ++c)
     shape_of_.push_back(classify(c));
-}
-
-unsigned int CellTable::choose_points() const
-{
-  double largest_ratio = 1.;
-  for (const EdgeCell &cell : mesh_.cells())
-  {
-    double low = std::numeric_limits<double>::max(), high = 0.;
-    for (unsigned int i = 0; i < 25; ++i)
-    {
-      const double s = 0.1 + 0.2 * (i % 5), t = 0.1 + 0.2 * (i / 5);
-      const auto &x = cell.corners;
-      const dealii::SymmetricTensor<4, 2> hooke = material_.relative_hooke(
-        x[0] + s * (1. - t) * (x[1] - x[0]) + s * t * (x[2] - x[0]) + (1. - s) * t * (x[3] - x[0]));
-      const double norm = hooke.norm();
-      low = std::min(low, norm);
-      high = std::max(high, norm);
-    }
-    largest_ratio = std::max(largest_ratio, high / low);
-  }
-  return largest_ratio <= 1.5 ? 5 : (largest_ratio <= 4. ? 8 : 12);
 }
 
 unsigned int CellTable::classify(const unsigned int cell)
@@ -85,7 +66,8 @@ unsigned int CellTable::classify(const unsigned int cell)
     return true;
   };
   const unsigned int alone = most_shapes + cell;
-  if (fine_[cell] || !crossing(lines_, mesh_.cells()[cell]).empty())
+  if (lift_.cells()[cell] || (sampling_ && varied_[cell]) ||
+      !crossing(lines_, mesh_.cells()[cell]).empty())
     return alone;
   // The cell before is most likely of the same shape.
   if (cell > 0 && shape_of_[cell - 1] < edges_of_shape_.size() &&
@@ -108,8 +90,21 @@ const CellData &CellTable::operator()(const unsigned int cell)
     return *shared_[shape_of_[cell]];
   const EdgeCell &here = mesh_.cells()[cell];
   RuleKind kind = kind_;
-  kind.fine = fine_[cell];
-  single_ = std::make_unique<CellData>(CellShape(here.corners), kind, crossing(lines_, here));
+  kind.fine = lift_.cells()[cell];
+  const CellShape shape(here.corners);
+  TriangleDivision divide;
+  LawSampling::Samples samples;
+  if (sampling_ && varied_[cell])
+  {
+    samples = sampling_->scan(here.corners);
+    divide = [&, least = shape.diameter() / sampling_->intervals()](const auto &triangle) {
+      return sampling_->divide(triangle, samples, least);
+    };
+  }
+  std::vector<KinkLine<2>> lines = crossing(lines_, here);
+  const std::vector<KinkLine<2>> of_lift = lift_.lines(cell, here);
+  lines.insert(lines.end(), of_lift.begin(), of_lift.end());
+  single_ = std::make_unique<CellData>(shape, kind, lines, divide);
   return *single_;
 }
 

@@ -158,7 +158,7 @@ double ContactTrace::penetration(const PenetrationFace &face, const double t) co
          scene_.boundary[face.side].data->value(face.point(t));
 }
 
-ContactTrace::TractionChange ContactTrace::traction_change() const
+ContactTrace::TractionChange ContactTrace::traction_change(const dealii::Tensor<1, 2> &c) const
 {
   const dealii::QGauss<1> gauss(4);
   TractionChange change;
@@ -172,8 +172,10 @@ ContactTrace::TractionChange ContactTrace::traction_change() const
         const double t = part.start + (part.end - part.start) * gauss.point(q)[0];
         const double force = (face.traction(t) - face.pressure(t)) * face.length *
                              (part.end - part.start) * gauss.weight(q);
-        change.force += force;
-        change.work_of_gap += force * scene_.boundary[face.side].data->value(face.point(t));
+        const double g = scene_.boundary[face.side].data->value(face.point(t));
+        change.normal_force += force;
+        change.force += force * face.normal;
+        change.work_of_gap += force * (g - c * face.normal);
       }
   }
   return change;
@@ -182,6 +184,10 @@ ContactTrace::TractionChange ContactTrace::traction_change() const
 void ContactTrace::sample()
 {
   largest_ = 0.;
+  // About 20000 points on all faces: a power of two per quarter of a face.
+  unsigned int n_scanned = 4;
+  while (n_scanned < 256 && 2 * n_scanned * 4 * faces_.size() <= 20000)
+    n_scanned *= 2;
   const double displacement = U_.linfty_norm();
   for (PenetrationFace &face : faces_)
   {
@@ -198,7 +204,7 @@ void ContactTrace::sample()
     const double rounding =
       1e-14 * (displacement + std::abs(penetration(face, 0.) - face.normal_value(U_, 0.)));
     const UpperInterpolant upper = interpolate_from_above(
-      [&](const double t) { return penetration(face, t); }, breaks, rounding, pinned);
+      [&](const double t) { return penetration(face, t); }, breaks, rounding, pinned, n_scanned);
     face.d = upper.function;
     if (upper.largest > largest_)
     {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -96,6 +97,31 @@ struct Samples
   /** Not like a parabola at all. */
   bool rough = false;
 
+  /** f minus the parabola at further points: the largest value and the largest size. */
+  double scanned_excess = 0., scanned_misfit = 0.;
+  /** The largest value of f there, and where. */
+  double scanned_largest = std::numeric_limits<double>::lowest(), scanned_at = 0.;
+
+  double parabola(const double tau) const
+  {
+    return (1. - tau) * first + tau * last + 4. * bulge() * tau * (1. - tau);
+  }
+  void scan(const std::function<double(double)> &f, const unsigned int n_points)
+  {
+    for (unsigned int i = 0; i < n_points; ++i)
+    {
+      const double tau = (i + 0.5) / n_points, t = start + tau * length(), value = f(t);
+      const double excess = value - parabola(tau);
+      scanned_excess = std::max(scanned_excess, excess);
+      scanned_misfit = std::max(scanned_misfit, std::abs(excess));
+      if (value > scanned_largest)
+      {
+        scanned_largest = value;
+        scanned_at = t;
+      }
+    }
+  }
+
   double length() const
   {
     return end - start;
@@ -118,12 +144,20 @@ struct Samples
   double lift(const double value) const
   {
     if (rough)
-      return std::max({first, quarter, middle, three_quarters, last}) - value;
-    return 1.25 * std::max({0., excess_at_quarter(), excess_at_three_quarters()});
+      return std::max({first, quarter, middle, three_quarters, last, scanned_largest}) - value;
+    const double excess = std::max({0., excess_at_quarter(), excess_at_three_quarters()});
+    return 1.25 * (is_smooth(excess, scanned_excess) ? excess : scanned_excess);
   }
   double misfit() const
   {
-    return std::max(std::abs(excess_at_quarter()), std::abs(excess_at_three_quarters()));
+    const double misfit =
+      std::max(std::abs(excess_at_quarter()), std::abs(excess_at_three_quarters()));
+    return is_smooth(misfit, scanned_misfit) ? misfit : scanned_misfit;
+  }
+  /** A cubic exceeds the parabola at most by 1.03 of what the quarters show. */
+  static bool is_smooth(const double at_quarters, const double scanned)
+  {
+    return scanned <= 1.2 * at_quarters;
   }
 };
 
@@ -132,8 +166,10 @@ class Sampler
 public:
   Sampler(const std::function<double(double)> &f,
           const std::vector<double> &breaks,
-          const double rounding)
+          const double rounding,
+          const unsigned int n_scanned)
     : f_(f)
+    , n_scanned_(n_scanned)
   {
     constexpr unsigned int n = 4;
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
@@ -147,6 +183,7 @@ public:
         samples.first = i == 0 ? beside_break(samples, samples.start, rounding) : f(samples.start);
         samples.last = i + 1 == n ? beside_break(samples, samples.end, rounding) : f(samples.end);
         add_quarters(samples);
+        samples.scan(f_, n_scanned_);
         intervals_.push_back(samples);
       }
   }
@@ -161,6 +198,8 @@ public:
     const double allowed = std::max(0.01 * range, rounding);
     for (unsigned int pass = 0; pass < 6 && largest_misfit() > allowed; ++pass)
     {
+      // The halves have the points of the whole, and not less than four each.
+      n_scanned_ = n_scanned_ == 0 ? 0 : std::max(4U, n_scanned_ / 2);
       std::vector<Samples> finer;
       for (const Samples &s : intervals_)
         if (s.misfit() > allowed)
@@ -246,10 +285,13 @@ private:
   void halve(const Samples &s, std::vector<Samples> &to) const
   {
     const double middle = 0.5 * (s.start + s.end);
-    Samples left = {s.start, middle, s.first, 0., s.quarter, 0., s.middle, false};
-    Samples right = {middle, s.end, s.middle, 0., s.three_quarters, 0., s.last, false};
-    add_quarters(left);
-    add_quarters(right);
+    Samples left = {s.start, middle, s.first, 0., s.quarter, 0., s.middle};
+    Samples right = {middle, s.end, s.middle, 0., s.three_quarters, 0., s.last};
+    for (Samples *half : {&left, &right})
+    {
+      add_quarters(*half);
+      half->scan(f_, n_scanned_);
+    }
     to.push_back(left);
     to.push_back(right);
   }
@@ -262,9 +304,15 @@ private:
         upper.largest = values[k];
         upper.at = s.start + 0.25 * k * s.length();
       }
+    if (s.scanned_largest > upper.largest)
+    {
+      upper.largest = s.scanned_largest;
+      upper.at = s.scanned_at;
+    }
   }
 
   const std::function<double(double)> &f_;
+  unsigned int n_scanned_;
   std::vector<Samples> intervals_;
   bool linear_ = false;
 };
@@ -273,9 +321,10 @@ private:
 UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
                                         const std::vector<double> &breaks,
                                         const double rounding,
-                                        const Pinned &pinned)
+                                        const Pinned &pinned,
+                                        const unsigned int n_scanned)
 {
-  Sampler sampler(f, breaks, rounding);
+  Sampler sampler(f, breaks, rounding, n_scanned);
   sampler.refine(rounding);
   return sampler.result(pinned);
 }

@@ -3,6 +3,7 @@
 
 #include <signorini/bound/edge_tractions.h>
 #include <signorini/elasticity/integration.h>
+#include <signorini/scene/functions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,39 +30,66 @@ std::array<Vector2, 2> linear_traction(const std::vector<double> &moments,
 }
 
 /** t on one edge of a traction side. */
-void add_traction_side(const dealii::FEFaceValues<2> &values,
-                       const dealii::Function<2> &traction,
-                       const EdgeMesh &mesh,
-                       const std::array<dealii::Point<2>, 2> &ends,
-                       const unsigned int edge,
-                       GivenTractions &given)
+struct EdgeTraction
 {
-  const auto &points = values.get_quadrature_points();
-  std::vector<dealii::Vector<double>> t(points.size(), dealii::Vector<double>(2));
-  traction.vector_value_list(points, t);
-  const auto position = [&](const dealii::Point<2> &x) {
-    return (x - ends[0]) * (ends[1] - ends[0]) / (ends[1] - ends[0]).norm_square();
-  };
-  for (unsigned int i = 0; i < points.size(); ++i)
-    for (unsigned int c = 0; c < 2; ++c)
-    {
-      const double s = position(points[i]), weighted = t[i][c] * values.JxW(i);
-      given.moments[4 * edge + c] += (1. - s) * weighted;
-      given.moments[4 * edge + 2 + c] += s * weighted;
-    }
-  const auto linear = linear_traction(given.moments, edge, mesh.edges()[edge].length);
-  const Vector2 &normal = mesh.edges()[edge].normal;
-  double shear_square = 0., normal_square = 0.;
-  for (unsigned int i = 0; i < points.size(); ++i)
+  EdgeTraction(const dealii::FEFaceValues<2> &values,
+               const dealii::Function<2> &traction,
+               const Edge &edge,
+               const std::array<dealii::Point<2>, 2> &ends)
   {
-    const double s = position(points[i]);
-    const Vector2 difference = Vector2({t[i][0], t[i][1]}) - (1. - s) * linear[0] - s * linear[1];
-    const double of_normal = difference * normal;
-    normal_square += of_normal * of_normal * values.JxW(i);
-    shear_square += (difference - of_normal * normal).norm_square() * values.JxW(i);
+    const auto &points = values.get_quadrature_points();
+    std::vector<dealii::Vector<double>> t(points.size(), dealii::Vector<double>(2));
+    traction.vector_value_list(points, t);
+    const auto position = [&](const dealii::Point<2> &x) {
+      return (x - ends[0]) * (ends[1] - ends[0]) / (ends[1] - ends[0]).norm_square();
+    };
+    for (unsigned int i = 0; i < points.size(); ++i)
+      for (unsigned int c = 0; c < 2; ++c)
+      {
+        const double s = position(points[i]), weighted = t[i][c] * values.JxW(i);
+        moments[c] += (1. - s) * weighted;
+        moments[2 + c] += s * weighted;
+      }
+    const auto linear = linear_traction(moments, 0, edge.length);
+    double shear_square = 0., normal_square = 0.;
+    for (unsigned int i = 0; i < points.size(); ++i)
+    {
+      const double s = position(points[i]);
+      const Vector2 difference = Vector2({t[i][0], t[i][1]}) - (1. - s) * linear[0] - s * linear[1];
+      const double of_normal = difference * edge.normal;
+      normal_square += of_normal * of_normal * values.JxW(i);
+      shear_square += (difference - of_normal * edge.normal).norm_square() * values.JxW(i);
+    }
+    normal_rest = std::sqrt(normal_square);
+    shear_rest = std::sqrt(shear_square);
   }
-  given.normal_rest[edge] = std::sqrt(normal_square);
-  given.shear_rest[edge] = std::sqrt(shear_square);
+  /** Whether finer quadrature gives the same. */
+  bool agrees(const EdgeTraction &finer, const double length) const
+  {
+    constexpr double tolerance = 1e-4;
+    double difference = 0., size = 0.;
+    for (unsigned int i = 0; i < 4; ++i)
+    {
+      difference = std::max(difference, std::abs(moments[i] - finer.moments[i]));
+      size = std::max(size, std::abs(moments[i]));
+    }
+    return difference <= tolerance * size &&
+           finer.normal_rest + finer.shear_rest <=
+             1.01 * (normal_rest + shear_rest) + tolerance * size / std::sqrt(length);
+  }
+
+  std::vector<double> moments = std::vector<double>(4, 0.);
+  double normal_rest, shear_rest;
+};
+
+/** Further points on an edge, about 20000 on all edges. */
+unsigned int n_fine_points(const EdgeMesh &mesh, const Scene<2> &scene)
+{
+  std::size_t n_edges = 0;
+  for (const Edge &edge : mesh.edges())
+    if (edge.side != Edge::no_side && scene.boundary[edge.side].role == Role::traction)
+      ++n_edges;
+  return n_edges == 0 ? 0 : std::min<std::size_t>(20000 / n_edges, 256);
 }
 
 void add_traction_sides(const DisplacementSpace<2> &space,
@@ -70,12 +98,15 @@ void add_traction_sides(const DisplacementSpace<2> &space,
                         const unsigned int n_points,
                         GivenTractions &given)
 {
-  FaceValues<2> values(space.mesh().mapping(),
-                       space.element(),
-                       scene.kinks,
-                       n_points,
-                       dealii::update_values | dealii::update_quadrature_points |
-                         dealii::update_JxW_values);
+  const auto make_values = [&](const unsigned int n) {
+    return FaceValues<2>(space.mesh().mapping(),
+                         space.element(),
+                         scene.kinks,
+                         n,
+                         dealii::update_quadrature_points | dealii::update_JxW_values);
+  };
+  const unsigned int n_fine = std::max(n_points, n_fine_points(mesh, scene));
+  FaceValues<2> values = make_values(n_points), finer = make_values(n_fine);
   const auto &vertices = space.mesh().triangulation().get_vertices();
   for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
     if (cell->at_boundary())
@@ -84,14 +115,22 @@ void add_traction_sides(const DisplacementSpace<2> &space,
         const auto face = cell->face(f);
         if (!face->at_boundary() || scene.boundary[face->boundary_id()].role != Role::traction)
           continue;
-        const unsigned int edge = mesh.edge_of_line(face->index());
-        const auto &ends = mesh.edges()[edge].vertices;
-        add_traction_side(values.reinit(cell, f),
-                          *scene.boundary[face->boundary_id()].data,
-                          mesh,
-                          {{vertices[ends[0]], vertices[ends[1]]}},
-                          edge,
-                          given);
+        const unsigned int number = mesh.edge_of_line(face->index());
+        const Edge &edge = mesh.edges()[number];
+        const std::array<dealii::Point<2>, 2> ends = {
+          {vertices[edge.vertices[0]], vertices[edge.vertices[1]]}};
+        const dealii::Function<2> &t = *scene.boundary[face->boundary_id()].data;
+        EdgeTraction traction(values.reinit(cell, f), t, edge, ends);
+        if (n_fine > n_points && !is_constant(t))
+        {
+          const EdgeTraction fine(finer.reinit(cell, f), t, edge, ends);
+          if (!traction.agrees(fine, edge.length))
+            traction = fine;
+        }
+        std::copy(
+          traction.moments.begin(), traction.moments.end(), given.moments.begin() + 4 * number);
+        given.normal_rest[number] = traction.normal_rest;
+        given.shear_rest[number] = traction.shear_rest;
       }
 }
 

@@ -76,6 +76,31 @@ std::vector<double> roots(const Numbers &squares)
   return result;
 }
 
+/**
+ * What J*(tau) = 1/2 ‖tau‖² - int_{Gamma_D} tau n.u_D - int_{Gamma_c} tau_n g has besides the terms
+ * of StressBound::complementary_energy, with the opposite sign. With u_D - c and g - c_n in place
+ * of u_D and g, c a translation, there remains c.(int_{Gamma_D} tau n + int_{Gamma_c} tau_n n): the
+ * loads. So rounding of large translations does not enter.
+ */
+double work_of_contact(const StressBound &stress,
+                       const BoundData &data,
+                       const ContactTrace::TractionChange &change)
+{
+  const MultiplierSpace<2> &multipliers = data.stress.multipliers;
+  const dealii::Vector<double> &P = data.stress.P;
+  dealii::Vector<double> gap(data.G);
+  dealii::Tensor<1, 2> force = stress.support_force + change.force;
+  for (const Piece<2> &piece : multipliers.surface().pieces())
+    for (std::size_t q = 0; q < piece.on_mesh.size(); ++q)
+    {
+      const dealii::Tensor<1, 2> normal = piece.on_mesh.weights[q] * piece.on_mesh.normals[q];
+      // Multipliers are constant on patches.
+      gap[piece.patch] -= stress.translation * normal;
+      force += P[piece.patch] * normal;
+    }
+  return P * gap + change.work_of_gap + stress.translation * force;
+}
+
 double ratio(const double value, const double scale)
 {
   if (value == 0.)
@@ -170,12 +195,11 @@ LocatedBound compute_located_bound(const BoundData &data)
                           std::sqrt(given.scene.material->modulus());
   const double scale = std::max(energy_norm(given), rounding);
   result.relative = ratio(*result.absolute, scale);
-  const auto change = lift.trace().traction_change();
-  const double work_of_gap = given.P * data.G + change.work_of_gap;
+  const auto change = lift.trace().traction_change(of_stress.translation);
+  const double work = work_of_contact(of_stress, data, change);
   const Bracket &complementary = of_stress.complementary_energy;
-  Consequences consequences({complementary.lower - work_of_gap, complementary.upper - work_of_gap},
-                            of_stress.square,
-                            contact);
+  Consequences consequences(
+    {complementary.lower - work, complementary.upper - work}, of_stress.square, contact);
   if (of_stress.of_patches)
   {
     const double square = of_stress.of_patches->square;
@@ -192,7 +216,7 @@ LocatedBound compute_located_bound(const BoundData &data)
   if (const auto unit_lift =
         norm_of_unit_lift(given.space, given.scene, lift.trace(), data.inverse))
     result.force_error =
-      contact_force_bound(consequences.stress_error, *unit_lift) + std::abs(change.force);
+      contact_force_bound(consequences.stress_error, *unit_lift) + std::abs(change.normal_force);
   result.largest_cell = name_of_worst_cell(of_stress, given.space);
   if (!given.scene.contact_sides().empty())
     result.largest_face = name_of(contact.largest_part, given.scene);

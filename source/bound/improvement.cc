@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Conjugate gradients that bring the stress closer to that of the displacement.
 
+#include <signorini/bound/best_change.h>
 #include <signorini/bound/equilibrated_stress.h>
 #include <signorini/bound/pointwise.h>
 #include <signorini/bound/pressing_edges.h>
@@ -28,6 +29,9 @@ void add(std::vector<double> &a, const double factor, const std::vector<double> 
     a[i] += factor * b[i];
 }
 
+/** Below this share of the square of tau, the misfit is rounding. */
+constexpr double rounding = 1e-22;
+
 std::vector<unsigned int> pulling(const EdgeMesh &mesh,
                                   const std::vector<unsigned int> &edges,
                                   const std::vector<double> &moments)
@@ -49,7 +53,7 @@ EquilibratedStress::Residual EquilibratedStress::residual(CellEnergies &energies
     const CellData &data = table_(c);
     const std::vector<Law> &laws = table_.laws(c, data);
     const std::vector<Components> tau = stress(c, data);
-    const CornerValues u = displacement(mesh_.cells()[c]);
+    const CornerValues u = deformation(mesh_.cells()[c]);
     CompositeCell::Stresses dual{};
     double square = 0.;
     for (std::size_t i = 0; i < data.points.size(); ++i)
@@ -113,41 +117,58 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
     given_.normal_rest[edge] = 0.;
 }
 
-std::vector<unsigned int> EquilibratedStress::iterate(Residual at_start,
+std::vector<unsigned int> EquilibratedStress::iterate(Residual left,
                                                       const StarSolver &solver,
                                                       const CellEnergies &energies,
                                                       const std::vector<unsigned int> &free,
                                                       const ImprovementOptions &options)
 {
-  std::vector<double> &r = at_start.r;
-  std::vector<double> z(r.size(), 0.), q(r.size(), 0.);
-  double square = at_start.square, square_of_patches = at_start.square_of_patches;
-  solver.apply(r, z);
+  const Steps steps = improve_step_by_step(left, solver, energies, free, options);
+  const std::size_t n_cells = mesh_.cells().size();
+  if (!steps.pulling.empty() || left.square <= rounding * left.energy ||
+      n_cells > options.most_cells_exactly || (steps.settled && n_cells > options.few_cells))
+    return steps.pulling;
+  const std::vector<double> change = best_change(mesh_, energies, left.r);
+  if (change.empty())
+    return {};
+  ++steps_;
+  add(moments_, 1., change);
+  return pulling(mesh_, free, moments_);
+}
+
+EquilibratedStress::Steps
+EquilibratedStress::improve_step_by_step(Residual &left,
+                                         const StarSolver &solver,
+                                         const CellEnergies &energies,
+                                         const std::vector<unsigned int> &free,
+                                         const ImprovementOptions &options)
+{
+  std::vector<double> z(left.r.size(), 0.), q(left.r.size(), 0.);
+  solver.apply(left.r, z);
   std::vector<double> p = z;
-  double rz = product(r, z);
-  // Below that, the misfit is rounding.
-  const double least_square = 1e-22 * at_start.energy;
+  double rz = product(left.r, z);
   steps_ = 0;
-  while (rz > 0. && square > least_square && steps_ < options.most_steps)
+  while (rz > 0. && left.square > rounding * left.energy && steps_ < options.most_steps)
   {
     multiply(mesh_, energies, p, q);
     const double alpha = rz / product(p, q), decrease = alpha * rz;
     if (!(decrease > 0.))
-      break;
+      return {{}, true};
     ++steps_;
     add(moments_, alpha, p);
+    add(left.r, -alpha, q);
     if (const auto edges = pulling(mesh_, free, moments_); !edges.empty())
-      return edges;
-    square -= decrease;
-    square_of_patches -= decrease;
+      return {edges, false};
+    left.square -= decrease;
+    left.square_of_patches -= decrease;
     // Rounding may make the square for pi^{2h} u_h negative.
-    const double least = std::min(options.least_share * square,
-                                  options.least_share_of_patches * std::max(0., square_of_patches));
-    if (decrease < least || square < 0.)
-      break;
-    add(r, -alpha, q);
-    solver.apply(r, z);
-    const double new_rz = product(r, z), beta = new_rz / rz;
+    const double least =
+      std::min(options.least_share * left.square,
+               options.least_share_of_patches * std::max(0., left.square_of_patches));
+    if (decrease < least || left.square < 0.)
+      return {{}, true};
+    solver.apply(left.r, z);
+    const double new_rz = product(left.r, z), beta = new_rz / rz;
     rz = new_rz;
     for (std::size_t i = 0; i < p.size(); ++i)
       p[i] = z[i] + beta * p[i];

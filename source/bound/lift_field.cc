@@ -52,6 +52,8 @@ LiftField::LiftField(const DisplacementSpace<2> &space,
   , remainders_(std::move(remainders))
   , rules_{dealii::QGauss<1>(2), dealii::QGauss<1>(3), dealii::QGauss<1>(4)}
 {
+  if (!scene.material->is_constant())
+    sampling_.emplace(*scene.material, space.mesh().triangulation().n_active_cells());
   for (unsigned int face = 0; face < remainders_.size(); ++face)
     if (!remainders_[face].is_zero())
       add_column(face);
@@ -179,9 +181,12 @@ Tensor<2, 2> LiftField::reference_gradient(const LocalField &field, const Point<
 
 std::vector<double> LiftField::cuts(const CellIterator &cell,
                                     const LocalField &field,
-                                    const unsigned int d) const
+                                    const unsigned int d,
+                                    const unsigned int n_equal) const
 {
-  std::vector<double> cuts = {0., 1.};
+  std::vector<double> cuts;
+  for (unsigned int i = 0; i <= n_equal; ++i)
+    cuts.push_back(static_cast<double>(i) / n_equal);
   if (field.passages->empty() && scene_.material->is_constant())
     return cuts;
   for (const Passage &passage : *field.passages)
@@ -210,6 +215,16 @@ std::vector<double> LiftField::cuts(const CellIterator &cell,
   return cuts;
 }
 
+unsigned int LiftField::n_equal_parts(const LocalField &field) const
+{
+  if (!sampling_)
+    return 1;
+  const auto &x = field.vertices;
+  return LawSampling::varies(sampling_->scan({{x[0], x[1], x[3], x[2]}}))
+           ? (sampling_->intervals() + 3) / 4
+           : 1;
+}
+
 double LiftField::energy_of(const CellIterator &cell, const LocalField &field) const
 {
   const bool constant = scene_.material->is_constant();
@@ -218,7 +233,9 @@ double LiftField::energy_of(const CellIterator &cell, const LocalField &field) c
     1e-12 * field.vertices[0].distance(field.vertices[3]);
   const dealii::QGauss<1> &rule =
     rules_[constant && affine ? (field.passages->empty() ? 0 : 1) : 2];
-  const std::vector<double> x_cuts = cuts(cell, field, 0), y_cuts = cuts(cell, field, 1);
+  const unsigned int n_equal = n_equal_parts(field);
+  const std::vector<double> x_cuts = cuts(cell, field, 0, n_equal),
+                            y_cuts = cuts(cell, field, 1, n_equal);
   dealii::SymmetricTensor<4, 2> C;
   if (constant)
     C = scene_.material->hooke(field.vertices[0]);

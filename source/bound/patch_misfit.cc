@@ -15,43 +15,40 @@ double EquilibratedStress::patch_misfit_square(const unsigned int cell,
 {
   const PatchBubbles::Coefficients b = bubbles_->on(cell);
   CellMisfit misfit;
-  misfit.u = displacement(mesh_.cells()[cell]);
+  misfit.u = deformation(mesh_.cells()[cell]);
   if (const BubbleForm *form = lift_.cells()[cell] ? nullptr : forms_.of(cell, table_, data))
   {
-    const dealii::Tensor<1, 2> at_corner = misfit.u[0];
-    for (auto &u : misfit.u)
-      u -= at_corner;
     misfit.stresses = stresses(cell, data);
     misfit.slope = load(cell).slope;
     return std::max(0., misfit_square + form->change(b, misfit));
   }
   const std::vector<Law> &laws = table_.laws(cell, data);
   const std::vector<Components> tau = stress(cell, data);
-  double square = 0.;
+  UpperSum square;
   for (std::size_t i = 0; i < data.points.size(); ++i)
   {
     const StressPoint &point = data.points[i];
     const Law &law = law_at(laws, i);
     const Components e = sum(strain(cell, point, misfit.u), strain_of(bubble_gradients(point), b));
     const Components s = difference(law.stress(e), tau[i]);
-    square += point.weight * contraction(s, law.strain(s));
+    square.add(point, contraction(s, law.strain(s)));
   }
-  return square;
+  return square.value();
 }
 
 double EquilibratedStress::patch_lift_energy(const unsigned int cell, const CellData &data) const
 {
   const std::vector<Law> &laws = table_.laws(cell, data);
-  double energy = 0.;
+  UpperSum energy;
   for (std::size_t i = 0; i < data.points.size(); ++i)
   {
     const StressPoint &point = data.points[i];
     // u_D - pi^{2h} u_h = (u_D - u_h) - b.
     const Components e = difference(lift_.strain(cell, point),
                                     strain_of(bubble_gradients(point), bubbles_->held_back(cell)));
-    energy += point.weight * contraction(e, law_at(laws, i).stress(e));
+    energy.add(point, contraction(e, law_at(laws, i).stress(e)));
   }
-  return energy;
+  return energy.value();
 }
 
 double EquilibratedStress::normal_bubble(const unsigned int contact_face) const

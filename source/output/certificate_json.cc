@@ -46,6 +46,7 @@ Json describe(const LevelRecord &level, const Judge &judge)
           {"complementarity", c.complementarity},
           {"duality_gap", c.duality_gap},
           {"force_balance", c.force_balance},
+          {"support", c.support},
           {"moment_balance", c.moment_balance},
           {"moment_balance_is_exact", c.moments_are_exact},
           {"inf_sup", level.inf_sup ? Json(*level.inf_sup) : Json(nullptr)},

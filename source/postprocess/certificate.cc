@@ -84,6 +84,111 @@ void balance(const DisplacementSpace<dim> &space,
     relative(sum.moment_about(centre).norm(), scale * (scene.geometry.diameter() + centre.norm()));
 }
 
+/** The vertices of sides that hold the body, with how far U misses what is prescribed there. */
+template <int dim>
+double support_error(const DisplacementSpace<dim> &space,
+                     const Scene<dim> &scene,
+                     const NodalVector &U)
+{
+  double scale = U.linfty_norm();
+  // A vertex between two sides takes the displacement of one; on rollers alone, it obeys both.
+  std::map<unsigned int, double> of_displacement, of_rollers;
+  dealii::Vector<double> prescribed(dim);
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (cell->at_boundary())
+      for (const unsigned int f : cell->face_indices())
+      {
+        const auto face = cell->face(f);
+        if (!face->at_boundary())
+          continue;
+        const unsigned int number = face->boundary_id();
+        const BoundaryCondition<dim> &condition = scene.boundary[number];
+        const bool rolls = condition.role == Role::roller;
+        // The system takes other normals at the vertices of curved rollers.
+        if (rolls && space.mesh().is_curved())
+          continue;
+        if (!rolls && condition.role != Role::clamped && condition.role != Role::displacement)
+          continue;
+        for (const unsigned int v : face->vertex_indices())
+        {
+          prescribed = 0.;
+          if (condition.role == Role::displacement)
+            condition.data->vector_value(face->vertex(v), prescribed);
+          scale = std::max(scale, prescribed.linfty_norm());
+          dealii::Tensor<1, dim> rest;
+          for (unsigned int d = 0; d < dim; ++d)
+            rest[d] = U[face->vertex_dof_index(v, d)] - prescribed[d];
+          const unsigned int vertex = face->vertex_index(v);
+          if (rolls)
+          {
+            const Side<dim> &side = scene.geometry.sides[number];
+            const double normal = std::abs(rest * side.normal(side.coordinates(face->vertex(v))));
+            of_rollers[vertex] = std::max(of_rollers[vertex], normal);
+          }
+          else
+          {
+            const auto known = of_displacement.find(vertex);
+            of_displacement[vertex] =
+              known == of_displacement.end() ? rest.norm() : std::min(known->second, rest.norm());
+          }
+        }
+      }
+  double largest = 0.;
+  for (const auto &[vertex, error] : of_displacement)
+    largest = std::max(largest, error);
+  for (const auto &[vertex, error] : of_rollers)
+    if (of_displacement.count(vertex) == 0)
+      largest = std::max(largest, error);
+  return relative(largest, scale);
+}
+
+/** U without the translation of the whole body, and how much that is. */
+struct Deformation
+{
+  NodalVector V;
+  /** Certificate::translation. */
+  double translation = 1.;
+};
+
+/** The translation is the middle of the range of each component. */
+template <int dim>
+Deformation deformation(const DisplacementSpace<dim> &space, const NodalVector &U)
+{
+  dealii::Tensor<1, dim> low, high;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    low[d] = std::numeric_limits<double>::max();
+    high[d] = -low[d];
+  }
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        const double u = U[cell->vertex_dof_index(v, d)];
+        low[d] = std::min(low[d], u);
+        high[d] = std::max(high[d], u);
+      }
+  double range = 0.;
+  for (unsigned int d = 0; d < dim; ++d)
+    range = std::max(range, 0.5 * (high[d] - low[d]));
+  Deformation result = {U};
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      for (unsigned int d = 0; d < dim; ++d)
+      {
+        const auto dof = cell->vertex_dof_index(v, d);
+        result.V[dof] = U[dof] - 0.5 * (low[d] + high[d]);
+      }
+  const double size = U.linfty_norm();
+  if (range < size)
+    result.translation = size / std::max(range, std::numeric_limits<double>::epsilon() * size);
+  return result;
+}
+
+/** Contact may leave less of the displacement without contact than rounding does. A residual of
+ * 1e-8 of this share of it is 50 times the unit roundoff. */
+constexpr double least_share_of_free_state = 1e-6;
+
 /** Signs, penetration and complementarity of P and W = D^T U - G. */
 template <int dim>
 void check_contact(const MultiplierSpace<dim> &multipliers,
@@ -94,7 +199,9 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
 {
   const unsigned int m = W.size();
   const dealii::Vector<double> measures = multipliers.integrals();
-  double deepest = 0., largest_P = 0., tensile = 0., length_scale = solution.U.linfty_norm();
+  double deepest = 0., largest_P = 0., tensile = 0.;
+  double length_scale =
+    std::max(solution.U.linfty_norm(), least_share_of_free_state * solution.free_U.linfty_norm());
   for (unsigned int tau = 0; tau < m; ++tau)
   {
     deepest = std::max(deepest, W[tau] / measures[tau]);
@@ -149,6 +256,9 @@ Certificate certify(const DisplacementSpace<dim> &space,
   Certificate certificate;
   certificate.moments_are_exact = !space.mesh().is_curved();
   certificate.stationarity = stationarity(space, forces);
+  certificate.support = support_error(space, scene, solution.U);
+  const Deformation deformed = deformation(space, solution.U);
+  certificate.translation = deformed.translation;
   balance(space,
           scene,
           system.applied,
@@ -158,11 +268,15 @@ Certificate certify(const DisplacementSpace<dim> &space,
 
   dealii::Vector<double> W = D.transpose_product(solution.U);
   W -= solution.G;
-  const double strain_energy = 0.5 * (solution.U * forces.internal);
+  // A translation has no strain energy, but its product with rounding of forces may be large.
+  const double strain_energy = 0.5 * (deformed.V * forces.internal);
   const double work_of_loads = solution.U * forces.loads;
   const double work_of_gap = solution.P * solution.G;
   const double energy_scale =
-    std::max({strain_energy, std::abs(work_of_loads), std::abs(work_of_gap)});
+    std::max({strain_energy,
+              std::abs(work_of_loads),
+              std::abs(work_of_gap),
+              least_share_of_free_state * std::abs(solution.P * solution.F)});
   check_contact(multipliers, solution, W, energy_scale, certificate);
   // J of (22); [p, Bu - g] is P^T W.
   certificate.energy = strain_energy - work_of_loads - solution.P * W;

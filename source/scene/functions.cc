@@ -8,6 +8,7 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
@@ -45,6 +46,14 @@ void ExpressionFunction<dim>::check(const double value,
           << " of component " << component + 1 << " at (" << x << "), allowed: values up to "
           << number_text(largest_magnitude) << " on the whole body.";
   throw InputError(message.str());
+}
+
+template <int dim>
+bool ExpressionFunction<dim>::is_constant() const
+{
+  return std::all_of(values_.begin(), values_.end(), [](const Expression<dim> &value) {
+    return value.is_constant();
+  });
 }
 
 template <int dim>
@@ -160,6 +169,15 @@ void ExpressionFunction<dim>::vector_gradient_list(const Points &points,
   }
 }
 
+template <int dim>
+bool is_constant(const dealii::Function<dim> &function)
+{
+  const auto *expressions = dynamic_cast<const ExpressionFunction<dim> *>(&function);
+  return expressions != nullptr && expressions->is_constant();
+}
+
 template class ExpressionFunction<2>;
 template class ExpressionFunction<3>;
+template bool is_constant(const dealii::Function<2> &);
+template bool is_constant(const dealii::Function<3> &);
 } // namespace Signorini

@@ -72,7 +72,29 @@ bool wants_bound(const DiscretizationParameters &given, const unsigned int level
 struct Pressure
 {
   dealii::Vector<double> P, C_P, diagonal_P;
+  /** Empty where nothing touches. */
+  std::shared_ptr<const ComplianceOperator> C;
+  /** F of the last correct_rounding(). */
+  dealii::Vector<double> corrected_F;
 };
+
+template <int dim>
+QPResult solve_contact(const std::shared_ptr<const ComplianceOperator> &C,
+                       const dealii::Vector<double> &F,
+                       const dealii::Vector<double> &start,
+                       const Parameters &parameters,
+                       const Discretization<dim> &discretization)
+{
+  const SolverParameters &solver = parameters.solver;
+  return solve_dual_problem(C,
+                            F,
+                            start,
+                            {solver.contact_solver,
+                             solver.relaxation,
+                             solver.tolerance,
+                             solver.maximum_iterations,
+                             discretization.surface.has_unstable_patch()});
+}
 
 /** C and P: only where something touches. */
 template <int dim>
@@ -93,17 +115,47 @@ Pressure find_pressure(const Parameters &parameters,
   dealii::Vector<double> P_start;
   if (!start.patches.empty())
     P_start = transfer_pressure(start, discretization.surface.patches());
-  const SolverParameters &solver = parameters.solver;
-  const QPResult result = solve_dual_problem(C,
-                                             solution.F,
-                                             P_start,
-                                             {solver.contact_solver,
-                                              solver.relaxation,
-                                              solver.tolerance,
-                                              solver.maximum_iterations,
-                                              discretization.surface.has_unstable_patch()});
-  solution.record.dual = summary_of(result, solver.contact_solver);
-  return {result.P, C->apply(result.P), diagonal_times(*C, result.P)};
+  const QPResult result = solve_contact(C, solution.F, P_start, parameters, discretization);
+  solution.record.dual = summary_of(result, parameters.solver.contact_solver);
+  return {result.P, C->apply(result.P), diagonal_times(*C, result.P), C, {}};
+}
+
+/**
+ * Openings by U and by C differ where rounding has spoilt C: D^T U - G is C P - F + r. Then F - r
+ * takes the place of F, up to three times. Only what rounding has done is corrected: without it r
+ * is zero, however P was found.
+ */
+template <int dim>
+void correct_rounding(const Parameters &parameters,
+                      const Discretization<dim> &discretization,
+                      const StiffnessInverse &inverse,
+                      const DistributedVector &f,
+                      Pressure &pressure,
+                      LevelSolution<dim> &solution)
+{
+  constexpr unsigned int most_passes = 3;
+  constexpr double negligible = 1e-10;
+  const double measure = discretization.multipliers.integrals().l2_norm();
+  for (unsigned int pass = 0; pass < most_passes; ++pass)
+  {
+    dealii::Vector<double> W = discretization.D.transpose_product(solution.U);
+    W -= discretization.G;
+    dealii::Vector<double> corrected_F(pressure.C_P);
+    corrected_F -= W;
+    dealii::Vector<double> r(corrected_F);
+    r -= pass == 0 ? solution.F : pressure.corrected_F;
+    if (r.l2_norm() <= negligible * measure * solution.U.linfty_norm())
+      return;
+    pressure.corrected_F = corrected_F;
+    const QPResult result =
+      solve_contact(pressure.C, corrected_F, pressure.P, parameters, discretization);
+    solution.record.dual = summary_of(result, parameters.solver.contact_solver);
+    pressure.P = result.P;
+    pressure.C_P = pressure.C->apply(result.P);
+    pressure.diagonal_P = diagonal_times(*pressure.C, result.P);
+    solution.U = recover_displacement(
+      inverse, discretization.space, discretization.condensed_D, pressure.P, f);
+  }
 }
 
 /** The bound of the error of U and P, and where it comes from. */
@@ -164,13 +216,17 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   });
   solution.F = free.F;
 
-  Pressure pressure = {dealii::Vector<double>(discretization.multipliers.n_multipliers()), {}, {}};
+  Pressure pressure = {
+    dealii::Vector<double>(discretization.multipliers.n_multipliers()), {}, {}, {}, {}};
   if (!free.nothing_touches())
     pressure = find_pressure(parameters, discretization, *inverse, start, progress, solution);
   solution.P = pressure.P;
   solution.U = free.nothing_touches() ? free.U : timed(times.recovery, [&]() {
     return recover_displacement(*inverse, space, discretization.condensed_D, solution.P, system.f);
   });
+  if (pressure.C)
+    correct_rounding(parameters, discretization, *inverse, system.f, pressure, solution);
+  solution.P = pressure.P;
   solution.loads = system.loads;
   record.linear = {inverse->n_solves(), inverse->largest_residual(), inverse->rounding_error()};
 

@@ -12,9 +12,24 @@ namespace Signorini
 {
 namespace
 {
-constexpr const char *causes_of_rounding = "the stiffness matrix is ill-conditioned: Poisson's "
-                                           "ratio near 1/2, moduli of very different size, "
-                                           "or a very slender body.";
+constexpr const char *causes_of_condition = "the stiffness matrix is ill-conditioned: Poisson's "
+                                            "ratio near 1/2, moduli of very different size, "
+                                            "or a very slender body.";
+
+/** Beyond that, the translation of the body takes more digits than a usual matrix. */
+constexpr double large_translation = 1e4;
+
+std::string causes_of_rounding(const LevelRecord &level)
+{
+  const double translation = level.certificate.translation;
+  if (translation < large_translation || level.certificate.rounding < level.linear.rounding_error)
+    return causes_of_condition;
+  std::ostringstream text;
+  text << "the body is moved as a whole by " << translation
+       << " times as much as it is deformed: subtract that translation from the prescribed "
+          "displacements, and its normal component from the gap.";
+  return text.str();
+}
 
 /** With less than six digits of U left, nothing that is computed from it can be trusted. */
 constexpr double largest_rounding = 1e-6;
@@ -36,7 +51,7 @@ std::string check_rounding(const LevelRecord &level, const Judge &)
     return "";
   std::ostringstream text;
   text << "rounding changes displacements or forces by the relative amount " << rounding(level)
-       << " (allowed: 1e-6), because " << causes_of_rounding;
+       << " (allowed: 1e-6), because " << causes_of_rounding(level);
   return text.str();
 }
 
@@ -61,7 +76,7 @@ std::string check_residuals(const LevelRecord &level, const Judge &judge)
   std::ostringstream text;
   text << "the largest residual of the certificate is " << residual << ", above " << bound;
   if (rounding(level) > noticeable_rounding)
-    text << "; rounding leaves no more, because " << causes_of_rounding;
+    text << "; rounding leaves no more, because " << causes_of_rounding(level);
   else
     text << ".";
   return text.str();

@@ -14,6 +14,7 @@ double largest_residual(const Certificate &certificate)
   for (const double residual : {certificate.stationarity,
                                 certificate.penetration,
                                 certificate.sign,
+                                certificate.support,
                                 certificate.complementarity,
                                 certificate.duality_gap,
                                 certificate.force_balance,

@@ -347,10 +347,43 @@ void add_fine_data(Scenes &scenes)
                       level,
                       7});
   }
+  for (const unsigned int level : {1U, 2U})
+  {
+    // Between the points that the system takes.
+    scenes.push_back({"narrow peak of the gap",
+                      square + one + lowered("0.01") + gap("0.011 - 0.05*exp(-((x-0.547)/0.01)^2)"),
+                      "",
+                      level,
+                      7});
+    scenes.push_back({"narrow traction",
+                      square + one +
+                        boundary("set Clamped = top\n"
+                                 "set Traction = right: 10*exp(-((y-0.53)/0.005)^2); 0\n") +
+                        gap("0.1"),
+                      "",
+                      level,
+                      7});
+    scenes.push_back({"narrow body force",
+                      square + one + clamped_top + gap("0.1") +
+                        force("0; -100*exp(-((x-0.53)^2+(y-0.51)^2)/0.0001)"),
+                      "",
+                      level,
+                      7});
+  }
   for (const unsigned int level : {2U, 3U})
   {
-    // Without these kinks the bound is a quarter of the error on level 2: no sample of E is in the
-    // layer, which is thinner than h/20 and begins at an edge. See doc/bound.md.
+    scenes.push_back(
+      {"thin soft layer along edges",
+       square + material("(abs(y-0.5) < 0.005) ? 0.001 : 1") + lowered("0.1") + gap("0.1*x^2"),
+       "",
+       level,
+       7});
+    scenes.push_back(
+      {"thin stiff layer",
+       square + material("(abs(y-0.53) < 0.01) ? 1000 : 1") + lowered("0.1") + gap("0.1*x^2"),
+       "",
+       level,
+       7});
     scenes.push_back({"thin soft layer along edges, kinks given",
                       square + material("(abs(y-0.5) < 0.005) ? 0.001 : 1") + lowered("0.1") +
                         gap("0.1*x^2") + option("Kinks at y", "0.495, 0.505"),

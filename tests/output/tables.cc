@@ -141,6 +141,7 @@ void certificate(Checks &checks)
                            "duality_gap",
                            "force_balance",
                            "moment_balance",
+                           "support",
                            "degenerate_patches"})
     complete = complete && good.at("levels")[0].at(name).is_number();
   checks.that("all residuals", complete);

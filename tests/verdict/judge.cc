@@ -26,6 +26,7 @@ void residuals(Checks &checks)
   double Certificate::*const members[] = {&Certificate::stationarity,
                                           &Certificate::penetration,
                                           &Certificate::sign,
+                                          &Certificate::support,
                                           &Certificate::complementarity,
                                           &Certificate::duality_gap,
                                           &Certificate::force_balance,
@@ -92,6 +93,12 @@ void doubts(Checks &checks)
               begins_with(judge.doubt(level),
                           "rounding changes displacements or forces by the relative amount 1e-05 "
                           "(allowed: 1e-6), because the stiffness matrix is ill-conditioned"));
+  level.certificate.rounding = 1e-4;
+  level.certificate.translation = 1e9;
+  checks.that("rounding by a translation",
+              begins_with(judge.doubt(level),
+                          "rounding changes displacements or forces by the relative amount 0.0001 "
+                          "(allowed: 1e-6), because the body is moved as a whole by 1e+09 times"));
   level.dual.kkt = std::numeric_limits<double>::infinity();
   checks.that("overflow", begins_with(judge.doubt(level), "numbers overflow"));
 }

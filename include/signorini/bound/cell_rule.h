@@ -3,6 +3,8 @@
 
 #include <signorini/bound/composite_cell.h>
 
+#include <algorithm>
+#include <functional>
 #include <vector>
 
 namespace Signorini
@@ -33,6 +35,45 @@ struct StressPoint
   std::array<dealii::Tensor<1, 2>, 4> gradients;
   /** Reference coordinates in [-1,1]^2: corners are (-1,-1), (1,-1), (1,1), (-1,1). */
   dealii::Point<2> reference;
+  /** The part of the rule that the point belongs to, if the law is not resolved there; else
+   * resolved. Points of a part follow each other. */
+  unsigned int unresolved_part = resolved;
+
+  static constexpr unsigned int resolved = static_cast<unsigned int>(-1);
+};
+
+/** The integral of a function that is not negative; where the law is not resolved, from above: the
+ * largest value in a part counts for all of it. */
+class UpperSum
+{
+public:
+  void add(const StressPoint &point, const double value)
+  {
+    if (point.unresolved_part == StressPoint::resolved)
+    {
+      sum_ += point.weight * value;
+      return;
+    }
+    if (point.unresolved_part != part_)
+      close();
+    part_ = point.unresolved_part;
+    area_ += point.weight;
+    largest_ = std::max(largest_, value);
+  }
+  double value()
+  {
+    close();
+    return sum_;
+  }
+
+private:
+  void close()
+  {
+    sum_ += area_ * largest_;
+    area_ = largest_ = 0.;
+  }
+  double sum_ = 0., area_ = 0., largest_ = 0.;
+  unsigned int part_ = StressPoint::resolved;
 };
 
 /** Gradients of the bilinear shape functions of the corners. */
@@ -69,13 +110,29 @@ struct RuleKind
   bool fine = false;
 };
 
+/** A part of one of the triangles of a cell. */
+struct RulePart
+{
+  /** Counter-clockwise. */
+  using Triangle = std::array<dealii::Point<2>, 3>;
+
+  Triangle corners;
+  /** Whether data is smooth on it. */
+  bool resolved = true;
+};
+
+/** The parts of a triangle. */
+using TriangleDivision = std::function<std::vector<RulePart>(const RulePart::Triangle &)>;
+
 /**
  * Points on the four triangles of a cell. With a constant law on a parallelogram squares of
  * stresses and strains are integrated exactly: with the three mid-points per triangle, six points
  * where stresses are quadratic. Otherwise 4 x 4 Gauss points per triangle for a constant law and
- * n_points x n_points for others, on each of the parts into which the lines cut a triangle.
+ * n_points x n_points for others, on each of the parts into which the lines cut a triangle. With
+ * @p divide these parts are divided further, and each part has 3 x 3 points (6 x 6 if fine).
  */
 std::vector<StressPoint> make_rule(const CellShape &shape,
                                    const RuleKind &kind,
-                                   const std::vector<KinkLine<2>> &lines);
+                                   const std::vector<KinkLine<2>> &lines,
+                                   const TriangleDivision &divide = {});
 } // namespace Signorini

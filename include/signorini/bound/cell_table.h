@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/bound/cell_rule.h>
+#include <signorini/bound/law_sampling.h>
+#include <signorini/bound/prescribed_lift.h>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Signorini
@@ -12,10 +14,13 @@ namespace Signorini
 /** What stresses on a cell need, the same for all cells of its shape. */
 struct CellData
 {
-  CellData(const CellShape &shape, const RuleKind &kind, const std::vector<KinkLine<2>> &lines)
+  CellData(const CellShape &shape,
+           const RuleKind &kind,
+           const std::vector<KinkLine<2>> &lines,
+           const TriangleDivision &divide = {})
     : shape(shape)
     , composite(shape)
-    , points(make_rule(shape, kind, lines))
+    , points(make_rule(shape, kind, lines, divide))
     , on_edges(edge_points(shape))
   {
   }
@@ -37,11 +42,11 @@ class CellTable
 {
 public:
   /** @param quadratic whether stresses have quadratic parts.
-   * @param fine the cells on which displacements are more than bilinear. */
+   * @param lift makes displacements more than bilinear on some cells. */
   CellTable(const EdgeMesh &mesh,
             const Scene<2> &scene,
             bool quadratic,
-            const std::vector<bool> &fine);
+            const PrescribedLift &lift);
 
   /** Of cell number @p cell; valid until the next call. */
   const CellData &operator()(unsigned int cell);
@@ -77,11 +82,6 @@ public:
   }
 
 private:
-  /**
-   * The largest ratio of moduli within a cell, from 25 samples each, decides: 5, 8 or 12 Gauss
-   * points per direction and triangle where they vary by up to a factor of 1.5, of 4, or more.
-   */
-  unsigned int choose_points() const;
   /** The number of the cell's shape among the shared ones; a new one if there is room. */
   unsigned int classify(unsigned int cell);
 
@@ -92,7 +92,11 @@ private:
   const Material<2> &material_;
   std::vector<KinkLine<2>> lines_;
   RuleKind kind_;
-  const std::vector<bool> &fine_;
+  /** Where the law varies. */
+  std::optional<LawSampling> sampling_;
+  /** The cells in which it varies much; empty where it is constant. */
+  std::vector<bool> varied_;
+  const PrescribedLift &lift_;
   std::vector<std::array<dealii::Tensor<1, 2>, 3>> edges_of_shape_;
   std::vector<std::unique_ptr<CellData>> shared_;
   std::vector<unsigned int> shape_of_;

@@ -128,13 +128,16 @@ public:
   }
   /** d itself, up to the evaluation of g. */
   double penetration(const PenetrationFace &face, double t) const;
-  /** int (tau_n - p_H) over Gamma_c, and int (tau_n - p_H) g with four Gauss points on every part
-   * of d. */
+  /** int (tau_n - p_H) over Gamma_c, the same times n, and int (tau_n - p_H)(g - c_n), with four
+   * Gauss points on every part of d. */
   struct TractionChange
   {
-    double force = 0., work_of_gap = 0.;
+    double normal_force = 0.;
+    dealii::Tensor<1, 2> force;
+    double work_of_gap = 0.;
   };
-  TractionChange traction_change() const;
+  /** @param c a translation. */
+  TractionChange traction_change(const dealii::Tensor<1, 2> &c) const;
   /** max (d)_+ over all samples, and where. */
   double largest_penetration() const
   {

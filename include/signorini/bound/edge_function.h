@@ -79,8 +79,10 @@ struct Pinned
  * of which the quarters show 97 %; it is raised by 5/4 of what they show. Intervals where the
  * quarters differ by more than 1/100 of the range of f - (its chord) are halved, up to six times;
  * where that is not enough, f has a kink or jumps, and q is linear there and not below any sample.
- * What is narrower than 1/16 of the edge in the midst of smooth data may be missed. At a break q
- * takes the larger of both values.
+ * @p n_scanned further points in each of the four intervals, and as close ones in the halves, show
+ * details between them: what exceeds the parabola there counts like that at the quarters. What is
+ * narrower than 1/16 of the edge, or 1/(4 n_scanned), may be missed. At a break q takes the larger
+ * of both values.
  *
  * @param rounding absolute rounding errors of f: what is not larger is nothing. An f that is linear
  * but for rounding gives one part.
@@ -88,5 +90,6 @@ struct Pinned
 UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
                                         const std::vector<double> &breaks,
                                         double rounding,
-                                        const Pinned &pinned = {});
+                                        const Pinned &pinned = {},
+                                        unsigned int n_scanned = 0);
 } // namespace Signorini

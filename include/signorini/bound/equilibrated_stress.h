@@ -6,6 +6,7 @@
 #include <signorini/bound/edge_tractions.h>
 #include <signorini/bound/energy_bracket.h>
 #include <signorini/bound/prescribed_lift.h>
+#include <signorini/bound/star_solver.h>
 
 #include <array>
 #include <memory>
@@ -43,9 +44,12 @@ struct StressBound
     double square, lift;
   };
   std::optional<OfPatches> of_patches;
-  /** 1/2 sum_K (‖tau‖_{C^{-1},K} ± osc_K)² - int_{Gamma_D} tau n.u_D. Between these lies J* of the
-   * stress that balances the loads themselves, without its part -int_{Gamma_c} tau_n g. */
+  /** 1/2 sum_K (‖tau‖_{C^{-1},K} ± osc_K)² - int_{Gamma_D} tau n.(u_D - c), with c the translation
+   * below: the part of J*(tau) that sees no large translation. Between these it lies for the stress
+   * that balances the loads themselves. */
   Bracket complementary_energy = {0., 0.};
+  /** c, the displacement of a corner of the body, and int_{Gamma_D} tau n. */
+  dealii::Tensor<1, 2> translation, support_force;
   /** The largest force at a vertex that the linear solver left unbalanced, relative to the largest
    * force that a cell exerts on a vertex. */
   double algebra = 0.;
@@ -63,6 +67,10 @@ struct ImprovementOptions
   /** Stop when a step takes less than this share of the square of the misfit of u_h, and of
    * pi^{2h} u_h where there is one. */
   double least_share = 0.01, least_share_of_patches = 0.03;
+  /** On meshes with at most so many cells the best stress is computed (best_change()); with at most
+   * most_cells_exactly, if the steps did not end. */
+  std::size_t few_cells = 1024;
+  std::size_t most_cells_exactly = 4096;
 };
 
 /** What a bound of the stress is made from; everything must outlive it. */
@@ -129,6 +137,8 @@ private:
   using CornerValues = std::array<dealii::Tensor<1, 2>, 4>;
 
   CornerValues displacement(const EdgeCell &cell) const;
+  /** The same relative to corner 0: large translations have rounding errors, but no strain. */
+  CornerValues deformation(const EdgeCell &cell) const;
   /** R_K^i = int_K sigma_h:grad phi_i - int_K f phi_i, with the quadrature of the system. */
   std::vector<EdgeMoments::CornerForces> residuals() const;
   /** Moments of the mean of sigma_h n from both sides of edges. */
@@ -138,14 +148,16 @@ private:
   /** Integrals over a cell. */
   struct CellSquares
   {
-    double misfit = 0., stress = 0., lift = 0.;
-    double smallest_eigenvalue = 0.;
+    double misfit, stress, lift;
+    double smallest_eigenvalue;
   };
   CellSquares integrate(unsigned int cell, const CellData &data) const;
   /** osc_K. */
   double oscillation(unsigned int cell, const CellShape &shape, double smallest_eigenvalue) const;
-  /** int_{Gamma_D} tau n.u_D on the edges of a cell. */
-  double support_work(unsigned int cell) const;
+  /** int_{Gamma_D} tau n.(u_D - c) on the edges of a cell; adds int_{Gamma_D} tau n to @p force. */
+  double support_work(unsigned int cell,
+                      const dealii::Tensor<1, 2> &c,
+                      dealii::Tensor<1, 2> &force) const;
   /** ‖sigma(pi^{2h} u_h + z) - tau‖² on a cell, from the same number of u_h + E. */
   double patch_misfit_square(unsigned int cell, const CellData &data, double misfit_square) const;
   /** |||z|||² on a cell where PatchBubbles holds back. */
@@ -162,13 +174,27 @@ private:
     double energy = 0.;
   };
   Residual residual(CellEnergies &energies) const;
-  /** Conjugate gradients. @return the edges among @p free that pull; then the moments are not to be
-   * used. */
-  std::vector<unsigned int> iterate(Residual at_start,
+  /** How steps of the improvement ended. */
+  struct Steps
+  {
+    /** Edges that pull; then the moments are not to be used. */
+    std::vector<unsigned int> pulling;
+    /** Whether the last step took less than the least share. */
+    bool settled = false;
+  };
+  /** Conjugate gradients, and on small meshes the best stress. @return the edges among @p free that
+   * pull. */
+  std::vector<unsigned int> iterate(Residual left,
                                     const StarSolver &solver,
                                     const CellEnergies &energies,
                                     const std::vector<unsigned int> &free,
                                     const ImprovementOptions &options);
+  /** Steps of conjugate gradients; keeps @p left up to date. */
+  Steps improve_step_by_step(Residual &left,
+                             const StarSolver &solver,
+                             const CellEnergies &energies,
+                             const std::vector<unsigned int> &free,
+                             const ImprovementOptions &options);
   CompositeCell::Stresses stresses(unsigned int cell, const CellData &data) const;
 
   StressData data_;

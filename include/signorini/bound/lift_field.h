@@ -2,11 +2,13 @@
 #pragma once
 
 #include <signorini/bound/contact_trace.h>
+#include <signorini/bound/law_sampling.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace Signorini
@@ -50,7 +52,8 @@ public:
    * By Gauss' formula on the parts of a cell on which w is a polynomial of degree two in reference
    * coordinates: exact on parallelograms with constant E, otherwise up to quadrature, with four
    * points per direction and part, the parts also cut where kinks of the data cross edges of the
-   * cell.
+   * cell; where E varies by more than a factor of 1.5 in a cell (LawSampling), it is cut into m/4
+   * parts per direction, too.
    */
   dealii::Vector<double> cell_energies() const;
 
@@ -79,8 +82,14 @@ private:
   /** The gradient with respect to reference coordinates. */
   dealii::Tensor<2, 2> reference_gradient(const LocalField &field, const dealii::Point<2> &x) const;
   double energy_of(const CellIterator &cell, const LocalField &field) const;
-  /** Where pieces of w or of the material begin and end in reference coordinate @p d. */
-  std::vector<double> cuts(const CellIterator &cell, const LocalField &field, unsigned int d) const;
+  /** Where pieces of w or of the material begin and end in reference coordinate @p d, with those of
+   * @p n_equal parts. */
+  std::vector<double> cuts(const CellIterator &cell,
+                           const LocalField &field,
+                           unsigned int d,
+                           unsigned int n_equal) const;
+  /** Into how many parts per direction the cell is cut because the material varies in it. */
+  unsigned int n_equal_parts(const LocalField &field) const;
 
   const DisplacementSpace<2> &space_;
   const Scene<2> &scene_;
@@ -89,6 +98,8 @@ private:
   std::vector<EdgeFunction> remainders_;
   /** Of two, three and four points. */
   std::array<dealii::QGauss<1>, 3> rules_;
+  /** Where the law varies. */
+  std::optional<LawSampling> sampling_;
   /** By active cell index. */
   std::map<unsigned int, std::vector<Passage>> passages_;
 };

@@ -34,6 +34,12 @@ struct Certificate
    * |tau|, the displacement that the pressure causes there, are below 1e-6 of displacement and gap.
    */
   unsigned int degenerate_patches = 0;
+  /** Largest difference between U and the prescribed displacement, or largest normal displacement
+   * on rollers, at vertices, relative to the largest of both displacements. */
+  double support = 0.;
+  /** The largest displacement, relative to what is left of it without the translation of the whole
+   * body. */
+  double translation = 1.;
   /** How large rounding alone makes residuals: the unit roundoff times |A| |U|, relative to the
    * largest of the forces. */
   double rounding = 0.;

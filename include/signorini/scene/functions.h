@@ -29,6 +29,9 @@ public:
   /** Data of the problem, with checked values and without derivatives. */
   explicit ExpressionFunction(std::vector<Expression<dim>> values);
 
+  /** Whether no component uses a coordinate. */
+  bool is_constant() const;
+
   double value(const dealii::Point<dim> &x, unsigned int component = 0) const override;
   void vector_value(const dealii::Point<dim> &x, dealii::Vector<double> &values) const override;
   void value_list(const Points &points,
@@ -59,4 +62,8 @@ private:
   /** 0 for data. */
   double h_;
 };
+
+/** Whether a function is known to be the same everywhere. */
+template <int dim>
+bool is_constant(const dealii::Function<dim> &function);
 } // namespace Signorini

@@ -35,7 +35,7 @@ struct TrailingFactor
 /** How accurate solves are. */
 struct SolveAccuracy
 {
-  /** A residual above this part of the right-hand side is refined once. */
+  /** A residual above this part of the right-hand side is refined, up to three times. */
   double refine_above = 1e-12;
   /** A solution that refinement changes by more than this part is refused. */
   double refuse_above = 1e-4;
@@ -58,8 +58,8 @@ public:
 
   /**
    * x = A^{-1} b for every pair. The residual of every solve is computed. Where it is not small,
-   * one step of iterative refinement is taken; its size tells how many digits of x are lost to
-   * rounding. Collective.
+   * up to three steps of iterative refinement are taken, with residuals in extended precision; the
+   * size of the first one tells how many digits of x rounding takes. Collective.
    * @throws ComputationError if too few digits are left, see SolveAccuracy.
    */
   void solve(std::vector<Vector> &x, const std::vector<Vector> &b) const;
@@ -131,6 +131,9 @@ private:
   Check improve(Vector &x, const Vector &b) const;
   /** Adds matrix^{-1} r to x. @return the size of that correction relative to x. */
   double refine(Vector &x, const Vector &r) const;
+  /** r = b - matrix x, with sums in extended precision: differences of large terms keep their
+   * digits. */
+  void accurate_residual(Vector &r, const Vector &x, const Vector &b) const;
   /** (sum r_i^2 / A_ii)^{1/2}: rows of stiff and of soft parts of a body count alike. */
   double scaled_norm(const Vector &r) const;
 

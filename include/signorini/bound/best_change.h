@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/bound/star_solver.h>
+
+#include <vector>
+
+namespace Signorini
+{
+/**
+ * The change b of moments with the least 1/2 bᵀ S b - rᵀ b among all that disturb the balance of no
+ * cell: with the force and moment of every cell as constraints B b = 0,
+ *
+ *     ( S  Bᵀ ) ( b )   ( r )
+ *     ( B  0  ) ( l ) = ( 0 ),
+ *
+ * about eleven equations per cell, by sparse LU factors. It is the limit of conjugate gradients
+ * with StarSolver, which need many steps where a body or its cells are long and thin. The equations
+ * have one solution if edges that may carry tractions hold the body.
+ *
+ * @return nothing if the factorisation fails.
+ */
+std::vector<double> best_change(const EdgeMesh &mesh,
+                                const CellEnergies &energies,
+                                const std::vector<double> &r);
+} // namespace Signorini

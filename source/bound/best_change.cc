@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The best stress in equilibrium, by one sparse factorisation.
+
+#include <signorini/bound/best_change.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparse_direct.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+/** The unknown components of moments. */
+class FreeMoments
+{
+public:
+  /** A multiple of an unknown. */
+  struct Term
+  {
+    unsigned int unknown;
+    double factor;
+  };
+
+  explicit FreeMoments(const EdgeMesh &mesh)
+    : mesh_(mesh)
+    , first_(mesh.edges().size())
+  {
+    for (std::size_t e = 0; e < mesh.edges().size(); ++e)
+    {
+      first_[e] = size_;
+      size_ += 2 * n_directions(mesh.edges()[e]);
+    }
+  }
+  unsigned int size() const
+  {
+    return size_;
+  }
+  /** The terms of the component c of the moment that the edge k of a cell has at corner k + end. */
+  std::vector<Term> terms(const EdgeCell &cell,
+                          const unsigned int k,
+                          const unsigned int end,
+                          const unsigned int c) const
+  {
+    const Edge &edge = mesh_.edges()[cell.edges[k]];
+    const unsigned int n = n_directions(edge);
+    const unsigned int at_end = (EdgeMesh::position(cell, k, end) - 4 * cell.edges[k]) / 2;
+    const unsigned int first = first_[cell.edges[k]] + n * at_end;
+    if (n == 2)
+      return {{first + c, cell.sign[k]}};
+    if (n == 1)
+      return {{first, cell.sign[k] * edge.normal[c]}};
+    return {};
+  }
+  /** The moments, see EdgeMesh. */
+  std::vector<double> moments(const dealii::Vector<double> &unknowns) const
+  {
+    std::vector<double> result(mesh_.n_moments(), 0.);
+    for (std::size_t e = 0; e < mesh_.edges().size(); ++e)
+    {
+      const Edge &edge = mesh_.edges()[e];
+      const unsigned int n = n_directions(edge);
+      for (unsigned int end = 0; end < 2; ++end)
+        for (unsigned int c = 0; c < 2 && n > 0; ++c)
+          result[4 * e + 2 * end + c] =
+            n == 2 ? unknowns[first_[e] + 2 * end + c] : edge.normal[c] * unknowns[first_[e] + end];
+    }
+    return result;
+  }
+  /** The transposed of moments(). */
+  void add_transposed(const std::vector<double> &moments, dealii::Vector<double> &unknowns) const
+  {
+    for (std::size_t e = 0; e < mesh_.edges().size(); ++e)
+    {
+      const Edge &edge = mesh_.edges()[e];
+      const unsigned int n = n_directions(edge);
+      for (unsigned int end = 0; end < 2; ++end)
+        for (unsigned int c = 0; c < 2 && n > 0; ++c)
+          unknowns[first_[e] + n * end + (n == 2 ? c : 0)] +=
+            (n == 2 ? 1. : edge.normal[c]) * moments[4 * e + 2 * end + c];
+    }
+  }
+
+private:
+  static unsigned int n_directions(const Edge &edge)
+  {
+    return edge.freedom == EdgeFreedom::any ? 2 : (edge.freedom == EdgeFreedom::normal ? 1 : 0);
+  }
+
+  const EdgeMesh &mesh_;
+  std::vector<unsigned int> first_;
+  unsigned int size_ = 0;
+};
+
+/** The terms of all 16 moments of a cell. */
+std::array<std::vector<FreeMoments::Term>, 16> cell_terms(const FreeMoments &free,
+                                                          const EdgeCell &cell)
+{
+  std::array<std::vector<FreeMoments::Term>, 16> terms;
+  for (unsigned int j = 0; j < 16; ++j)
+    terms[j] = free.terms(cell, j / 4, j % 4 / 2, j % 2);
+  return terms;
+}
+
+/** The coefficient of moment j in force 0 or 1, or the moment about corner 0 over the size. */
+double balance_entry(const EdgeCell &cell, const unsigned int j, const unsigned int row)
+{
+  if (row < 2)
+    return j % 2 == row ? 1. : 0.;
+  const dealii::Tensor<1, 2> arm = (cell.corners[(j / 4 + j % 4 / 2) % 4] - cell.corners[0]) /
+                                   cell.corners[0].distance(cell.corners[2]);
+  return j % 2 == 0 ? -arm[1] : arm[0];
+}
+
+/** Calls add(row, column, value) for all entries of the matrix, with S times @p scale. */
+template <typename Add>
+void for_all_entries(const EdgeMesh &mesh,
+                     const CellEnergies &energies,
+                     const FreeMoments &free,
+                     const double scale,
+                     const Add &add)
+{
+  for (unsigned int number = 0; number < mesh.cells().size(); ++number)
+  {
+    const EdgeCell &cell = mesh.cells()[number];
+    const auto terms = cell_terms(free, cell);
+    const CellEnergy &energy = energies(number);
+    for (unsigned int i = 0; i < 16; ++i)
+      for (const FreeMoments::Term &a : terms[i])
+      {
+        for (unsigned int j = 0; j < 16; ++j)
+          for (const FreeMoments::Term &b : terms[j])
+            add(a.unknown, b.unknown, scale * a.factor * b.factor * energy[16 * i + j]);
+        for (unsigned int row = 0; row < 3; ++row)
+          if (const double entry = balance_entry(cell, i, row); entry != 0.)
+          {
+            const unsigned int at = free.size() + 3 * number + row;
+            add(a.unknown, at, a.factor * entry);
+            add(at, a.unknown, a.factor * entry);
+          }
+      }
+  }
+}
+} // namespace
+
+std::vector<double> best_change(const EdgeMesh &mesh,
+                                const CellEnergies &energies,
+                                const std::vector<double> &r)
+{
+  const FreeMoments free(mesh);
+  const unsigned int n = free.size() + 3 * mesh.cells().size();
+  double largest = 0.;
+  for (unsigned int c = 0; c < mesh.cells().size(); ++c)
+    for (unsigned int j = 0; j < 16; ++j)
+      largest = std::max(largest, energies(c)[17 * j]);
+  if (!(largest > 0.) || !std::isfinite(largest))
+    return {};
+  const double scale = 1. / largest;
+  dealii::DynamicSparsityPattern entries(n, n);
+  for_all_entries(mesh, energies, free, scale, [&](const auto i, const auto j, const double) {
+    entries.add(i, j);
+  });
+  dealii::SparsityPattern pattern;
+  pattern.copy_from(entries);
+  dealii::SparseMatrix<double> matrix(pattern);
+  for_all_entries(mesh, energies, free, scale, [&](const auto i, const auto j, const double value) {
+    matrix.add(i, j, value);
+  });
+  dealii::Vector<double> x(n);
+  free.add_transposed(r, x);
+  x *= scale;
+  try
+  {
+    dealii::SparseDirectUMFPACK().solve(matrix, x);
+  }
+  catch (const dealii::ExceptionBase &)
+  {
+    return {};
+  }
+  return free.moments(x);
+}
+} // namespace Signorini
