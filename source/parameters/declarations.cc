@@ -228,8 +228,7 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
   add("Quadrature points",
       discretization.quadrature_points,
       "Gauss points per direction for loads; errors take one more. Meshes of at most 16384 cells "
-      "take "
-      "one more, of at most 1024 cells three more, of at most 64 cells six more.",
+      "take one more, of at most 1024 cells three more, of at most 64 cells six more.",
       Patterns::Integer(1, 16),
       "an integer from 1 to 16");
   const Patterns::List positions(Patterns::Double(), 0, 1000, ",");
