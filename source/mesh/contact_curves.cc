@@ -196,6 +196,7 @@ SurfaceRule<2> ContactSurface<2>::at(const Piece<2> &piece,
                                      const std::vector<dealii::Point<1>> &positions) const
 {
   std::vector<dealii::Point<1>> arc_lengths;
+  arc_lengths.reserve(positions.size());
   for (const dealii::Point<1> &r : positions)
     arc_lengths.emplace_back((1. - r[0]) * piece.lower[0] + r[0] * piece.upper[0]);
   return points_at(piece, side(patches_[piece.patch]), arc_lengths);
