@@ -114,6 +114,10 @@ std::vector<Piece<2>> intersect(const std::vector<FaceInterval> &faces,
 /** With fewer, a square root between two graded positions is not integrated to 1e-8. */
 constexpr unsigned int fewest_graded_points = 8;
 
+/** In lengths of a piece: closer to a singular point, three points do not integrate a function like
+ * r^{1/2} to 1e-10. */
+constexpr double reach_of_singularity = 16.;
+
 /** Inserts positions that approach both ends of every interval by factors of four. */
 std::vector<double> grade(const std::vector<double> &cuts)
 {
@@ -192,6 +196,7 @@ SurfaceRule<2> ContactSurface<2>::at(const Piece<2> &piece,
                                      const std::vector<dealii::Point<1>> &positions) const
 {
   std::vector<dealii::Point<1>> arc_lengths;
+  arc_lengths.reserve(positions.size());
   for (const dealii::Point<1> &r : positions)
     arc_lengths.emplace_back((1. - r[0]) * piece.lower[0] + r[0] * piece.upper[0]);
   return points_at(piece, side(patches_[piece.patch]), arc_lengths);
@@ -203,15 +208,19 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece,
                                        const Grading grading) const
 {
   const Side<2> &side = this->side(patches_[piece.patch]);
-  const double start = piece.lower[0], end = piece.upper[0], length = end - start;
+  const double start = piece.lower[0], end = piece.upper[0];
   std::vector<double> cuts = scene_.kinks.cut(side, start, end);
+  const auto singular_within = [&](const double lengths) {
+    const double distance = lengths * (end - start);
+    return grading == Grading::towards_kinks &&
+           (scene_.kinks.touch(side, start, end) ||
+            scene_.kinks.cut(side, start - distance, end + distance).size() > 2);
+  };
   // A singularity less than a length away is as bad as one inside.
-  const bool graded = grading == Grading::towards_kinks &&
-                      (scene_.kinks.touch(side, start, end) ||
-                       scene_.kinks.cut(side, start - length, end + length).size() > 2);
-  if (graded)
+  if (singular_within(1.))
     cuts = grade(cuts);
-  const dealii::QGauss<1> gauss(graded ? std::max(n_points, fewest_graded_points) : n_points);
+  const dealii::QGauss<1> gauss(
+    singular_within(reach_of_singularity) ? std::max(n_points, fewest_graded_points) : n_points);
   const dealii::Quadrature<1> quadrature = split_quadrature(gauss, cuts);
   SurfaceRule<2> rule = points_at(piece, side, quadrature.get_points());
   rule.weights = quadrature.get_weights();

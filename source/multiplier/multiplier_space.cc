@@ -74,7 +74,8 @@ dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space, const uns
       }
     return g;
   };
-  return integrate_against_multipliers(space, n_points, Grading::none, gap_on);
+  // g contains u_n, which may have a fractional power at an end of contact.
+  return integrate_against_multipliers(space, n_points, Grading::towards_kinks, gap_on);
 }
 
 template class MultiplierSpace<2>;

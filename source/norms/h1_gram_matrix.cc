@@ -7,17 +7,89 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
 namespace Signorini
 {
+namespace
+{
+/**
+ * grad phi_i . grad phi_j on a cell is a polynomial divided by the determinant of the cell's map. A
+ * determinant that falls linearly by the factor @p r along an edge vanishes outside of it, where
+ * the ellipse around the edge on which Gauss' rule with n points converges like rho^{-2n} has
+ * rho = (sqrt(r) + 1)/(sqrt(r) - 1).
+ *
+ * @return n with rho^{-2n} below 1e-10, and a point more for the polynomial; from @p fewest, which
+ * is enough for r = 1, to 40.
+ */
+unsigned int points_for_ratio(const double r, const unsigned int fewest)
+{
+  constexpr double most = 40.;
+  const double root = std::sqrt(std::max(r, 1.));
+  const double logarithm = std::log((root + 1.) / (root - 1.));
+  const double n = std::ceil(0.5 * std::log(1e10) / logarithm) + 1.;
+  return std::max(fewest, static_cast<unsigned int>(std::min(n, most)));
+}
+
+/** Shape functions at as many Gauss points as the shape of a cell asks for. */
+template <int dim>
+class ValuesByShape
+{
+public:
+  explicit ValuesByShape(const DisplacementSpace<dim> &space)
+    : space_(space)
+    , shape_(space.mesh().mapping(),
+             space.element(),
+             dealii::QIterated<dim>(dealii::QTrapezoid<1>(), 2),
+             dealii::update_jacobians)
+  {
+  }
+
+  const dealii::FEValues<dim> &
+  reinit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell)
+  {
+    const unsigned int n =
+      points_for_ratio(ratio_of_determinants(cell), space_.element().degree + 2);
+    std::unique_ptr<dealii::FEValues<dim>> &values = values_[n];
+    if (values == nullptr)
+      values = std::make_unique<dealii::FEValues<dim>>(
+        shape_.get_mapping(),
+        space_.element(),
+        dealii::QGauss<dim>(n),
+        dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
+    values->reinit(cell);
+    return *values;
+  }
+
+private:
+  /** The largest over the smallest, at the vertices and the middles between them. */
+  double ratio_of_determinants(const typename dealii::Triangulation<dim>::cell_iterator &cell)
+  {
+    shape_.reinit(cell);
+    double smallest = shape_.jacobian(0).determinant(), largest = smallest;
+    for (const unsigned int q : shape_.quadrature_point_indices())
+    {
+      smallest = std::min(smallest, shape_.jacobian(q).determinant());
+      largest = std::max(largest, shape_.jacobian(q).determinant());
+    }
+    return largest / smallest;
+  }
+
+  const DisplacementSpace<dim> &space_;
+  dealii::FEValues<dim> shape_;
+  /** By the number of points per direction. */
+  std::map<unsigned int, std::unique_ptr<dealii::FEValues<dim>>> values_;
+};
+} // namespace
+
 template <int dim>
 dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space)
 {
   dealii::TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
-  dealii::FEValues<dim> values(space.mesh().mapping(),
-                               space.element(),
-                               dealii::QGauss<dim>(space.element().degree + 2),
-                               dealii::update_values | dealii::update_gradients |
-                                 dealii::update_JxW_values);
+  ValuesByShape<dim> values_by_shape(space);
   const dealii::FiniteElement<dim> &element = space.element();
   const unsigned int n = element.n_dofs_per_cell();
   dealii::FullMatrix<double> cell_matrix(n);
@@ -27,7 +99,7 @@ dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const Displacemen
   {
     if (!cell->is_locally_owned())
       continue;
-    values.reinit(cell);
+    const dealii::FEValues<dim> &values = values_by_shape.reinit(cell);
     // The same block for every component.
     for (unsigned int v = 0; v < n / dim; ++v)
       for (unsigned int w = 0; w <= v; ++w)

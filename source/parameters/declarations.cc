@@ -230,13 +230,12 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
       "the energy norm, or, where there is no bound, its estimate in the H1 norm.",
       Patterns::Double(0., 1.),
       "a number from 0 to 1");
-  add(
-    "Quadrature points",
-    discretization.quadrature_points,
-    "Gauss points per direction for loads; errors take one more. Meshes of at most 1024 cells take "
-    "three more, of at most 64 cells six more.",
-    Patterns::Integer(1, 16),
-    "an integer from 1 to 16");
+  add("Quadrature points",
+      discretization.quadrature_points,
+      "Gauss points per direction for loads; errors take one more. Meshes of at most 16384 cells "
+      "take one more, of at most 1024 cells three more, of at most 64 cells six more.",
+      Patterns::Integer(1, 16),
+      "an integer from 1 to 16");
   const Patterns::List positions(Patterns::Double(), 0, 1000, ",");
   add("Kinks at x",
       discretization.kinks_at_x,

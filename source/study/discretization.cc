@@ -11,10 +11,10 @@ namespace Signorini
 {
 namespace
 {
-/** On coarse meshes the data varies much from cell to cell, and accurate integrals cost nothing. */
+/** On coarse meshes the data varies much from cell to cell, and accurate integrals cost little. */
 unsigned int additional_points(const unsigned int n_cells)
 {
-  return n_cells <= 64 ? 6 : (n_cells <= 1024 ? 3 : 0);
+  return n_cells <= 64 ? 6 : n_cells <= 1024 ? 3 : n_cells <= 16384 ? 1 : 0;
 }
 
 StrainOperator strain_operator(const Element element)

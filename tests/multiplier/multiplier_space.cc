@@ -22,7 +22,8 @@ std::string square(const std::string &gap, const std::string &discretization)
 void check_gap(Checks &checks,
                const std::string &name,
                const OneLevel &level,
-               const std::function<double(double)> &antiderivative)
+               const std::function<double(double)> &antiderivative,
+               const double tolerance = 1e-15)
 {
   double largest = 0.;
   for (unsigned int tau = 0; tau < level.multipliers().n_multipliers(); ++tau)
@@ -32,7 +33,29 @@ void check_gap(Checks &checks,
                        std::abs(level.discretization.G[tau] - antiderivative(patch.upper[0]) +
                                 antiderivative(patch.lower[0])));
   }
-  checks.near(name, largest, 0., 1e-15);
+  checks.near(name, largest, 0., tolerance);
+}
+
+/** g = |x - c|^s, as u_n at an end of contact: 3/2 where the foundation is smooth. */
+void fractional_powers(Checks &checks)
+{
+  for (const char *c : {"0.3", "0.5", "0.7071067811865476"})
+    for (const double s : {0.5, 1.25, 1.5})
+      for (const unsigned int number : {3U, 6U})
+      {
+        const double kink = std::stod(c);
+        const std::string exponent = std::to_string(s);
+        check_gap(
+          checks,
+          "gap |x - c|^" + exponent + ", c = " + c + ", level " + std::to_string(number),
+          OneLevel(square("abs(x - " + std::string(c) + ")^" + exponent,
+                          "set Kinks at x = " + std::string(c) + "\n"),
+                   number),
+          [&](const double x) {
+            return std::copysign(std::pow(std::abs(x - kink), s + 1.), x - kink) / (s + 1.);
+          },
+          1e-10 * std::pow(0.5, (s + 1.) * number));
+      }
 }
 
 void gaps(Checks &checks)
@@ -190,6 +213,7 @@ int main(int argc, char **argv)
   dealii::deal_II_exceptions::disable_abort_on_exception();
   Checks checks;
   gaps(checks);
+  fractional_powers(checks);
   rules(checks);
   square_roots(checks);
   basis(checks);

@@ -8,6 +8,7 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "one_level.h"
 #include "tests.h"
@@ -114,6 +115,36 @@ void linear_fields(Checks &checks)
   }
 }
 
+/**
+ * The trapezoid 0 < x < 1, 0 < y < 1 + a x as one cell, whose map has the determinant 1 + a x. The
+ * function y/(1 + a x) of its bilinear functions has |v|_0^2 = (1 + a/2)/3 and
+ * |v|_1^2 = (1 + a^2/3) log(1 + a)/a.
+ */
+void trapezoids(Checks &checks)
+{
+  for (const double a : {0.25, 1., 3., 15.})
+  {
+    Scene<2> scene =
+      make_scene(parse_parameters("subsection Geometry\nset Shape = polygon\nset Vertices = 0,0; "
+                                  "1,0; 1," +
+                                    std::to_string(1. + a) +
+                                    "; 0,1\nend\n"
+                                    "subsection Boundary\nset Contact = side0\n"
+                                    "set Clamped = side2\nend\n",
+                                  "test"));
+    for (auto &condition : scene.boundary)
+      condition.role = Role::free;
+    const GramMatrix body(std::move(scene), 0);
+    const NodalVector v =
+      nodal_values(body.space, [](const Point<2> &x) { return Point<2>(x[1] > 0. ? 1. : 0., 0.); });
+    const double square = (1. + a / 2.) / 3. + (1. + a * a / 3.) * std::log(1. + a) / a;
+    checks.near("trapezoid with sides 1 and " + std::to_string(1. + a),
+                body.product(v, v),
+                square,
+                1e-10 * square);
+  }
+}
+
 void positive_definite(Checks &checks, const std::string &name, const GramMatrix &body)
 {
   const unsigned int n = body.space.dofs().n_dofs();
@@ -149,6 +180,7 @@ int main(int argc, char **argv)
   dealii::deal_II_exceptions::disable_abort_on_exception();
   Checks checks;
   linear_fields(checks);
+  trapezoids(checks);
   positive_definite(checks, "loose", GramMatrix(loose(), 2));
   positive_definite(checks, "held", GramMatrix(pentagon(), 2));
   return checks.exit_code();

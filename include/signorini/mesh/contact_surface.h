@@ -90,8 +90,8 @@ struct Partition
 enum class Grading
 {
   none,
-  /** Geometrically towards kinks, with at least eight points on each part: for functions that are
-   * only continuous there. */
+  /** Geometrically towards kinks: for functions that are only continuous there. Pieces near a kink
+   * have at least eight points on each part. */
   towards_kinks
 };
 

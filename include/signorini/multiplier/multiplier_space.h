@@ -78,7 +78,8 @@ dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> 
   return moments;
 }
 
-/** G_k = int g psi_k. @throws InputError where g has no value. */
+/** G_k = int g psi_k (length^dim), with @p n_points Gauss points per direction and part of a piece,
+ * and rules that are refined towards kinks. @throws InputError where g has no value. */
 template <int dim>
 dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space, unsigned int n_points);
 } // namespace Signorini
