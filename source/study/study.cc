@@ -67,20 +67,6 @@ LevelRecord run_level(const StudyContext<dim> &context,
   pressure = {discretization.surface.patches(), solution.P};
   return solution.record;
 }
-
-/** What a ComputationError leaves behind. A full disk may not even take that: then the certificate
- * still says "unfinished". */
-void write_failure(ResultsWriter &writer, const StudyResult &result)
-{
-  try
-  {
-    writer.write_tables(result.levels, result.verdict);
-  }
-  catch (const ComputationError &)
-  {
-    // The first failure is the one to be told.
-  }
-}
 } // namespace
 
 template <int dim>
@@ -100,10 +86,10 @@ StudyResult run_study(const Parameters &parameters,
   const bool errors = parameters.output.errors;
   if (errors && scene.has_exact_pressure())
     context.exact_pressure = std::make_unique<const ExactPressure>(scene);
-  // What can be wrong before the first level has been found: earlier results are not lost for it.
   ResultsWriter writer(parameters, judge, report.directory, communicator);
   StudyResult result;
   print_scene(parameters, scene, report.screen);
+  print_scene_warnings(scene, report.screen);
   const ScreenTable table(errors && scene.exact_displacement != nullptr,
                           errors && scene.has_exact_pressure());
   report.screen << table.header() << std::endl;
@@ -131,7 +117,7 @@ StudyResult run_study(const Parameters &parameters,
   catch (const ComputationError &error)
   {
     result.verdict = judge.failed(result.levels, error.what());
-    write_failure(writer, result);
+    writer.write_failure(result.levels, result.verdict);
   }
   catch (const InputError &error)
   {
