@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 
 # Every module with what it may include. qp is algebra only and includes nothing of the others.
 set(order base parameters scene catalogue scene_input mesh elasticity stiffness_inverse multiplier norms qp
-          compliance recovery postprocess bound answer errors record verdict output study)
+          compliance recovery postprocess bound answer errors record verdict output study runs)
 set(allowed_qp base qp)
 set(allowed_stiffness_inverse base stiffness_inverse)
 set(allowed_scene base scene)

@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// signorini [options] SCENE.prm
+// signorini [options] SCENE.prm ...
 
 #include "command_line.h"
 
+#include <signorini/base/agreement.h>
 #include <signorini/base/exceptions.h>
+#include <signorini/base/text.h>
 #include <signorini/catalogue/catalogue.h>
 #include <signorini/parameters/parameters.h>
 
 #include <deal.II/base/config.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <boost/program_options.hpp>
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
 
 #include <Trilinos_version.h>
+#include <algorithm>
 #include <dlfcn.h>
+#include <filesystem>
 #include <sstream>
 
 namespace Signorini
@@ -51,7 +59,7 @@ std::string help_text(const po::options_description &options)
   std::ostringstream text;
   text << "Solves the Signorini problem: an elastic body pressed without friction against a rigid "
           "foundation.\n\n"
-       << "usage: signorini [options] SCENE.prm\n\n"
+       << "usage: signorini [options] SCENE.prm ...\n\n"
        << options
        << "\nExit codes: 0 solved and certified; 1 the input is wrong; 2 not converged or not "
           "certified (results are\nwritten and marked); 3 anything else.\n";
@@ -64,14 +72,19 @@ po::options_description describe_options()
   options.add_options() //
     ("set",
      po::value<std::vector<std::string>>()->value_name("'Subsection/Parameter=value'"),
-     "override a parameter, may be repeated") //
+     "override a parameter, or one constant by Constants/NAME=value; may be repeated") //
+    ("sweep",
+     po::value<std::vector<std::string>>()->value_name("'Subsection/Parameter=v1, v2, ...'"),
+     "run the scene for each value, in directories named by the values, and write one table, "
+     "sweep.csv; several sweeps: all combinations") //
     ("output",
      po::value<std::string>()->value_name("DIR"),
-     "where results go (default: results/<name of the .prm file>)")                  //
+     "where results go (default: results/<name of the .prm file>); of several scenes: "
+     "DIR/<name>")                                                                   //
     ("list-scenes", "the scenes known by name")                                      //
     ("print-parameters", "every parameter with default, allowed values and meaning") //
     ("version", "versions of the program, deal.II, Trilinos and the BLAS in use")    //
-    ("help", "this text");
+    ("help,h", "this text");
   return options;
 }
 
@@ -97,6 +110,29 @@ po::variables_map parse(const int argc, char **argv, const po::options_descripti
   }
   return values;
 }
+/** One directory per file. */
+std::vector<std::string> choose_directories(const std::vector<std::string> &files,
+                                            const std::filesystem::path &output,
+                                            const bool is_given)
+{
+  if (output.empty())
+    throw InputError("--output: found '', allowed: the name of a directory.");
+  if (is_given && files.size() == 1)
+    return {output.string()};
+  std::vector<std::string> directories;
+  for (const std::string &file : files)
+  {
+    const std::string directory = (output / std::filesystem::path(file).stem()).string();
+    const auto same = std::find(directories.begin(), directories.end(), directory);
+    if (same != directories.end())
+      throw InputError("command line: found the parameter files " +
+                       quote(files[same - directories.begin()]) + " and " + quote(file) +
+                       ", whose results would both go to " + quote(directory) +
+                       ", allowed: files of different names, or one at a time.");
+    directories.push_back(directory);
+  }
+  return directories;
+}
 } // namespace
 
 CommandLine read_command_line(const int argc, char **argv)
@@ -117,19 +153,28 @@ CommandLine read_command_line(const int argc, char **argv)
 
   if (values.count("scene") == 0)
     throw InputError("command line: no parameter file is given, allowed: signorini [options] "
-                     "SCENE.prm (see --help).");
-  const auto files = values["scene"].as<std::vector<std::string>>();
-  if (files.size() > 1)
-    throw InputError("command line: found two parameter files, '" + files[0] + "' and '" +
-                     files[1] + "', allowed: one.");
-  command_line.parameter_file = files[0];
-  if (values.count("set") > 0)
-    command_line.overrides = values["set"].as<std::vector<std::string>>();
-  command_line.output = values.count("output") > 0
-                          ? std::filesystem::path(values["output"].as<std::string>())
-                          : "results" / std::filesystem::path(files[0]).stem();
-  if (command_line.output.empty())
-    throw InputError("--output: found '', allowed: the name of a directory.");
+                     "SCENE.prm ... (see --help).");
+  command_line.parameter_files = values["scene"].as<std::vector<std::string>>();
+  const auto all_of = [&](const char *option) {
+    return values.count(option) > 0 ? values[option].as<std::vector<std::string>>()
+                                    : std::vector<std::string>();
+  };
+  command_line.overrides = all_of("set");
+  command_line.sweeps = all_of("sweep");
+  command_line.directories =
+    choose_directories(command_line.parameter_files,
+                       values.count("output") > 0 ? values["output"].as<std::string>() : "results",
+                       values.count("output") > 0);
   return command_line;
+}
+
+std::string share_command_line(CommandLine &command_line, MPI_Comm communicator)
+{
+  const auto packed = [](const CommandLine &given) {
+    return dealii::Utilities::pack(given, false);
+  };
+  const std::vector<char> mine = packed(command_line);
+  command_line = dealii::Utilities::MPI::broadcast(communicator, command_line);
+  return list_ranks(communicator, packed(command_line) != mine);
 }
 } // namespace Signorini

@@ -1,61 +1,33 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // From the command line to an exit code: 0 certified, 1 wrong input, 2 not certified, 3 other.
 
-#include <signorini/base/agreement.h>
 #include <signorini/base/exceptions.h>
-#include <signorini/output/files.h>
 #include <signorini/output/interruption.h>
-#include <signorini/scene_input/make_scene.h>
-#include <signorini/study/study.h>
+#include <signorini/runs/run.h>
+#include <signorini/runs/sweep.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <iostream>
 #include <new>
 #include <optional>
+#include <system_error>
 #include <unistd.h>
 
 #include "command_line.h"
+#include "start_up.h"
 
 namespace
 {
 using namespace Signorini;
 
-/** One line on a terminal that is overwritten; nothing in a log. */
-void show_progress(const std::string &text)
-{
-  static const std::string erase_line = "\r\033[K";
-  std::cerr << erase_line << text << std::flush;
-}
+constexpr int other_error = 3;
+constexpr const char *out_of_memory = "out of memory: there is not enough for this computation.";
 
-/** Files appear complete or not at all, level by level, which is what the sentence says. */
-Progress make_progress(const bool first_rank)
-{
-  if (!first_rank)
-    return [](const std::string &) {};
-  const bool on_terminal = isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
-  return [on_terminal](const std::string &text) {
-    if (!text.empty())
-      describe_interruption("on " + text + "; the results of finished levels are complete.");
-    if (on_terminal)
-      show_progress(text);
-  };
-}
-
-/** What goes wrong at a quadrature point knows its parameter, but not the file. */
-std::string name_file(const std::string &message, const std::string &file_name)
-{
-  const bool named = message.rfind(file_name, 0) == 0 || message.rfind("--", 0) == 0;
-  return named ? message : file_name + ": " + message;
-}
-
-/** One line, from one rank. */
 void complain(const std::string &sentence)
 {
-  int initialized = 0;
-  MPI_Initialized(&initialized);
-  if (initialized == 0 || dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    std::cerr << "signorini: " << sentence << std::endl;
+  std::cerr << "signorini: " << sentence << std::endl;
 }
 
 /** What was printed must have arrived: a full disk or a closed pipe is told, by the exit code too.
@@ -65,66 +37,121 @@ int confirm_screen(const int code)
   if (std::cout.flush())
     return code;
   complain("the standard output could not be written.");
-  return code != 0 ? code : 3;
+  return code != 0 ? code : other_error;
 }
 
-int run(const CommandLine &command_line, MPI_Comm communicator)
+/** One parameter file, or all runs of its sweeps. */
+RunSummary run_file(const CommandLine &command_line,
+                    const std::size_t i,
+                    MPI_Comm communicator,
+                    Screen &screen)
 {
-  const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-  const Parameters parameters =
-    read_parameters(command_line.parameter_file, command_line.overrides);
-  const Scene<2> scene = make_scene(parameters);
-  const std::filesystem::path &directory = command_line.output;
-  std::optional<ResultsDirectory> results;
-  agree(communicator, [&]() {
-    if (first_rank)
-      results.emplace(directory);
-  });
-
-  std::ostream silence(nullptr);
-  const StudyReport report = {
-    first_rank ? std::cout : silence, directory, make_progress(first_rank)};
   try
   {
-    const StudyResult result = run_study(parameters, scene, communicator, report);
-    if (first_rank)
-      describe_interruption("after the last level; the results are complete.");
-    if (first_rank && !result.verdict.reason.empty())
-      std::cerr << "signorini: " << result.verdict.reason << std::endl;
-    return confirm_screen(result.verdict.is_certified() ? 0 : 2);
+    const RunInput input = read_input(command_line.parameter_files[i],
+                                      command_line.overrides,
+                                      command_line.directories[i],
+                                      communicator,
+                                      screen);
+    std::vector<Sweep> sweeps;
+    for (const std::string &argument : command_line.sweeps)
+      sweeps.push_back(read_sweep(argument));
+    return sweeps.empty() ? run_scene(input, communicator, screen)
+                          : run_sweep(input, sweeps, communicator, screen);
   }
   catch (const InputError &error)
   {
-    // Wrong input leaves nothing behind.
-    if (results)
-      results->remove_if_empty();
-    throw InputError(name_file(error.what(), parameters.file_name));
+    screen.complain(error.what());
+    return {1, "wrong input", {}};
   }
+  catch (const ComputationError &error)
+  {
+    screen.complain(error.what());
+    return {2, "failed", {}};
+  }
+}
+
+/** One scene after the other. @return the largest exit code. */
+int run(CommandLine command_line, MPI_Comm communicator)
+{
+  Screen screen(communicator);
+  const std::string others = share_command_line(command_line, communicator);
+  if (!others.empty())
+    screen.complain("another command line was given to " + others +
+                    " than to the first rank, whose command line all of them use.");
+  int code = 0;
+  std::vector<RunSummary> summaries;
+  for (std::size_t i = 0; i < command_line.parameter_files.size(); ++i)
+  {
+    summaries.push_back(run_file(command_line, i, communicator, screen));
+    code = std::max(code, summaries.back().exit_code);
+  }
+  if (summaries.size() > 1)
+    for (std::size_t i = 0; i < summaries.size(); ++i)
+      screen.out() << (i == 0 ? "\n" : "") << command_line.parameter_files[i] << ": "
+                   << summaries[i].verdict << ", exit code " << summaries[i].exit_code << ", "
+                   << command_line.directories[i] << "\n";
+  screen.out() << std::flush;
+  return confirm_screen(code);
 }
 
 /** Ranks that failed alone, by exceptions that are not agreed upon, say so and must not leave the
  * others waiting. @return the exit code. */
 int fail_alone(const std::string &sentence)
 {
-  constexpr int code = 3;
   if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
   {
     complain(sentence);
-    return code;
+    return other_error;
   }
-  std::cerr << "signorini, rank " << dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)
-            << ": " << sentence << std::endl;
+  complain("rank " + std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) +
+           ": " + sentence);
   // MPI ends all ranks by a signal, about which nothing is left to say.
   describe_interruption("");
-  MPI_Abort(MPI_COMM_WORLD, code);
-  return code;
+  MPI_Abort(MPI_COMM_WORLD, other_error);
+  return other_error;
+}
+
+/** run(), where no exception leaves. */
+int run_safely(const CommandLine &command_line)
+{
+  try
+  {
+    return run(command_line, MPI_COMM_WORLD);
+  }
+  catch (const std::bad_alloc &)
+  {
+    return fail_alone(out_of_memory);
+  }
+  catch (const std::system_error &error)
+  {
+    return fail_alone(error.code() == std::errc::resource_unavailable_try_again
+                        ? "out of memory: there is no room for another thread."
+                        : std::string("an unexpected error occurred: ") + error.what());
+  }
+  catch (const std::exception &error)
+  {
+    return fail_alone(std::string("an unexpected error occurred: ") + error.what());
+  }
+}
+
+/** With MPI. @return the exit code. */
+int start_and_run(int argc, char **argv, const CommandLine &command_line)
+{
+  const std::vector<int> signals = ending_signals();
+  std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
+  {
+    const StartOfMPI start;
+    mpi.emplace(argc, argv, 1);
+  }
+  handle_signals(signals);
+  return run_safely(command_line);
 }
 } // namespace
 
 int main(int argc, char **argv)
 {
   make_standard_streams_safe();
-  const std::vector<int> signals = ending_signals();
   dealii::deal_II_exceptions::disable_abort_on_exception();
   try
   {
@@ -134,37 +161,18 @@ int main(int argc, char **argv)
       std::cout << command_line.text;
       return confirm_screen(0);
     }
-    const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-    handle_signals(signals);
-    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      describe_interruption("before the first level.");
-    try
-    {
-      return run(command_line, MPI_COMM_WORLD);
-    }
-    // Every rank reads the same input and meets the same InputError; see agree() for the rest.
-    catch (const InputError &error)
-    {
-      complain(error.what());
-      return 1;
-    }
-    catch (const ComputationError &error)
-    {
-      complain(error.what());
-      return 2;
-    }
-    catch (const std::bad_alloc &)
-    {
-      return fail_alone("there is not enough memory for this computation.");
-    }
-    catch (const std::exception &error)
-    {
-      return fail_alone(std::string("an unexpected error occurred: ") + error.what());
-    }
+    check_surroundings();
+    return start_and_run(argc, argv, command_line);
   }
   catch (const InputError &error)
   {
     complain(error.what());
     return 1;
+  }
+  catch (const std::bad_alloc &)
+  {
+    complain(out_of_memory);
+    // Threads of the BLAS may be waiting for memory forever, and exit() for these threads.
+    _exit(other_error);
   }
 }

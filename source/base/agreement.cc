@@ -3,11 +3,13 @@
 
 #include <signorini/base/agreement.h>
 #include <signorini/base/exceptions.h>
+#include <signorini/base/text.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <boost/serialization/utility.hpp>
 
+#include <new>
 #include <string>
 
 namespace Signorini
@@ -19,6 +21,7 @@ enum class Outcome
   success,
   input_error,
   computation_error,
+  out_of_memory,
   other_error
 };
 
@@ -28,6 +31,8 @@ enum class Outcome
     throw InputError(message);
   if (outcome == Outcome::computation_error)
     throw ComputationError(message);
+  if (outcome == Outcome::out_of_memory)
+    throw std::bad_alloc();
   throw std::runtime_error(message);
 }
 } // namespace
@@ -50,6 +55,10 @@ void agree(MPI_Comm communicator, const std::function<void()> &work)
     outcome = Outcome::computation_error;
     message = error.what();
   }
+  catch (const std::bad_alloc &)
+  {
+    outcome = Outcome::out_of_memory;
+  }
   catch (const std::exception &error)
   {
     outcome = Outcome::other_error;
@@ -60,5 +69,18 @@ void agree(MPI_Comm communicator, const std::function<void()> &work)
   for (const auto &other : outcomes)
     if (other.first != static_cast<int>(Outcome::success))
       rethrow(static_cast<Outcome>(other.first), other.second);
+}
+
+std::string list_ranks(MPI_Comm communicator, const bool condition)
+{
+  const std::vector<int> all =
+    dealii::Utilities::MPI::all_gather(communicator, static_cast<int>(condition));
+  std::vector<std::string> ranks;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i] != 0)
+      ranks.push_back(std::to_string(i));
+  if (ranks.empty())
+    return "";
+  return (ranks.size() == 1 ? "rank " : "the ranks ") + join(ranks);
 }
 } // namespace Signorini

@@ -97,6 +97,17 @@ std::string shorten(const std::string &text)
   return text.substr(0, first) + " ... " + text.substr(last);
 }
 
+std::string shorten_path(const std::string &path)
+{
+  constexpr std::size_t longest = 100, ending = 60;
+  if (path.size() <= longest)
+    return path;
+  std::size_t first = path.size() - ending;
+  while (first < path.size() && (path[first] & 0xC0) == 0x80)
+    ++first;
+  return "..." + path.substr(first);
+}
+
 std::string quote(const std::string &text)
 {
   return "'" + shorten(text) + "'";

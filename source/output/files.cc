@@ -2,13 +2,16 @@
 // Files appear complete or not at all.
 
 #include <signorini/base/exceptions.h>
+#include <signorini/base/text.h>
 #include <signorini/output/files.h>
 #include <signorini/output/interruption.h>
 
 #include <cerrno>
 #include <fcntl.h>
 #include <fstream>
+#include <regex>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
 
@@ -18,11 +21,21 @@ namespace
 {
 const std::string temporary_prefix = ".", temporary_suffix = ".part";
 
+/** Makes an empty file of this name; what had the name before, say a pipe or a link, is removed. */
+bool make_new_file(const std::filesystem::path &path)
+{
+  unlink(path.c_str());
+  const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  return descriptor >= 0 && close(descriptor) == 0;
+}
+
 /** Writes and flushes; returns whether every byte was taken. Nothing is left if @p write throws for
  * another reason. */
 bool try_to_write(const std::filesystem::path &path,
                   const std::function<void(std::ostream &)> &write)
 {
+  if (!make_new_file(path))
+    return false;
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   if (!file)
     return false;
@@ -44,13 +57,18 @@ bool try_to_write(const std::filesystem::path &path,
   return !file.fail();
 }
 
+/** Whether something has this name: a link that leads nowhere, too. */
+bool is_taken_name(const std::filesystem::path &path)
+{
+  std::error_code error;
+  return std::filesystem::exists(std::filesystem::symlink_status(path, error));
+}
+
 /** The outermost of the directories above and including @p directory that is not there. */
 std::filesystem::path outermost_missing(const std::filesystem::path &directory)
 {
   std::filesystem::path missing;
-  std::error_code error;
-  for (std::filesystem::path path = directory;
-       !path.empty() && !std::filesystem::exists(path, error);
+  for (std::filesystem::path path = directory; !path.empty() && !is_taken_name(path);
        path = path.parent_path())
     missing = path;
   return missing;
@@ -83,8 +101,12 @@ ResultsDirectory::ResultsDirectory(const std::filesystem::path &path)
   : path_(path)
   , outermost_made_(outermost_missing(path))
 {
-  const std::string found = "--output: found '" + path_.string() + "', ";
+  const std::string found = "--output: found '" + shorten_path(path_.string()) + "', ";
   std::error_code error;
+  if (is_taken_name(path_) && !std::filesystem::exists(path_, error))
+    throw InputError(found +
+                     "a symbolic link that leads nowhere, allowed: a directory that can be made "
+                     "and written to.");
   std::filesystem::create_directories(path_, error);
   if (error)
   {
@@ -126,6 +148,38 @@ void ResultsDirectory::remove_if_empty() const
   }
 }
 
+HeldDirectory::HeldDirectory(const std::filesystem::path &path)
+  : path_(path)
+  , descriptor_(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
+{
+}
+
+HeldDirectory::~HeldDirectory()
+{
+  if (descriptor_ >= 0)
+    close(descriptor_);
+}
+
+void HeldDirectory::check() const
+{
+  struct stat held = {}, present = {};
+  if (descriptor_ < 0 || fstat(descriptor_, &held) != 0)
+    return;
+  if (stat(path_.c_str(), &present) != 0 || held.st_dev != present.st_dev ||
+      held.st_ino != present.st_ino)
+    throw ComputationError("The directory '" + shorten_path(path_.string()) +
+                           "' was removed or replaced while the run was writing into it: its "
+                           "results are incomplete.");
+}
+
+bool is_name_of_result(const std::string &name)
+{
+  static const std::regex names(
+    "convergence\\.(csv|md|tex)|answer\\.json|(solution|contact)\\.pvd|contact-[0-9]{2}\\.csv|"
+    "(solution|contact)-[0-9]{2}\\.vtu|[ACDFGPf]-[0-9]{2}\\.mtx");
+  return std::regex_match(name, names) || name == parameters_name || name == certificate_name;
+}
+
 std::filesystem::path temporary_name(const std::filesystem::path &path)
 {
   return path.parent_path() / (temporary_prefix + path.filename().string() + temporary_suffix);
@@ -143,7 +197,7 @@ void write_file(const std::filesystem::path &path, const std::function<void(std:
       return;
   }
   std::filesystem::remove(temporary, error);
-  throw ComputationError("The file '" + path.string() +
+  throw ComputationError("The file '" + shorten_path(path.string()) +
                          "' could not be written: the disk is full, or the directory has been "
                          "removed or write-protected.");
 }
@@ -160,7 +214,7 @@ void remove_files(const std::filesystem::path &directory,
   {
     std::filesystem::remove(path, error);
     if (error)
-      throw ComputationError("The file '" + path.string() +
+      throw ComputationError("The file '" + shorten_path(path.string()) +
                              "' of an earlier run could not be removed: " + error.message() + ".");
   }
 }

@@ -3,6 +3,8 @@
 
 #include "declarations.h"
 
+#include <signorini/base/text.h>
+
 #include <limits>
 
 namespace Signorini
@@ -43,6 +45,19 @@ void Declarations::add(const std::string &name, Given<Option> &given, const std:
                          help + " Allowed: " + allowed + ".");
   handler_.add_action(name,
                       [&given](const std::string &text) { given.value = from_text<Option>(text); });
+  add_entry(name, allowed, given);
+}
+
+void Declarations::add(const std::string &name, Given<TableFormats> &given, const std::string &help)
+{
+  const std::string allowed = "nothing, markdown, latex, or both separated by a comma";
+  handler_.declare_entry(
+    name, "", Patterns::MultipleSelection("markdown|latex"), help + " Allowed: " + allowed + ".");
+  handler_.add_action(name, [&given](const std::string &text) {
+    given.value = TableFormats();
+    for (const std::string &format : split_words(text))
+      (format == "latex" ? given.value.latex : given.value.markdown) = true;
+  });
   add_entry(name, allowed, given);
 }
 
@@ -236,18 +251,18 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
       "take one more, of at most 1024 cells three more, of at most 64 cells six more.",
       Patterns::Integer(1, 16),
       "an integer from 1 to 16");
-  const Patterns::List positions(Patterns::Double(), 0, 1000, ",");
+  const Patterns::List positions(Patterns::Double(), 0, 100, ",");
   add("Kinks at x",
       discretization.kinks_at_x,
       "Positions x where the data is not smooth (length): cells and patches crossed by one are "
       "integrated on the pieces.",
       positions,
-      "at most 1000 numbers separated by commas");
+      "at most 100 numbers separated by commas");
   add("Kinks at y",
       discretization.kinks_at_y,
       "The same for positions y.",
       positions,
-      "at most 1000 numbers separated by commas");
+      "at most 100 numbers separated by commas");
   leave();
 }
 
@@ -303,6 +318,10 @@ void Declarations::declare_output(OutputParameters &output)
 {
   enter("Output");
   add("VTU", output.vtu, "Levels for which solution-LL.vtu and contact-LL.vtu are written.");
+  add("Tables",
+      output.tables,
+      "Forms in which the most important columns of convergence.csv are written for people, too: "
+      "convergence.md, convergence.tex.");
   add("Inf-sup constant",
       output.inf_sup_constant,
       "Whether the constant beta of Lemma 1 is measured (automatic: up to 1e5 unknowns; it needs "

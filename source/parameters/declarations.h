@@ -61,6 +61,8 @@ private:
   /** An option: one of its names. */
   template <typename Option>
   void add(const std::string &name, Given<Option> &given, const std::string &help);
+  /** Any of the names. */
+  void add(const std::string &name, Given<TableFormats> &given, const std::string &help);
   /** After the handler knows it. */
   void add_entry(const std::string &name, const std::string &allowed, Entry &entry);
   void enter(const std::string &section);

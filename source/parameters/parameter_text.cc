@@ -7,16 +7,44 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
+#include <fcntl.h>
 #include <map>
 #include <sstream>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace Signorini
 {
 namespace
 {
+/** In bytes. */
+constexpr int largest_file = 1000000;
+
+/** Closes a file. */
+class FileDescriptor
+{
+public:
+  explicit FileDescriptor(const int descriptor)
+    : descriptor_(descriptor)
+  {
+  }
+  ~FileDescriptor()
+  {
+    if (descriptor_ >= 0)
+      close(descriptor_);
+  }
+  FileDescriptor(const FileDescriptor &) = delete;
+  FileDescriptor &operator=(const FileDescriptor &) = delete;
+
+  int get() const
+  {
+    return descriptor_;
+  }
+
+private:
+  int descriptor_;
+};
+
 /** Keeps track of the open subsections while the lines go by. */
 class Scanner
 {
@@ -186,24 +214,36 @@ Assignment scan_override(const std::string &argument)
 
 std::string read_text_file(const std::string &file_name)
 {
-  constexpr std::uintmax_t largest = 1000000;
-  std::error_code error;
-  const auto status = std::filesystem::status(file_name, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-      !std::filesystem::is_directory(status))
-    throw InputError(shorten(file_name) +
-                     ": this is a device or a pipe, allowed: a file of text on a disk.");
-  const std::uintmax_t size = std::filesystem::file_size(file_name, error);
-  if (!error && size > largest)
-    throw InputError(shorten(file_name) + ": this file has " + std::to_string(size) +
-                     " bytes, allowed: at most " + std::to_string(largest) + ".");
-  std::ifstream file(file_name, std::ios::binary);
-  if (!file || !std::filesystem::is_regular_file(status))
-    throw InputError(shorten(file_name) + ": this parameter file cannot be read.");
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (text.str().find('\0') != std::string::npos)
-    throw InputError(file_name + ": this is not a text file.");
-  return text.str();
+  const std::string name = shorten_path(file_name);
+  // Pipes and some files of the kernel would wait for what never comes.
+  const FileDescriptor file(open(file_name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  struct stat status = {};
+  if (file.get() < 0 || fstat(file.get(), &status) != 0 || S_ISDIR(status.st_mode))
+    throw InputError(name + ": this parameter file cannot be read.");
+  if (!S_ISREG(status.st_mode))
+    throw InputError(name + ": this is a device or a pipe, allowed: a file of text on a disk.");
+  const auto refuse_size = [&](const std::string &found) {
+    throw InputError(name + ": this file has " + found + " bytes, allowed: at most " +
+                     std::to_string(largest_file) + ".");
+  };
+  if (status.st_size > largest_file)
+    refuse_size(std::to_string(status.st_size));
+  // Files of the kernel say that they are empty, and may have no end.
+  std::string text(largest_file + 1, '\0');
+  std::size_t size = 0;
+  ssize_t n = 1;
+  while (n > 0 && size < text.size())
+  {
+    n = read(file.get(), &text[size], text.size() - size);
+    size += n > 0 ? static_cast<std::size_t>(n) : 0;
+  }
+  if (n < 0)
+    throw InputError(name + ": this parameter file cannot be read.");
+  if (size > largest_file)
+    refuse_size("more than " + std::to_string(largest_file));
+  text.resize(size);
+  if (text.find('\0') != std::string::npos)
+    throw InputError(name + ": this is not a text file.");
+  return text;
 }
 } // namespace Signorini

@@ -16,6 +16,58 @@ namespace
 const std::vector<std::string> sections_of_scene =
   {"Constants", "Geometry", "Material", "Boundary", "Load", "Contact", "Exact solution"};
 
+const std::string constants_section = "Constants/", constants_path = "Constants/Values";
+
+/** Whether an override changes one constant of the list: Constants/NAME=value. */
+bool names_a_constant(const Assignment &assignment)
+{
+  return assignment.path.rfind(constants_section, 0) == 0 && assignment.path != constants_path;
+}
+
+/** The list "E=1, nu=0.3" with another value of one name. @throws InputError if it lacks it. */
+std::string with_constant(const std::string &list, const Assignment &assignment)
+{
+  const std::string name = trim(assignment.path.substr(constants_section.size()));
+  std::vector<std::string> parts = split_list(list, ','), names;
+  bool found = false;
+  for (std::string &part : parts)
+  {
+    names.push_back(trim(part.substr(0, part.find('='))));
+    if (names.back() != name)
+      continue;
+    part = name + "=" + assignment.value;
+    found = true;
+  }
+  if (!found)
+    throw InputError(assignment.place + ": found the constant " + quote(name) + ", allowed: " +
+                     (names.empty() ? constants_path + ", which is empty" : join(names)) + ".");
+  if (split_list(assignment.value, ',').size() != 1)
+    throw InputError(assignment.place + ": " + assignment.path + ": found " +
+                     quote(assignment.value) + ", allowed: one value.");
+  return join(parts);
+}
+
+/** The assignments of the file with the overrides behind them. */
+std::vector<Assignment> add_overrides(std::vector<Assignment> assignments,
+                                      const std::vector<std::string> &overrides)
+{
+  for (const std::string &argument : overrides)
+  {
+    Assignment override = scan_override(argument);
+    if (names_a_constant(override))
+    {
+      std::string list;
+      for (const Assignment &assignment : assignments)
+        if (assignment.path == constants_path)
+          list = assignment.value;
+      override.value = with_constant(list, override);
+      override.path = constants_path;
+    }
+    assignments.push_back(override);
+  }
+  return assignments;
+}
+
 /** What can be judged without knowing the scene: contradictions between plain values. */
 void check(const Parameters &parameters)
 {
@@ -38,10 +90,8 @@ Parameters parse_parameters(const std::string &text,
   Parameters parameters;
   parameters.file_name = file_name;
   Declarations declarations(parameters);
-  std::vector<Assignment> assignments =
-    scan_parameter_text(text, file_name, declarations.sections());
-  for (const std::string &argument : overrides)
-    assignments.push_back(scan_override(argument));
+  const std::vector<Assignment> assignments =
+    add_overrides(scan_parameter_text(text, file_name, declarations.sections()), overrides);
   for (const Assignment &assignment : assignments)
     declarations.assign(assignment);
   parameters.changes_of_scene = declarations.changes(sections_of_scene);
@@ -52,7 +102,7 @@ Parameters parse_parameters(const std::string &text,
 
 Parameters read_parameters(const std::string &file_name, const std::vector<std::string> &overrides)
 {
-  return parse_parameters(read_text_file(file_name), file_name, overrides);
+  return parse_parameters(read_text_file(file_name), shorten_path(file_name), overrides);
 }
 
 std::string describe_parameters()

@@ -20,6 +20,40 @@ namespace
 {
 constexpr std::array<const char *, 3> coordinate_names = {{"x", "y", "z"}};
 
+/** Every formula knows all constants, so that time grows like their square: 0.2 s for this many. */
+constexpr std::size_t most_constants = 1000;
+
+/** The length of the operator at text[i] that compares; 0 if there is none. */
+std::size_t comparison_at(const std::string &text, const std::size_t i)
+{
+  const bool followed_by_equals = i + 1 < text.size() && text[i + 1] == '=';
+  if (text[i] == '<' || text[i] == '>')
+    return followed_by_equals ? 2 : 1;
+  return (text[i] == '=' || text[i] == '!') && followed_by_equals ? 2 : 0;
+}
+
+/** Whether a comparison is compared: 0.2<x<0.4 is (0.2<x)<0.4 for muParser, which is never meant.
+ */
+bool chains_comparisons(const std::string &text)
+{
+  // How many since the last operator that ends a comparison, by depth of parentheses.
+  std::vector<unsigned int> comparisons = {0};
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const std::size_t length = comparison_at(text, i);
+    if (length > 0 && ++comparisons.back() > 1)
+      return true;
+    if (text[i] == '(')
+      comparisons.push_back(0);
+    else if (text[i] == ')' && comparisons.size() > 1)
+      comparisons.pop_back();
+    else if (std::string(",&|?:").find(text[i]) != std::string::npos)
+      comparisons.back() = 0;
+    i += length > 0 ? length - 1 : 0;
+  }
+  return false;
+}
+
 /**
  * muParser takes `1, 2` for 2 and `x = 3` for an assignment; neither can be meant.
  * @return what is wrong, or nothing.
@@ -166,6 +200,10 @@ Expression<dim>::Expression(const std::string &text,
     throw InputError(where_ + ": the expression " + quote(text_) + " cannot be parsed: " +
                      reason_of(error) + "; allowed: a formula in x, y, the constants and pi.");
   }
+  if (chains_comparisons(text_))
+    throw InputError(where_ + ": the expression " + quote(text_) +
+                     " compares the answer of a comparison; allowed: (a<x) && (x<b) for a<x<b, or "
+                     "parentheses around one of them.");
 }
 
 template <int dim>
@@ -210,7 +248,11 @@ void Expression<dim>::evaluate(const std::vector<dealii::Point<dim>> &points,
 Constants read_constants(const std::string &text, const std::string &where)
 {
   Constants constants;
-  for (const std::string &part : split_list(text, ','))
+  const std::vector<std::string> parts = split_list(text, ',');
+  if (parts.size() > most_constants)
+    throw InputError(where + ": found " + std::to_string(parts.size()) +
+                     " constants, allowed: at most " + std::to_string(most_constants) + ".");
+  for (const std::string &part : parts)
   {
     const auto equals = part.find('=');
     const std::string name = trim(part.substr(0, equals));

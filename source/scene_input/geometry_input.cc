@@ -16,6 +16,10 @@ namespace Signorini
 {
 namespace
 {
+/** All cells of the coarse mesh meet in one vertex; methods that work star by star take the cube of
+ * their number. */
+constexpr std::size_t most_vertices = 200;
+
 double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
 {
   return a[0] * b[1] - a[1] * b[0];
@@ -95,7 +99,11 @@ Geometry<2> read_polygon(const GeometryParameters &given)
       throw InputError(entry->where() +
                        ": this entry belongs to Shape = rectangle, found Shape = polygon.");
   std::vector<dealii::Point<2>> vertices;
-  for (const std::string &part : split_list(given.vertices, ';'))
+  const std::vector<std::string> parts = split_list(given.vertices, ';');
+  if (parts.size() > most_vertices)
+    throw InputError(where + ": found " + std::to_string(parts.size()) +
+                     " vertices, allowed: at most " + std::to_string(most_vertices) + ".");
+  for (const std::string &part : parts)
   {
     const auto xy = two_numbers(part, given.vertices);
     vertices.emplace_back(xy[0], xy[1]);

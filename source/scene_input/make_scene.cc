@@ -8,6 +8,8 @@
 #include <signorini/scene_input/described.h>
 #include <signorini/scene_input/make_scene.h>
 
+#include <algorithm>
+
 namespace Signorini
 {
 namespace
@@ -38,10 +40,32 @@ void refuse_free_motions(const Scene<2> &scene, const std::string &where)
                      "Clamped, Displacement or Rollers.");
 }
 
+/** Kinks that are closer than this share of the body cut off slivers, each of which is integrated
+ * on parts that shrink towards it. */
+constexpr double smallest_distance_of_kinks = 1e-3;
+
+/** @p positions are sorted. */
+void refuse_close_kinks(const std::vector<double> &positions,
+                        const double extent,
+                        const std::string &where)
+{
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i)
+    if (!(positions[i + 1] - positions[i] >= smallest_distance_of_kinks * extent))
+      throw InputError(where + ": found kinks at " + number_text(positions[i]) +
+                       " at a distance of " + number_text(positions[i + 1] - positions[i]) +
+                       " from each other, allowed: distances of at least " +
+                       number_text(smallest_distance_of_kinks * extent) +
+                       " (a thousandth of the body).");
+}
+
 /** A position that misses the body is a mistake: it would have no effect. */
-void refuse_kinks_outside(const Scene<2> &scene, const DiscretizationParameters &given)
+void refuse_bad_kinks(const Scene<2> &scene, const DiscretizationParameters &given)
 {
   const auto check = [&](const Given<std::vector<double>> &positions, const unsigned int d) {
+    std::vector<double> sorted = positions;
+    std::sort(sorted.begin(), sorted.end());
+    refuse_close_kinks(
+      sorted, scene.geometry.upper[d] - scene.geometry.lower[d], positions.where());
     for (const double position : positions.value)
       if (!(position >= scene.geometry.lower[d] && position <= scene.geometry.upper[d]))
         throw InputError(positions.where() + ": found " + number_text(position) +
@@ -81,7 +105,7 @@ Scene<2> make_scene(const Parameters &parameters)
   }
   refuse_free_motions(scene, parameters.boundary.where);
   const DiscretizationParameters &discretization = parameters.discretization;
-  refuse_kinks_outside(scene, discretization);
+  refuse_bad_kinks(scene, discretization);
   std::vector<KinkLine<2>> lines = scene.kinks.lines();
   const std::vector<KinkLine<2>> more =
     lines_at<2>({{discretization.kinks_at_x.value, discretization.kinks_at_y.value}});

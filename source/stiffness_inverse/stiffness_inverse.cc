@@ -16,6 +16,9 @@
 #include <Epetra_Vector.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <set>
 #include <sstream>
 
 namespace Signorini
@@ -27,6 +30,50 @@ double irregular_number(const dealii::types::global_dof_index i)
 {
   const unsigned long long hash = (static_cast<unsigned long long>(i) + 1) * 0x9E3779B97F4A7C15ULL;
   return std::ldexp(static_cast<double>((hash ^ (hash >> 29U)) & 0xFFFFFFFFULL), -31) - 1.;
+}
+
+/** Keeps what libraries print on std::cerr while it lives: the user reads one sentence instead. */
+class CapturedErrors
+{
+public:
+  CapturedErrors()
+    : screen_(std::cerr.rdbuf(text_.rdbuf()))
+  {
+  }
+  ~CapturedErrors()
+  {
+    std::cerr.rdbuf(screen_);
+  }
+  CapturedErrors(const CapturedErrors &) = delete;
+  CapturedErrors &operator=(const CapturedErrors &) = delete;
+
+  std::string text() const
+  {
+    return text_.str();
+  }
+
+private:
+  std::ostringstream text_;
+  std::streambuf *screen_;
+};
+
+/**
+ * The cause of a failure from what Amesos prints about MUMPS: "INFOG(1) = -13", a negative number.
+ * The codes of section "Error diagnostics" of the users' guide of MUMPS that speak of memory.
+ */
+std::string cause_of_failure(const std::string &printed)
+{
+  static const std::set<int> out_of_memory = {
+    -5, -7, -8, -9, -11, -13, -14, -15, -17, -18, -19, -20, -23, -25};
+  const std::string key = "INFOG(1) = ";
+  const auto found = printed.find(key);
+  const int code = found == std::string::npos ? 0 : std::atoi(&printed[found + key.size()]);
+  if (out_of_memory.count(code) > 0)
+    return "out of memory (MUMPS, code " + std::to_string(code) + ")";
+  if (code == -10 || code == -6)
+    return "the matrix is singular (MUMPS, code " + std::to_string(code) + ")";
+  return code != 0 ? "MUMPS ended with the code " + std::to_string(code)
+                   : "the matrix is singular, or out of memory";
 }
 
 /** KLU (gathers the matrix on one rank) or MUMPS (distributed), through Amesos. */
@@ -42,6 +89,7 @@ public:
     , solver_(control_, dealii::TrilinosWrappers::SolverDirect::AdditionalData(false, type))
   {
     const LibraryThreads threads(n_threads_);
+    const CapturedErrors errors;
     try
     {
       solver_.initialize(matrix);
@@ -49,7 +97,7 @@ public:
     catch (const dealii::ExceptionBase &)
     {
       throw ComputationError("The factorisation of the stiffness matrix by " + std::string(type) +
-                             " failed: the matrix is singular, or memory ran out.");
+                             " failed: " + cause_of_failure(errors.text()) + ".");
     }
     refuse_singular_matrix();
   }
@@ -58,6 +106,7 @@ private:
   void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const override
   {
     const LibraryThreads threads(n_threads_);
+    const CapturedErrors errors;
     try
     {
       for (std::size_t k = 0; k < x.size(); ++k)
@@ -65,8 +114,7 @@ private:
     }
     catch (const dealii::ExceptionBase &)
     {
-      throw ComputationError("A linear solve failed: the stiffness matrix is singular, or memory "
-                             "ran out.");
+      throw ComputationError("A linear solve failed: " + cause_of_failure(errors.text()) + ".");
     }
   }
 

@@ -8,38 +8,18 @@
 #include <signorini/base/gather.h>
 #include <signorini/output/answer_output.h>
 #include <signorini/output/contact_line.h>
-#include <signorini/output/files.h>
 #include <signorini/output/matrix_market.h>
 #include <signorini/output/solution_vtu.h>
 #include <signorini/output/tables.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <regex>
 #include <sstream>
 
 namespace Signorini
 {
 namespace
 {
-/** Small files come from rank 0; if it cannot write one, all ranks hear of it. */
-void write_on_first_rank(MPI_Comm communicator, const std::function<void()> &write)
-{
-  agree(communicator, [&]() {
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-      write();
-  });
-}
-
-/** Whether a file of this name is written below, parameters.prm and certificate.json apart. */
-bool is_result(const std::string &name)
-{
-  static const std::regex names(
-    "convergence\\.csv|answer\\.json|(solution|contact)\\.pvd|contact-[0-9]{2}\\.csv|"
-    "(solution|contact)-[0-9]{2}\\.vtu|[ACDFGPf]-[0-9]{2}\\.mtx");
-  return std::regex_match(name, names);
-}
-
 /** Every line behind "# ". */
 std::string commented(const std::string &text)
 {
@@ -49,9 +29,6 @@ std::string commented(const std::string &text)
     result += "# " + line + "\n";
   return result;
 }
-
-constexpr const char *parameters_name = "parameters.prm";
-constexpr const char *certificate_name = "certificate.json";
 } // namespace
 
 ResultsWriter::ResultsWriter(const Parameters &parameters,
@@ -61,22 +38,39 @@ ResultsWriter::ResultsWriter(const Parameters &parameters,
                              MPI_Comm communicator)
   : parameters_(parameters)
   , judge_(judge)
+  , scene_description_(scene_description)
   , directory_(std::move(directory))
   , communicator_(communicator)
 {
-  if (directory_.empty())
-    return;
-  write_on_first_rank(communicator_, [&]() { start_directory(scene_description); });
+  if (!directory_.empty() && dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+    held_.emplace(directory_);
 }
 
-void ResultsWriter::start_directory(const std::string &scene_description)
+void ResultsWriter::write_on_first_rank(const std::function<void()> &write) const
 {
-  // In this order the files in the directory tell the truth at every moment.
-  had_parameters_ = std::filesystem::exists(directory_ / parameters_name);
-  write_certificate_of({}, judge_.unfinished({}));
-  remove_files(directory_, is_result);
-  write_file(directory_ / parameters_name, [&](std::ostream &stream) {
-    stream << commented(scene_description) << parameters_.echo;
+  agree(communicator_, [&]() {
+    if (!held_)
+      return;
+    held_->check();
+    write();
+    held_->check();
+  });
+}
+
+void ResultsWriter::start_directory()
+{
+  if (started_)
+    return;
+  started_ = true;
+  write_on_first_rank([&]() {
+    // In this order the files in the directory tell the truth at every moment.
+    write_certificate_of({}, judge_.unfinished({}));
+    remove_files(directory_, [](const std::string &name) {
+      return is_name_of_result(name) && name != parameters_name && name != certificate_name;
+    });
+    write_file(directory_ / parameters_name, [&](std::ostream &stream) {
+      stream << commented(scene_description_) << parameters_.echo;
+    });
   });
 }
 
@@ -84,6 +78,13 @@ void ResultsWriter::write_convergence_of(const std::vector<LevelRecord> &levels)
 {
   write_file(directory_ / "convergence.csv",
              [&](std::ostream &stream) { write_convergence_csv(stream, levels); });
+  const TableFormats &formats = parameters_.output.tables;
+  if (formats.markdown)
+    write_file(directory_ / "convergence.md",
+               [&](std::ostream &stream) { write_convergence_markdown(stream, levels); });
+  if (formats.latex)
+    write_file(directory_ / "convergence.tex",
+               [&](std::ostream &stream) { write_convergence_latex(stream, levels); });
 }
 
 void ResultsWriter::write_certificate_of(const std::vector<LevelRecord> &levels,
@@ -109,8 +110,9 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization,
 {
   if (directory_.empty())
     return;
+  start_directory();
   std::vector<ContactSegment> line;
-  write_on_first_rank(communicator_, [&]() {
+  write_on_first_rank([&]() {
     line =
       trace_contact_line(discretization.space, discretization.multipliers, solution.U, solution.P);
     write_file(level_file("contact", solution.record.sizes.level, ".csv"),
@@ -135,7 +137,7 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
   write_solution_vtu(body, discretization.space, scene, solution.U, solution.bound_fields);
   solution_files_.emplace_back(level, body.filename().string());
   contact_files_.emplace_back(level, contact.filename().string());
-  write_on_first_rank(communicator_, [&]() {
+  write_on_first_rank([&]() {
     write_file(contact, [&](std::ostream &stream) {
       write_contact_vtu(stream, line, solution.bound_fields.contact);
     });
@@ -162,7 +164,7 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   const auto write_vector = [&](const char *name, const dealii::Vector<double> &vector) {
     write(name, [&](std::ostream &stream) { write_matrix_market(stream, vector); });
   };
-  write_on_first_rank(communicator_, [&]() {
+  write_on_first_rank([&]() {
     write("A", [&](std::ostream &stream) { write_symmetric_matrix_market(stream, f.size(), A); });
     write("D", [&](std::ostream &stream) {
       write_matrix_market(stream, discretization.condensed_D, f.size());
@@ -181,7 +183,8 @@ void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,
 {
   if (directory_.empty())
     return;
-  write_on_first_rank(communicator_, [&]() {
+  start_directory();
+  write_on_first_rank([&]() {
     // The disk may fill up in between. Then the certificate must not promise more than the table
     // holds; the reason why a study is not certified must not get lost.
     if (verdict.reason.empty())
@@ -197,27 +200,41 @@ void ResultsWriter::write_answer(const std::vector<LevelRecord> &levels,
 {
   if (directory_.empty())
     return;
-  write_on_first_rank(communicator_, [&]() {
+  write_on_first_rank([&]() {
     write_file(directory_ / "answer.json",
                [&](std::ostream &stream) { Signorini::write_answer(stream, levels, verdict); });
   });
 }
 
+void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,
+                                  const StudyVerdict &verdict)
+{
+  bool keeps_earlier_results = false;
+  if (!started_ && held_)
+  {
+    std::error_code error;
+    keeps_earlier_results = std::filesystem::exists(directory_ / certificate_name, error);
+  }
+  try
+  {
+    if (!dealii::Utilities::MPI::broadcast(communicator_, keeps_earlier_results))
+      write_tables(levels, verdict);
+  }
+  catch (const ComputationError &)
+  {
+    // The first failure is the one to be told. A full disk may not even take the certificate: then
+    // it still says "unfinished".
+  }
+}
+
 void ResultsWriter::abandon(const std::vector<LevelRecord> &levels, const std::string &failure)
 {
-  if (directory_.empty() || dealii::Utilities::MPI::this_mpi_process(communicator_) != 0)
+  if (!started_ || !held_)
     return;
   try
   {
-    if (!levels.empty())
-    {
-      write_certificate_of(levels, judge_.failed(levels, failure));
-      return;
-    }
-    remove_files(directory_, [&](const std::string &name) {
-      return is_result(name) || name == certificate_name ||
-             (name == parameters_name && !had_parameters_);
-    });
+    held_->check();
+    write_certificate_of(levels, judge_.failed(levels, failure));
   }
   catch (const ComputationError &)
   {

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <signorini/output/contact_line.h>
+#include <signorini/output/files.h>
 #include <signorini/study/level.h>
 #include <signorini/verdict/judge.h>
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,9 +19,10 @@ class ResultsWriter
 {
 public:
   /**
-   * Removes the results of an earlier run from the directory, by their names, and writes
-   * parameters.prm, with the description as comments, and a certificate that says "unfinished".
-   * Collective, like all members but abandon().
+   * Nothing is changed in the directory before the first level is solved. Then the results of an
+   * earlier run are removed, by their names, and parameters.prm, with the description as comments,
+   * and a certificate that says "unfinished" are written. Collective, like all members but
+   * abandon().
    */
   ResultsWriter(const Parameters &parameters,
                 const Judge &judge,
@@ -38,9 +42,13 @@ public:
   /** answer.json, after the last level. Collective. */
   void write_answer(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
 
+  /** write_tables() for a study that an error ended. Without a finished level the results of an
+   * earlier run stay as they are. */
+  void write_failure(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
+
   /**
-   * For a study that an InputError ended, on every rank: without finished levels nothing is left
-   * behind, otherwise the certificate says why there are no more.
+   * For a study that an InputError ended, on every rank: without a solved level nothing was
+   * written, otherwise the certificate says why there are no more.
    */
   void abandon(const std::vector<LevelRecord> &levels, const std::string &failure);
 
@@ -56,7 +64,10 @@ private:
   void write_dual_problem(const Discretization<dim> &discretization,
                           const LevelSolution<dim> &solution);
 
-  void start_directory(const std::string &scene_description);
+  /** On first use. */
+  void start_directory();
+  /** Small files come from rank 0; if it cannot write one, all ranks hear of it. */
+  void write_on_first_rank(const std::function<void()> &write) const;
   void write_convergence_of(const std::vector<LevelRecord> &levels) const;
   void write_certificate_of(const std::vector<LevelRecord> &levels,
                             const StudyVerdict &verdict) const;
@@ -66,10 +77,13 @@ private:
 
   const Parameters &parameters_;
   const Judge &judge_;
+  std::string scene_description_;
   std::filesystem::path directory_;
   MPI_Comm communicator_;
-  /** Whether parameters.prm was there before: it may be what the run was started with. */
-  bool had_parameters_ = false;
+  /** On the first rank, unless nothing is to be written. */
+  std::optional<HeldDirectory> held_;
+  /** Whether the results of this run have taken the place of earlier ones. */
+  bool started_ = false;
   std::vector<std::pair<double, std::string>> solution_files_, contact_files_;
 };
 } // namespace Signorini

@@ -5,6 +5,8 @@
 
 #include <signorini/base/text.h>
 
+#include <algorithm>
+
 namespace Signorini
 {
 namespace
@@ -54,6 +56,25 @@ void print_scene(const Parameters &parameters, const Scene<dim> &scene, std::ost
          << solver.tolerance << ", linear solver " << to_text(solver.linear_solver.value) << "\n\n";
 }
 
+template <int dim>
+void print_scene_warnings(const Scene<dim> &scene, std::ostream &screen)
+{
+  constexpr unsigned int n_points = 33;
+  double deepest = 0.;
+  for (const unsigned int i : scene.contact_sides())
+    for (unsigned int k = 0; k < n_points; ++k)
+    {
+      const Side<dim> &side = scene.geometry.sides[i];
+      const double s = side.length() * (k + 0.5) / n_points;
+      deepest = std::max(deepest, -scene.boundary[i].data->value(side.point(s)));
+    }
+  const double size = scene.geometry.shortest_extent();
+  if (deepest > size)
+    screen
+      << "Warning: the foundation reaches " << deepest << " deep into a body that is " << size
+      << " wide: linear elasticity, which is made for small strains, does not describe this.\n";
+}
+
 void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &screen)
 {
   if (level.sizes.unstable)
@@ -95,5 +116,6 @@ void print_verdict(const std::vector<LevelRecord> &levels,
            << verdict.residual_bound << ".\n";
 }
 
+template void print_scene_warnings(const Scene<2> &, std::ostream &);
 template void print_scene(const Parameters &, const Scene<2> &, std::ostream &);
 } // namespace Signorini

@@ -69,20 +69,6 @@ LevelRecord run_level(const StudyContext<dim> &context,
   return solution.record;
 }
 
-/** What a ComputationError leaves behind. A full disk may not even take that: then the certificate
- * still says "unfinished". */
-void write_failure(ResultsWriter &writer, const StudyResult &result)
-{
-  try
-  {
-    writer.write_tables(result.levels, result.verdict);
-  }
-  catch (const ComputationError &)
-  {
-    // The first failure is the one to be told.
-  }
-}
-
 /** What a user reads after the last level. */
 void print_end(const std::vector<LevelRecord> &levels,
                const Judge &judge,
@@ -117,10 +103,10 @@ StudyResult run_study(const Parameters &parameters,
   const bool errors = parameters.output.errors;
   if (errors && scene.has_exact_pressure())
     context.exact_pressure = std::make_unique<const ExactPressure>(scene);
-  // What can be wrong before the first level has been found: earlier results are not lost for it.
   ResultsWriter writer(parameters, judge, scene.description, report.directory, communicator);
   StudyResult result;
   print_scene(parameters, scene, report.screen);
+  print_scene_warnings(scene, report.screen);
   report.screen << screen_legend() << "\n" << screen_header() << std::endl;
   try
   {
@@ -149,7 +135,7 @@ StudyResult run_study(const Parameters &parameters,
   catch (const ComputationError &error)
   {
     result.verdict = judge.failed(result.levels, error.what());
-    write_failure(writer, result);
+    writer.write_failure(result.levels, result.verdict);
   }
   catch (const InputError &error)
   {

@@ -55,8 +55,10 @@ PRM
 }
 
 test_answers() {
+  run 0 -h
+  check "  -h is --help" says usage:
   run 0 --help
-  for word in usage: --set --output --list-scenes --print-parameters --version 'Exit codes'; do
+  for word in usage: --set --sweep --output --list-scenes --print-parameters --version 'Exit codes'; do
     check "  help names $word" says "$word"
   done
   run 0 --version
@@ -80,7 +82,7 @@ test_refusals() {
   refuse 'no parameter file is given'
   refuse "unrecognised option '--frobnicate'" --frobnicate a1.prm
   refuse '--help lists what is allowed' --out results a1.prm
-  refuse "found two parameter files, 'a1.prm' and 'loose.prm'" a1.prm loose.prm
+  refuse "the parameter files 'a1.prm' and './a1.prm', whose results would both go to" a1.prm ./a1.prm
   refuse 'no such file.prm: this parameter file cannot be read.' 'no such file.prm'
   refuse 'folder.prm: this parameter file cannot be read.' folder.prm
   refuse 'binary.prm: this is not a text file.' binary.prm

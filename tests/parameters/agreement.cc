@@ -37,5 +37,10 @@ int main(int argc, char **argv)
   fail_on_last_rank<InputError>(checks, "wrong input");
   fail_on_last_rank<ComputationError>(checks, "a computation that fails");
   fail_on_last_rank<std::runtime_error>(checks, "another error");
+  const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  checks.that("no rank", list_ranks(MPI_COMM_WORLD, false).empty());
+  checks.that("all but the first rank",
+              list_ranks(MPI_COMM_WORLD, rank > 0) == (n_ranks == 1 ? "" : "rank 1"));
   return checks.exit_code();
 }

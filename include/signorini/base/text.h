@@ -28,6 +28,9 @@ bool read_numbers(const std::string &text, std::vector<double> &numbers);
 /** For messages: of a long text the beginning and the end. */
 std::string shorten(const std::string &text);
 
+/** For messages: of a path that is longer than a line the last 60 characters, after "...". */
+std::string shorten_path(const std::string &path);
+
 /** 'text' for messages, shortened. */
 std::string quote(const std::string &text);
 

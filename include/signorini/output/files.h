@@ -33,6 +33,32 @@ private:
   int descriptor_ = -1;
 };
 
+/**
+ * The directory that a path led to when the object was made. It may be moved, removed or replaced
+ * while a run writes into it; then the files of the run would be scattered over two directories.
+ */
+class HeldDirectory
+{
+public:
+  explicit HeldDirectory(const std::filesystem::path &path);
+  ~HeldDirectory();
+  HeldDirectory(const HeldDirectory &) = delete;
+  HeldDirectory &operator=(const HeldDirectory &) = delete;
+
+  /** @throws ComputationError if the path leads elsewhere now. */
+  void check() const;
+
+private:
+  std::filesystem::path path_;
+  /** Keeps the kernel from giving the directory's number to another one. */
+  int descriptor_;
+};
+
+/** Whether a run writes files of this name. */
+bool is_name_of_result(const std::string &name);
+constexpr const char *parameters_name = "parameters.prm";
+constexpr const char *certificate_name = "certificate.json";
+
 /** The name under which a file is written until it is complete. */
 std::filesystem::path temporary_name(const std::filesystem::path &path);
 

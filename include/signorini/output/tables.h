@@ -27,6 +27,13 @@ std::string error_table(const std::vector<LevelRecord> &levels);
 /** convergence.csv, all levels. */
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels);
 
+/** convergence.md: sizes, errors with their orders, or estimates, bound and contact force, as far
+ * as they are known. */
+void write_convergence_markdown(std::ostream &stream, const std::vector<LevelRecord> &levels);
+
+/** convergence.tex: the same as a LaTeX tabular. */
+void write_convergence_latex(std::ostream &stream, const std::vector<LevelRecord> &levels);
+
 /** certificate.json, all levels. */
 void write_certificate(std::ostream &stream,
                        const std::vector<LevelRecord> &levels,

@@ -106,9 +106,17 @@ struct SolverParameters
   Given<bool> require_stability{false};
 };
 
+/** Forms of convergence.csv for people. */
+struct TableFormats
+{
+  bool markdown = false;
+  bool latex = false;
+};
+
 /** Subsection Output. */
 struct OutputParameters
 {
+  Given<TableFormats> tables;
   Given<VtuLevels> vtu{VtuLevels::finest};
   Given<Choice> inf_sup_constant{Choice::automatic};
   Given<bool> compliance{false};
@@ -146,7 +154,8 @@ struct Parameters
 };
 
 /**
- * Reads a parameter file and overrides of the form `Subsection/Parameter=value`.
+ * Reads a parameter file and overrides of the form `Subsection/Parameter=value`. The override
+ * `Constants/NAME=value` changes one constant of the list `Constants/Values`.
  * Throws InputError with one sentence for everything that is wrong.
  */
 Parameters read_parameters(const std::string &file_name,

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/record/level_record.h>
+#include <signorini/runs/screen.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/** A parameter file with what the command line adds to it. */
+struct RunInput
+{
+  /** As given, and as messages speak of it. */
+  std::string file_name, name;
+  /** The content of the file. */
+  std::string text;
+  /** "Subsection/Parameter=value". */
+  std::vector<std::string> overrides;
+  /** Where results go. */
+  std::filesystem::path directory;
+};
+
+/** How a run ended. */
+struct RunSummary
+{
+  /** 0: certified, 1: wrong input, 2: not certified. */
+  int exit_code = 0;
+  /** The verdict in one or two words. */
+  std::string verdict;
+  /** The finest level that was solved. */
+  std::optional<LevelRecord> finest;
+};
+
+/**
+ * Reads a parameter file on the first rank, for all of them. Ranks that see another text under this
+ * name are named on the screen. Collective. @throws InputError
+ */
+RunInput read_input(const std::string &file_name,
+                    const std::vector<std::string> &overrides,
+                    const std::filesystem::path &directory,
+                    MPI_Comm communicator,
+                    const Screen &screen);
+
+/** From parameters to results: one scene. What goes wrong is told on the screen. Collective. */
+RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen);
+} // namespace Signorini

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// convergence.md and convergence.tex: what a report about a run needs.
+
+#include <signorini/output/tables.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+/** A column for people: of convergence.csv, with its title in Markdown and in LaTeX. */
+struct PrintedColumn
+{
+  const char *name;
+  const char *markdown;
+  const char *latex;
+  /** Errors have orders. */
+  bool has_order;
+  bool is_count;
+};
+
+constexpr PrintedColumn printed_columns[] = {{"level", "level", "level", false, true},
+                                             {"dofs", "dofs", "dofs", false, true},
+                                             {"h", "h", "$h$", false, false},
+                                             {"u_h1", "‖u−u_h‖₁", "$\\|u-u_h\\|_1$", true, false},
+                                             {"u_l2", "‖u−u_h‖₀", "$\\|u-u_h\\|_0$", true, false},
+                                             {"p_l2", "‖p−p_H‖₀", "$\\|p-p_H\\|_0$", true, false},
+                                             {"estimated_h1", "estimate", "estimate", true, false},
+                                             {"bound_energy", "bound", "bound", false, false},
+                                             {"contact_force_n", "force", "force", false, false}};
+
+/** Texts, all rows as long as the header. */
+struct TextTable
+{
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+};
+
+std::string printed(const std::optional<double> &number, const bool is_count)
+{
+  std::ostringstream text;
+  if (!number)
+    return "";
+  if (is_count)
+    text << std::fixed << std::setprecision(0) << *number;
+  else
+    text << std::scientific << std::setprecision(3) << *number;
+  return text.str();
+}
+
+/** log(before/now) / log(h before/h now); empty where errors are rounding. */
+std::string printed_order(const LevelRecord *before, const LevelRecord &now, const char *name)
+{
+  constexpr double rounding = 1e-13;
+  const std::optional<double> e = value(now, name);
+  const std::optional<double> E = before == nullptr ? std::nullopt : value(*before, name);
+  if (!e || !E || *e < rounding || *E < rounding)
+    return "";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2)
+       << std::log(*E / *e) / std::log(before->sizes.h / now.sizes.h);
+  return text.str();
+}
+
+/** The columns that have a value on some level. */
+TextTable collect(const std::vector<LevelRecord> &levels, const bool latex)
+{
+  TextTable table;
+  table.rows.resize(levels.size());
+  for (const PrintedColumn &column : printed_columns)
+  {
+    if (std::none_of(levels.begin(), levels.end(), [&](const LevelRecord &level) {
+          return value(level, column.name).has_value();
+        }))
+      continue;
+    table.header.emplace_back(latex ? column.latex : column.markdown);
+    if (column.has_order)
+      table.header.emplace_back("order");
+    for (std::size_t i = 0; i < levels.size(); ++i)
+    {
+      table.rows[i].push_back(printed(value(levels[i], column.name), column.is_count));
+      if (column.has_order)
+        table.rows[i].push_back(
+          printed_order(i == 0 ? nullptr : &levels[i - 1], levels[i], column.name));
+    }
+  }
+  return table;
+}
+
+void write_row(std::ostream &stream,
+               const std::vector<std::string> &fields,
+               const char *start,
+               const char *separator,
+               const char *end)
+{
+  stream << start;
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    stream << (i == 0 ? "" : separator) << fields[i];
+  stream << end;
+}
+} // namespace
+
+void write_convergence_markdown(std::ostream &stream, const std::vector<LevelRecord> &levels)
+{
+  const TextTable table = collect(levels, false);
+  write_row(stream, table.header, "| ", " | ", " |\n");
+  write_row(stream, std::vector<std::string>(table.header.size(), "---:"), "| ", " | ", " |\n");
+  for (const std::vector<std::string> &row : table.rows)
+    write_row(stream, row, "| ", " | ", " |\n");
+}
+
+void write_convergence_latex(std::ostream &stream, const std::vector<LevelRecord> &levels)
+{
+  const TextTable table = collect(levels, true);
+  stream << "\\begin{tabular}{" << std::string(table.header.size(), 'r') << "}\n\\hline\n";
+  write_row(stream, table.header, "", " & ", " \\\\\n");
+  stream << "\\hline\n";
+  for (const std::vector<std::string> &row : table.rows)
+    write_row(stream, row, "", " & ", " \\\\\n");
+  stream << "\\hline\n\\end{tabular}\n";
+}
+} // namespace Signorini

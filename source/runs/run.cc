@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// One scene, from its parameter file to an exit code.
+
+#include <signorini/base/agreement.h>
+#include <signorini/base/exceptions.h>
+#include <signorini/base/text.h>
+#include <signorini/output/files.h>
+#include <signorini/output/interruption.h>
+#include <signorini/parameters/parameter_text.h>
+#include <signorini/runs/run.h>
+#include <signorini/scene_input/make_scene.h>
+#include <signorini/study/study.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace Signorini
+{
+namespace
+{
+/** What goes wrong at a quadrature point knows its parameter, but not the file. */
+std::string name_file(const std::string &message, const std::string &file_name)
+{
+  const bool named = message.rfind(file_name, 0) == 0 || message.rfind("--", 0) == 0;
+  return named ? message : file_name + ": " + message;
+}
+
+/** Whether a file can be read here, and has another content than on the first rank. */
+bool differs(const std::string &file_name, const std::string &text)
+{
+  try
+  {
+    return read_text_file(file_name) != text;
+  }
+  catch (const InputError &)
+  {
+    return false;
+  }
+}
+
+/** A run must not replace the scene that it was started with by another text. */
+void refuse_to_overwrite(const RunInput &input, const std::string &echo)
+{
+  const std::filesystem::path file = input.file_name;
+  const std::string name = file.filename().string();
+  std::error_code error;
+  if (!is_name_of_result(name) ||
+      !std::filesystem::equivalent(file, input.directory / name, error) || error)
+    return;
+  if (name == parameters_name && input.text == echo)
+    return;
+  throw InputError("--output: found '" + shorten_path(input.directory.string()) +
+                   "', where the scene " + input.name +
+                   " itself would be overwritten by the results, allowed: another directory, or "
+                   "another name of the scene.");
+}
+
+/** As far as no InputError ends it. */
+RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &screen)
+{
+  const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  const Parameters parameters = parse_parameters(input.text, input.name, input.overrides);
+  const Scene<2> scene = make_scene(parameters);
+  std::optional<ResultsDirectory> results;
+  agree(communicator, [&]() {
+    if (!first_rank)
+      return;
+    refuse_to_overwrite(input, parameters.echo);
+    results.emplace(input.directory);
+  });
+  try
+  {
+    const StudyResult result = run_study(
+      parameters, scene, communicator, {screen.out(), input.directory, screen.progress()});
+    if (first_rank)
+      describe_interruption("after the last level; the results are complete.");
+    if (!result.verdict.reason.empty())
+      screen.complain(result.verdict.reason);
+    RunSummary summary = {
+      result.verdict.is_certified() ? 0 : 2, word_for(result.verdict.outcome), {}};
+    if (!result.levels.empty())
+      summary.finest = result.levels.back();
+    return summary;
+  }
+  catch (const InputError &error)
+  {
+    // Wrong input leaves nothing behind.
+    if (results)
+      results->remove_if_empty();
+    throw InputError(name_file(error.what(), parameters.file_name));
+  }
+}
+} // namespace
+
+RunInput read_input(const std::string &file_name,
+                    const std::vector<std::string> &overrides,
+                    const std::filesystem::path &directory,
+                    MPI_Comm communicator,
+                    const Screen &screen)
+{
+  const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  RunInput input = {file_name, shorten_path(file_name), "", overrides, directory};
+  agree(communicator, [&]() {
+    if (first_rank)
+      input.text = read_text_file(file_name);
+  });
+  input.text = dealii::Utilities::MPI::broadcast(communicator, input.text);
+  const std::string others =
+    list_ranks(communicator, !first_rank && differs(file_name, input.text));
+  if (!others.empty())
+    screen.complain(input.name + ": another text is found on " + others +
+                    " than on the first rank, whose text all of them use.");
+  return input;
+}
+
+RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen)
+{
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    describe_interruption("before the first level.");
+  // Every rank has the same input and meets the same errors; see agree() for the rest.
+  try
+  {
+    return try_to_run(input, communicator, screen);
+  }
+  catch (const InputError &error)
+  {
+    screen.complain(error.what());
+    return {1, "wrong input", {}};
+  }
+  catch (const ComputationError &error)
+  {
+    screen.complain(error.what());
+    return {2, "failed", {}};
+  }
+}
+} // namespace Signorini

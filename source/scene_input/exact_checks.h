@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/parameters/parameters.h>
+#include <signorini/scene/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/** "WHERE: found FOUND at (X), allowed: ALLOWED." @throws InputError */
+[[noreturn]] void refuse_value(const std::string &where,
+                               const std::string &found,
+                               const dealii::Point<2> &x,
+                               const std::string &allowed);
+
+/**
+ * A gradient given by expressions is that of the displacement: compared with differences at points
+ * inside the body. Where two differences do not agree (kinks, singularities) nothing is said.
+ * @throws InputError if three points object.
+ */
+void check_exact_gradient(const ExactSolutionParameters &exact,
+                          const Scene<2> &scene,
+                          const std::vector<dealii::Point<2>> &points);
+
+/**
+ * An exact displacement satisfies what the scene prescribes on a side: u = 0, u·n = 0, u = u_D, or
+ * u·n <= g. @throws InputError
+ */
+void check_exact_on_side(const ExactSolutionParameters &exact,
+                         const Scene<2> &scene,
+                         unsigned int side,
+                         const std::vector<dealii::Point<2>> &points);
+} // namespace Signorini

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What can fail before the program has begun.
+
+#include "start_up.h"
+
+#include <signorini/base/exceptions.h>
+#include <signorini/base/text.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/full_matrix.h>
+
+#include <cstring>
+#include <filesystem>
+#include <future>
+#include <new>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+namespace Signorini
+{
+namespace
+{
+/** The stderr of the user while MPI starts; negative: MPI is not starting. */
+int standard_error = -1;
+
+/** What the user set for Open MPI; it adds variables of its own while it starts. */
+std::string given_settings;
+
+/** Names of variables of the environment that steer Open MPI, for the message. */
+std::string settings_of_mpi()
+{
+  std::vector<std::string> names;
+  for (char **entry = environ; *entry != nullptr; ++entry)
+    if (std::strncmp(*entry, "OMPI_MCA_", 9) == 0)
+      names.push_back(std::string(*entry).substr(0, std::string(*entry).find('=')));
+  return names.empty() ? "" : " (the environment sets " + shorten(join(names)) + ")";
+}
+
+/** One sentence instead of what MPI has printed. */
+void report_failed_start()
+{
+  const std::string sentence =
+    "signorini: MPI could not be started" + given_settings +
+    ": check the variables OMPI_MCA_... of the environment and the installation of Open MPI.\n";
+  // Nothing can be done where not even this can be written.
+  if (write(standard_error, sentence.data(), sentence.size()) < 0)
+    return;
+}
+
+/** One product is enough for a thread of OpenBLAS to get its buffer. */
+void multiply_matrices()
+{
+  dealii::FullMatrix<double> a(200, 200), product(200, 200);
+  a = 1.;
+  a.mmult(product, a);
+}
+
+/** Whether there is room for the next so many bytes of address space. */
+bool has_room(const std::size_t bytes)
+{
+  void *const room =
+    mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room == MAP_FAILED)
+    return false;
+  munmap(room, bytes);
+  return true;
+}
+
+/** OpenBLAS takes 128 MiB of address space per thread, libc as much for what a thread allocates. */
+void reserve_buffers()
+{
+  rlimit limit = {};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+    return;
+  constexpr std::size_t mebibyte = 1U << 20U;
+  const std::size_t n_threads = std::max(1U, std::thread::hardware_concurrency());
+  if (!has_room((2 * n_threads + 1) * 128 * mebibyte))
+    throw std::bad_alloc();
+  std::vector<std::future<void>> threads;
+  for (std::size_t i = 1; i < n_threads; ++i)
+    threads.push_back(std::async(std::launch::async, multiply_matrices));
+  multiply_matrices();
+}
+} // namespace
+
+void check_surroundings()
+{
+  std::error_code error;
+  if (std::filesystem::current_path(error).empty() || error)
+    throw InputError("The working directory cannot be found any more: " + error.message() +
+                     "; allowed: to start in a directory that is there.");
+  reserve_buffers();
+}
+
+StartOfMPI::StartOfMPI()
+{
+  const int text = memfd_create("stderr", MFD_CLOEXEC);
+  if (text < 0)
+    return;
+  given_settings = settings_of_mpi();
+  standard_error = dup(STDERR_FILENO);
+  dup2(text, STDERR_FILENO);
+  close(text);
+}
+
+StartOfMPI::~StartOfMPI()
+{
+  if (standard_error < 0)
+    return;
+  const int original = standard_error;
+  standard_error = -1;
+  char text[4096];
+  lseek(STDERR_FILENO, 0, SEEK_SET);
+  for (ssize_t n = 1; n > 0;)
+  {
+    n = read(STDERR_FILENO, text, sizeof(text));
+    if (n > 0 && write(original, text, static_cast<std::size_t>(n)) < 0)
+      break;
+  }
+  dup2(original, STDERR_FILENO);
+  close(original);
+}
+} // namespace Signorini
+
+/**
+ * Open MPI ends a process in which it cannot start by _exit(1), and its libraries find this
+ * function before that of libc. It is the only way to learn of the failure: MPI has no error codes
+ * yet.
+ */
+extern "C" void _exit(int status)
+{
+  if (Signorini::standard_error >= 0)
+  {
+    Signorini::report_failed_start();
+    status = 3;
+  }
+  for (;;)
+    syscall(SYS_exit_group, status);
+}

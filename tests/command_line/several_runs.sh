@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Several scenes, sweeps, single constants, tables for people.
+# usage: several_runs.sh PROGRAM
+
+program=$(realpath "$1")
+. "$(dirname "$0")/checks.sh"
+
+# run CODE ARGUMENTS...
+run() {
+  local code=$1
+  shift
+  timeout 100 "$program" "$@" >stdout 2>stderr </dev/null
+  local found=$?
+  check "exit code $code: signorini ${*}" [ "$found" -eq "$code" ]
+}
+refuse() {
+  local fragment=$1
+  shift
+  run 1 "$@"
+  check "  says '$fragment'" grep -qF -- "$fragment" stderr
+  check "  in one line" one_line_of_complaint
+}
+
+# A block of width and height 1 on a flat foundation that is a distance of 0.1 into it: u = 0 above, u_y = 0.1 below
+# and rollers at the sides, so that the strain is 0.1, sigma_yy = -E (1 - nu) / ((1 + nu) (1 - 2 nu)) * 0.1.
+cat >block.prm <<'PRM'
+subsection Constants
+  set Values = E=1, nu=0, depth=0.1, half=depth/2
+end
+subsection Material
+  set Young's modulus = E
+  set Poisson's ratio = nu
+end
+subsection Boundary
+  set Clamped = top
+  set Rollers = left right
+  set Contact = bottom
+end
+subsection Contact
+  set Gap = -2*half
+end
+subsection Discretization
+  set Coarsest level = 1
+  set Finest level   = 2
+end
+PRM
+sed 's/Values = E=1/Values = E=2/' block.prm >stiff.prm
+force() { sed -n 's/^Contact force \([^,]*\),.*/\1/p' stdout; }
+
+run 0 block.prm --set Constants/depth=0.2
+check "the force of nu = 0 is E times the depth" [ "$(force)" = 0.2 ]
+check "the constant stands in its list" grep -q 'set Values = E=1, nu=0, depth=0.2, half=depth/2' results/block/parameters.prm
+run 0 block.prm --set Constants/depth=0.2 --set Constants/E=3
+check "two constants" [ "$(force)" = 0.6 ]
+refuse "--set: found the constant 'depht', allowed: E, nu, depth, half." block.prm --set Constants/depht=1
+refuse "allowed: one value" block.prm --set 'Constants/depth=1, nu=0.3'
+
+rm -rf results
+run 0 block.prm stiff.prm
+check "  one directory each" [ -s results/block/convergence.csv ]
+check "  named by the file" [ -s results/stiff/convergence.csv ]
+check "  a line each" [ "$(grep -c '^[a-z]*\.prm: certified, exit code 0, results/' stdout)" -eq 2 ]
+run 1 block.prm missing.prm stiff.prm --output both
+check "  the others are run" [ -s both/stiff/convergence.csv ]
+check "  and it is said" grep -q '^missing.prm: wrong input, exit code 1' stdout
+
+# column NAME: of sweep.csv, in one line.
+column() {
+  awk -F, -v name="$1" 'NR == 1 { for (c = 1; c <= NF; ++c) if ($c == name) k = c; next } { printf "%s ", $k }' "$2"
+}
+run 0 block.prm --sweep 'Constants/depth=0.05, 0.1, 0.2' --output sweep
+check "  a directory each" [ -s sweep/0.05/convergence.csv ]
+check "  rows in the order of the values" [ "$(column Constants/depth sweep/sweep.csv)" = '0.05 0.1 0.2 ' ]
+check "  the force is linear in the depth" awk -F, 'NR > 1 && ($4 / $1 - 1) ^ 2 > 1e-18 { exit 1 }' sweep/sweep.csv
+check "  the energy is quadratic" awk -F, 'NR > 1 && ($6 / $1 ^ 2 - 0.5) ^ 2 > 1e-16 { exit 1 }' sweep/sweep.csv
+check "  the finest level" [ "$(column level sweep/sweep.csv)" = '2 2 2 ' ]
+check "  verdicts" [ "$(column verdict sweep/sweep.csv)" = 'certified certified certified ' ]
+check "  columns" [ "$(head -n 1 sweep/sweep.csv)" = \
+  'Constants/depth,level,dofs,contact_force,max_pressure,energy,estimate,bound,seconds,verdict' ]
+check "  the table is printed" grep -q '^0.05  *2 ' stdout
+run 0 block.prm --sweep 'Constants/E=1, 2' --sweep 'Constants/depth=0.1, 0.2' --output product
+check "  all combinations" [ "$(column contact_force product/sweep.csv | tr ' ' '\n' | xargs printf '%.6f ')" = \
+  '0.100000 0.200000 0.200000 0.400000 ' ]
+check "  their directories" [ -s product/2_0.1/certificate.json ]
+run 1 block.prm --sweep "Material/Poisson's ratio=0, 0.7" --output partly
+check "  what is wrong for one value only" [ "$(column verdict partly/sweep.csv)" = 'certified wrong input ' ]
+refuse "but 'Subsection/Parameter=value, value, ...' is expected" block.prm --sweep Constants/depth
+refuse "but 'Subsection/Parameter=value, value, ...' is expected" block.prm --sweep 'Constants/depth=1,,2'
+refuse "two runs would write into the directory '0.1'" block.prm --sweep 'Constants/depth=0.1, 0.1'
+refuse "found 'abc', allowed: a number" block.prm --sweep 'Solver/Tolerance=1e-9, abc' --output refused
+check "  before the first run" [ ! -e refused ]
+
+run 0 block.prm --set 'Output/Tables=markdown, latex' --output tables
+check "  Markdown" [ "$(wc -l <tables/convergence.md)" -eq 4 ]
+check "  LaTeX" grep -q '^.begin{tabular}' tables/convergence.tex
+run 0 block.prm --output tables
+check "  a later run removes them" [ ! -e tables/convergence.md ]
+echo "$failures failures"
+[ "$failures" -eq 0 ]

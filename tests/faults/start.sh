@@ -1,0 +1,94 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# What stops a run before it has begun, or is taken away from it: one sentence and an exit code, and nothing of the user is lost.
+# usage: start.sh PROGRAM MPIRUN
+
+program=$(realpath "$1")
+mpirun=$2
+. "$(dirname "$0")/results.sh"
+
+write_scene 4
+# run CODE ARGUMENTS...: one sentence unless the code is 0.
+run() {
+  local code=$1
+  shift
+  timeout 100 "$program" "$@" >stdout 2>stderr </dev/null
+  local found=$?
+  check "exit code $code: signorini ${*:0:100}" [ "$found" -eq "$code" ]
+  if [ "$code" -ne 0 ]; then check "  one sentence" one_line_of_complaint; fi
+}
+says() { grep -qF -- "$1" stderr; }
+
+for variable in btl pml plm; do
+  export OMPI_MCA_$variable=nonsense
+  run 3 scene.prm --output none
+  check "  about MPI" says 'MPI could not be started'
+  check "  and the variable" says "OMPI_MCA_$variable"
+  unset OMPI_MCA_$variable
+done
+
+# Below 520 MB the libraries cannot be loaded. A computation that fits may succeed.
+limits="550 650 750 1000"
+if ! (ulimit -v 20000000 && "$program" --version >stdout 2>stderr); then
+  echo "SKIP limits of the address space: this build (with sanitizers?) needs more than 20 GB of it"
+  limits=""
+fi
+for limit in $limits; do
+  (
+    ulimit -v $((limit * 1024))
+    timeout 100 "$program" scene.prm --output none >stdout 2>stderr
+  )
+  code=$?
+  check "ulimit -v of $limit MB: exit code 0 or 3, found $code" [ "$code" -eq 0 -o "$code" -eq 3 ]
+  check "  one sentence" [ "$code" -eq 0 -o "$(cat stderr)" = \
+    'signorini: out of memory: there is not enough for this computation.' ]
+done
+
+mkdir nowhere
+scene=$PWD/scene.prm
+cd nowhere && rmdir ../nowhere
+timeout 100 "$program" "$scene" --output "$directory/none" >"$directory/stdout" 2>"$directory/stderr"
+code=$?
+cd "$directory" || exit 1
+check "no working directory: exit code 1" [ "$code" -eq 1 ]
+check "  one sentence" one_line_of_complaint
+
+ln -s missing dangling
+run 1 scene.prm --output dangling
+check "  the link stays" [ -L dangling ]
+run 1 scene.prm --output dangling/below
+check "  the link stays" [ -L dangling ]
+
+cp scene.prm parameters.prm
+run 1 parameters.prm --output .
+check "  the scene stays" cmp -s scene.prm parameters.prm
+cp scene.prm contact-02.csv
+run 1 contact-02.csv --output .
+check "  under any name" cmp -s scene.prm contact-02.csv
+rm parameters.prm contact-02.csv
+run 0 scene.prm --output repeated
+run 0 repeated/parameters.prm --output repeated
+
+run 1 /proc/kmsg
+long=$(printf 'directory/%.0s' {1..20})
+run 1 "$long/scene.prm"
+check "  long paths are shortened" [ "$(wc -c <stderr)" -lt 150 ]
+
+if [ -x "$mpirun" ]; then
+  mkdir other
+  sed 's/A1/A2/' scene.prm >other/scene.prm
+  timeout 100 "$mpirun" -np 1 "$program" scene.prm --output ranks : -np 1 --wdir other "$program" scene.prm --output ranks \
+    >stdout 2>stderr </dev/null
+  check "ranks with different files: exit code 0" [ $? -eq 0 ]
+  check "  it is said" says 'scene.prm: another text is found on rank 1'
+  check "  the first rank's is taken" grep -q '^Scene     A1' stdout
+  timeout 100 "$mpirun" -np 1 "$program" scene.prm --output ranks : -np 1 "$program" scene.prm --output ranks \
+    --set 'Discretization/Finest level=5' >stdout 2>stderr </dev/null
+  check "ranks with different levels: exit code 0" [ $? -eq 0 ]
+  check "  it is said" says 'another command line was given to rank 1'
+else
+  echo "SKIP several ranks: there is no mpirun"
+fi
+check "nothing was made in vain" [ ! -e none/convergence.csv -o -s none/convergence.csv ]
+echo "$failures failures"
+[ "$failures" -eq 0 ]
