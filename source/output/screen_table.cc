@@ -56,7 +56,7 @@ constexpr ErrorColumn displacement_columns[] = {{"|u-uh|1", "u_h1"},
                                                 {"|Iu-uh|1", "u_superclose_h1"},
                                                 {"|u-PIuh|1", "u_post_h1"}};
 constexpr ErrorColumn pressure_columns[] = {{"|p-pH|0", "p_l2"}};
-constexpr ErrorColumn estimate_column = {"estimate", "estimated_h1"};
+constexpr ErrorColumn estimate_column = {"estimate", "estimated_energy"};
 } // namespace
 
 ScreenTable::ScreenTable(const bool with_displacement_errors, const bool with_pressure_errors)

@@ -173,7 +173,17 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
                                                     pressure.C_P,
                                                     pressure.diagonal_P});
   if (discretization.mesh.has_parents())
-    record.estimate = estimate_error(space, solution.U);
+    record.estimate = estimate_error(space,
+                                     scene,
+                                     solution.U,
+                                     correct_pressure({space,
+                                                       scene,
+                                                       discretization.multipliers,
+                                                       free.U,
+                                                       solution.P,
+                                                       discretization.condensed_D,
+                                                       *inverse,
+                                                       discretization.n_points}));
   if (wants_bound(parameters.discretization, record.sizes.level))
   {
     progress("bound of the error");
