@@ -85,7 +85,9 @@ void energy_of_correction(Checks &checks)
   for (const char *scene : {"A1", "B3", "C4", "V1", "E2"})
     for (const unsigned int ratio : {2U, 8U})
     {
-      const SolvedLevel level(with_ratio(named_scene(scene), ratio), 4);
+      // A ring has four times as many contact faces.
+      const SolvedLevel level(with_ratio(named_scene(scene), ratio),
+                              std::string(scene) == "E2" ? 3 : 4);
       const PressureCorrection found = correct(level, level.P);
       const std::string name = std::string(scene) + ", H = " + std::to_string(ratio) + " h: ";
       checks.that(name + "not zero", found.energy_norm > 0.);
@@ -121,7 +123,7 @@ void nothing_to_correct(Checks &checks)
 /** Patches longer than two faces are corrected from those of two faces: u_h + z_h is the same. */
 void long_patches(Checks &checks)
 {
-  for (const char *scene : {"A1", "B2", "E2"})
+  for (const char *scene : {"A1", "B2", "C4"})
   {
     const auto corrected = [&](const std::string &text) {
       const SolvedLevel level(text, 4);

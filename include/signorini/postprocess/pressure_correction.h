@@ -30,18 +30,18 @@ struct PressureData
   unsigned int n_points;
 };
 
-/** b_j = int_{Gamma_c} p v_n for v = phi_j, condensed, for the recovered pressure p of @p P: a
- * coupling with a single column. */
+/** b_j = int_{Gamma_c} p v_n for v = phi_j, condensed, for the recovered pressure p of @p P,
+ * shifted to the means of @p P and cut off at zero: a coupling with a single column. */
 Coupling recovered_load(const DisplacementSpace<2> &space,
                         const MultiplierSpace<2> &multipliers,
                         const dealii::Vector<double> &P);
 
 /**
  * z_h = A^{-1}(b - D P) for b = int p v_n: with p = sigma_n(u), u_h + z_h would be the best
- * approximation of u in V^h. p is the RecoveredPressure of p_H. Where patches are longer than two
- * faces, V^h sees more of the pressure than p_H does. Then p is recovered from the solution on
- * patches of two faces (the same A, one more dual problem). It does not penetrate between the means
- * of the given patches, either.
+ * approximation of u in V^h. p is the RecoveredPressure of p_H with the means of p_H, see
+ * recovered_load(). Where patches are longer than two faces, V^h sees more of the pressure than p_H
+ * does. Then p is recovered from the solution on patches of two faces (the same A, one more dual
+ * problem). It does not penetrate between the means of the given patches, either.
  *
  * One solve; none, and zero, where the pressure vanishes. Patches shorter than two faces are not
  * corrected: p_H swings on them, and no function of V^h sees the difference. Collective.
