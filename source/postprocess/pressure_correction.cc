@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What a better pressure than p_H does to the displacement.
 
-#include <signorini/compliance/compliance.h>
 #include <signorini/compliance/free_state.h>
 #include <signorini/elasticity/trace_values.h>
 #include <signorini/postprocess/contact_pressure.h>
 #include <signorini/postprocess/pressure_correction.h>
-#include <signorini/qp/dual_solver.h>
 #include <signorini/recovery/recovery.h>
 
 #include <algorithm>
@@ -41,14 +39,10 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<2> &multipl
   free.F -= D.transpose_product(data.U_free);
   if (free.nothing_touches())
     return dealii::Vector<double>(multipliers.n_multipliers());
-  double seconds = 0.;
-  const QPResult result =
-    solve_dual_problem(make_compliance(data.inverse, condensed_D, seconds),
-                       free.F,
-                       transfer_pressure({data.multipliers.surface().patches(), data.P},
-                                         multipliers.surface().patches()),
-                       {});
-  return result.converged ? std::optional<dealii::Vector<double>>(result.P) : std::nullopt;
+  return data.solve_dual(condensed_D,
+                         free.F,
+                         transfer_pressure({data.multipliers.surface().patches(), data.P},
+                                           multipliers.surface().patches()));
 }
 
 /**

@@ -105,6 +105,18 @@ Pressure find_pressure(const Parameters &parameters,
   solution.record.dual = summary_of(result, solver.contact_solver);
   return {result.P, C->apply(result.P), diagonal_times(*C, result.P)};
 }
+/** The dual problem on other patches, for the estimate. */
+DualProblem dual_problem(const StiffnessInverse &inverse)
+{
+  return [&inverse](const Coupling &condensed_D,
+                    const dealii::Vector<double> &F,
+                    const dealii::Vector<double> &start) -> std::optional<dealii::Vector<double>> {
+    double seconds = 0.;
+    const QPResult result =
+      solve_dual_problem(make_compliance(inverse, condensed_D, seconds), F, start, {});
+    return result.converged ? std::optional<dealii::Vector<double>>(result.P) : std::nullopt;
+  };
+}
 } // namespace
 
 template <int dim>
@@ -183,7 +195,8 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
                                                        solution.P,
                                                        discretization.condensed_D,
                                                        *inverse,
-                                                       discretization.n_points}));
+                                                       discretization.n_points,
+                                                       dual_problem(*inverse)}));
   if (wants_bound(parameters.discretization, record.sizes.level))
   {
     progress("bound of the error");

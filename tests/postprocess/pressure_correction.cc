@@ -27,14 +27,20 @@ PressureCorrection correct(const SolvedLevel &given, const Vector &P)
   const Discretization<2> &level = given.level;
   const FreeState free =
     solve_free_state(*given.inverse, level.space, given.system.f, level.D, level.G);
-  return correct_pressure({level.space,
-                           given.scene,
-                           level.multipliers,
-                           free.U,
-                           P,
-                           level.condensed_D,
-                           *given.inverse,
-                           level.n_points});
+  return correct_pressure(
+    {level.space,
+     given.scene,
+     level.multipliers,
+     free.U,
+     P,
+     level.condensed_D,
+     *given.inverse,
+     level.n_points,
+     [&](const Coupling &condensed_D, const Vector &F, const Vector &start) {
+       double seconds = 0.;
+       return std::optional<Vector>(
+         solve_dual_problem(make_compliance(*given.inverse, condensed_D, seconds), F, start, {}).P);
+     }});
 }
 
 /** b.v for a function of V^h that is zero on the supports. */

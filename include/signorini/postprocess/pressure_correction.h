@@ -4,6 +4,9 @@
 #include <signorini/multiplier/coupling.h>
 #include <signorini/stiffness_inverse/stiffness_inverse.h>
 
+#include <functional>
+#include <optional>
+
 namespace Signorini
 {
 /** What u_h lacks because p_H is constant on patches: z_h in V^h, and its energy norm. */
@@ -14,6 +17,13 @@ struct PressureCorrection
   /** |||z_h||| (root of force x length per thickness). */
   double energy_norm = 0.;
 };
+
+/** P of the dual problem with C = D^T A^{-1} D for a condensed D, with F, from a start; none where
+ * the solver fails. */
+using DualProblem =
+  std::function<std::optional<dealii::Vector<double>>(const Coupling &condensed_D,
+                                                      const dealii::Vector<double> &F,
+                                                      const dealii::Vector<double> &start)>;
 
 /** What a correction is computed from; all must outlive the call. */
 struct PressureData
@@ -28,6 +38,8 @@ struct PressureData
   const StiffnessInverse &inverse;
   /** Gauss points per direction for the gap, as in the dual problem. */
   unsigned int n_points;
+  /** For patches longer than two faces. */
+  DualProblem solve_dual;
 };
 
 /** b_j = int_{Gamma_c} p v_n for v = phi_j, condensed, for the recovered pressure p of @p P,
