@@ -2,7 +2,7 @@
 // The bound of the energy error, summed up from stress and contact.
 
 #include <signorini/bound/error_bound.h>
-#include <signorini/elasticity/cell_stiffness.h>
+#include <signorini/elasticity/energy_norm.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,28 +13,6 @@ namespace Signorini
 {
 namespace
 {
-/** |||u_h|||, from displacements relative to a corner of each cell: a rigid translation, however
- * large, has no energy. */
-double energy_norm(const StressData &data)
-{
-  CellStiffness<2> stiffness(data.space, data.scene);
-  const auto &element = data.space.element();
-  dealii::Vector<double> U(element.n_dofs_per_cell());
-  double energy = 0.;
-  for (const auto &cell : data.space.dofs().active_cell_iterators())
-    if (cell->is_locally_owned())
-    {
-      cell->get_dof_values(data.U, U);
-      const dealii::Tensor<1, 2> corner(
-        {U[element.component_to_system_index(0, 0)], U[element.component_to_system_index(1, 0)]});
-      for (unsigned int i = 0; i < U.size(); ++i)
-        U[i] -= corner[element.system_to_component_index(i).first];
-      energy += stiffness(cell).matrix_norm_square(U);
-    }
-  energy = dealii::Utilities::MPI::sum(energy, data.space.mesh().communicator());
-  return std::sqrt(std::max(0., energy * stiffness_unit(data.space, *data.scene.material)));
-}
-
 /** "bottom at (0.25, 0)". */
 std::string name_of(const SidePlace &place, const Scene<2> &scene)
 {
@@ -190,10 +168,7 @@ LocatedBound compute_located_bound(const BoundData &data)
   result.algebra = of_stress.algebra;
   // The inequality holds for u_h + E with the prescribed displacement itself; E is zero on contact.
   result.absolute = total(of_stress.square, of_stress.lift, contact);
-  // Where the body moves as a whole, |||u_h||| and the bound are nothing but rounding.
-  const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * given.U.linfty_norm() *
-                          std::sqrt(given.scene.material->modulus());
-  const double scale = std::max(energy_norm(given), rounding);
+  const double scale = energy_scale(given.space, given.scene, given.U);
   result.relative = ratio(*result.absolute, scale);
   const auto change = lift.trace().traction_change(of_stress.translation);
   const double work = work_of_contact(of_stress, data, change);

@@ -4,6 +4,7 @@
 #include <signorini/bound/nodal_lift.h>
 #include <signorini/compliance/compliance.h>
 #include <signorini/qp/dual_solver.h>
+#include <signorini/recovery/recovery.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -16,17 +17,6 @@ namespace
 {
 using dealii::Tensor;
 using Vector = dealii::Vector<double>;
-
-/** Zero on essential boundaries: T w_free. */
-void distribute_homogeneous(const DisplacementSpace<2> &space, NodalVector &w)
-{
-  for (const auto &line : space.constraints().get_lines())
-  {
-    w[line.index] = 0.;
-    for (const auto &entry : line.entries)
-      w[line.index] += entry.second * w[entry.first];
-  }
-}
 
 /**
  * Moves w_n at contact nodes to (or, where it is below, up to) the targets, each time by the
@@ -145,7 +135,7 @@ NodalVector interpolate_layers(const DisplacementSpace<2> &space,
           w[cell->vertex_dof_index(v, d)] = value[d];
       }
   impose(trace.normals(), omega, false, w);
-  distribute_homogeneous(space, w);
+  space.distribute_homogeneous(w);
   return w;
 }
 
@@ -197,18 +187,6 @@ Vector pushed_by(const Vector &P,
   return pushed;
 }
 
-/** A^{-1} b with homogeneous essential conditions. */
-NodalVector solve(const DisplacementSpace<2> &space,
-                  const StiffnessInverse &inverse,
-                  DistributedVector &b)
-{
-  b.compress(dealii::VectorOperation::add);
-  DistributedVector x = space.make_vector();
-  inverse.solve(x, b);
-  NodalVector w = space.complete(x);
-  distribute_homogeneous(space, w);
-  return w;
-}
 } // namespace
 
 Vector required_values(const ContactTrace &trace)
@@ -274,10 +252,10 @@ NodalVector dual_lift(const DisplacementSpace<2> &space,
   DistributedVector forces = space.make_vector();
   condensed_D.add_product(P, forces);
   free.E.add_product(minus_Q, forces);
-  NodalVector w = solve(space, inverse, forces);
+  NodalVector w = solve_homogeneous(inverse, space, forces);
   // What the solver's tolerance leaves.
   impose(trace.normals(), required, true, w);
-  distribute_homogeneous(space, w);
+  space.distribute_homogeneous(w);
   return w;
 }
 
@@ -303,9 +281,9 @@ std::optional<NodalVector> lift_of_one(const DisplacementSpace<2> &space,
   matrix.solve(forces);
   DistributedVector b = space.make_vector();
   free.E.add_product(forces, b);
-  NodalVector z = solve(space, inverse, b);
+  NodalVector z = solve_homogeneous(inverse, space, b);
   impose(trace.normals(), one, false, z);
-  distribute_homogeneous(space, z);
+  space.distribute_homogeneous(z);
   return z;
 }
 } // namespace Signorini

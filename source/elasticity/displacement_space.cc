@@ -103,6 +103,17 @@ NodalVector DisplacementSpace<dim>::complete(const DistributedVector &free_value
 }
 
 template <int dim>
+void DisplacementSpace<dim>::distribute_homogeneous(NodalVector &w) const
+{
+  for (const auto &line : constraints_.get_lines())
+  {
+    w[line.index] = 0.;
+    for (const auto &entry : line.entries)
+      w[line.index] += entry.second * w[entry.first];
+  }
+}
+
+template <int dim>
 NodalVector DisplacementSpace<dim>::condense(const NodalVector &functional) const
 {
   // AffineConstraints::condense() refuses prescribed displacements, which T leaves out.

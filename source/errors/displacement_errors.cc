@@ -20,6 +20,7 @@ struct Squares
 {
   double l2 = 0.;
   double h1_seminorm = 0.;
+  double energy = 0.;
   double superclose = 0.;
   /** With one and two generations. */
   std::array<double, 2> post = {};
@@ -28,6 +29,7 @@ struct Squares
   {
     l2 += other.l2;
     h1_seminorm += other.h1_seminorm;
+    energy += other.energy;
     superclose += other.superclose;
     for (unsigned int g = 0; g < post.size(); ++g)
       post[g] += other.post[g];
@@ -40,8 +42,7 @@ template <int dim>
 struct Fields
 {
   const DisplacementSpace<dim> &space;
-  const Kinks<dim> &kinks;
-  const dealii::Function<dim> &exact;
+  const Scene<dim> &scene;
   const NodalVector &U;
   const NodalVector &interpolant_minus_U;
   unsigned int n_points;
@@ -88,7 +89,7 @@ public:
     : fields_(fields)
     , cell_values_(fields.space.mesh().mapping(),
                    fields.space.element(),
-                   fields.kinks,
+                   fields.scene.kinks,
                    fields.n_points,
                    dealii::update_values | dealii::update_gradients |
                      dealii::update_quadrature_points | dealii::update_JxW_values |
@@ -112,13 +113,17 @@ public:
     values[displacement].get_function_gradients(fields_.U, du_);
     values[displacement].get_function_values(fields_.interpolant_minus_U, e_);
     values[displacement].get_function_gradients(fields_.interpolant_minus_U, de_);
-    exact_.evaluate(fields_.exact, values.get_quadrature_points());
+    exact_.evaluate(*fields_.scene.exact_displacement, values.get_quadrature_points());
     Squares squares;
     for (unsigned int q = 0; q < n; ++q)
     {
       const double weight = values.JxW(q);
+      const dealii::Tensor<2, dim> gradient = exact_.gradient(q) - du_[q];
+      const dealii::SymmetricTensor<2, dim> strain = symmetrize(gradient);
       squares.l2 += (exact_.value(q) - u_[q]).norm_square() * weight;
-      squares.h1_seminorm += (exact_.gradient(q) - du_[q]).norm_square() * weight;
+      squares.h1_seminorm += gradient.norm_square() * weight;
+      squares.energy +=
+        (fields_.scene.material->hooke(values.quadrature_point(q)) * strain) * strain * weight;
       squares.superclose += (e_[q].norm_square() + de_[q].norm_square()) * weight;
     }
     for (unsigned int g = 0; g < interpolations_.size(); ++g)
@@ -174,14 +179,14 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
   const MPI_Comm communicator = space.mesh().communicator();
   NodalVector interpolant_minus_U = interpolate_at_nodes(space, *scene.exact_displacement);
   interpolant_minus_U -= U;
-  const Squares squares = integrate_errors<dim>(
-    {space, scene.kinks, *scene.exact_displacement, U, interpolant_minus_U, n_points});
+  const Squares squares = integrate_errors<dim>({space, scene, U, interpolant_minus_U, n_points});
   const auto root_of_sum = [&](const double square) {
     return std::sqrt(dealii::Utilities::MPI::sum(square, communicator));
   };
   DisplacementErrors errors;
   errors.l2 = root_of_sum(squares.l2);
   errors.h1 = root_of_sum(squares.l2 + squares.h1_seminorm);
+  errors.energy = root_of_sum(squares.energy);
   errors.superclose_h1 = root_of_sum(squares.superclose);
   if (space.mesh().n_nested_ancestors() >= 1)
     errors.post_h1 = root_of_sum(squares.post[0]);
@@ -200,7 +205,8 @@ Columns<DisplacementErrors> DisplacementErrors::columns()
           {"u_l2", &DisplacementErrors::l2},
           {"u_superclose_h1", &DisplacementErrors::superclose_h1},
           {"u_post_h1", &DisplacementErrors::post_h1},
-          {"u_post4_h1", &DisplacementErrors::post4_h1}};
+          {"u_post4_h1", &DisplacementErrors::post4_h1},
+          {"u_energy", &DisplacementErrors::energy}};
 }
 
 template DisplacementErrors compute_displacement_errors(const DisplacementSpace<2> &,

@@ -52,7 +52,7 @@ constexpr ErrorColumn error_columns[] = {{"|u-uh|1", "u_h1"},
                                          {"|Iu-uh|1", "u_superclose_h1"},
                                          {"|u-PIuh|1", "u_post_h1"},
                                          {"|p-pH|0", "p_l2"}};
-constexpr const char *estimate_name = "estimated_h1";
+constexpr const char *estimate_name = "estimated_relative";
 
 /** log(before/now) / log(h before/h now). */
 std::optional<double> order(const LevelRecord &level,
@@ -119,7 +119,7 @@ std::string screen_legend()
 {
   return "m: patches; active: those that press; its: iterations of the dual problem;\n"
          "force: contact force; peak p: largest contact pressure (both positive in\n"
-         "compression); estimate: of the error of u_h in the H1 norm\n";
+         "compression); estimate: of the error of u_h, relative, in the energy norm\n";
 }
 
 std::string error_table(const std::vector<LevelRecord> &levels)

@@ -240,9 +240,8 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
       "an integer from 0 to 16384");
   add("Target error",
       discretization.target_error,
-      "If positive: stop refining when the relative error of u_h is below it: its guaranteed bound "
-      "in "
-      "the energy norm, or, where there is no bound, its estimate in the H1 norm.",
+      "If positive: stop refining when the relative error of u_h in the energy norm is below it: "
+      "its guaranteed bound, or, where there is no bound, its estimate.",
       Patterns::Double(0., 1.),
       "a number from 0 to 1");
   add("Quadrature points",

@@ -11,12 +11,24 @@ namespace Signorini
 {
 namespace
 {
-/** The estimated error divided by the true one. */
-std::optional<double> effectivity(const LevelRecord &record)
+/** An estimated error divided by the true one. */
+std::optional<double> effectivity(const LevelRecord &record,
+                                  double ErrorEstimate::*const estimate,
+                                  double DisplacementErrors::*const error)
 {
-  if (!record.estimate || !record.displacement_errors || record.displacement_errors->h1 == 0.)
+  if (!record.estimate || !record.displacement_errors || (*record.displacement_errors).*error == 0.)
     return {};
-  return record.estimate->absolute / record.displacement_errors->h1;
+  return (*record.estimate).*estimate / ((*record.displacement_errors).*error);
+}
+
+std::optional<double> effectivity_h1(const LevelRecord &record)
+{
+  return effectivity(record, &ErrorEstimate::h1, &DisplacementErrors::h1);
+}
+
+std::optional<double> effectivity_energy(const LevelRecord &record)
+{
+  return effectivity(record, &ErrorEstimate::energy, &DisplacementErrors::energy);
 }
 
 /** In the order of the members. */
@@ -29,7 +41,9 @@ Columns<LevelRecord> columns_of_parts()
         columns_of(&LevelRecord::contact),
         columns_of(&LevelRecord::certificate),
         columns_of(&LevelRecord::estimate),
-        Columns<LevelRecord>{{"effectivity", effectivity}, {"inf_sup", &LevelRecord::inf_sup}},
+        Columns<LevelRecord>{{"effectivity", effectivity_h1},
+                             {"effectivity_energy", effectivity_energy},
+                             {"inf_sup", &LevelRecord::inf_sup}},
         columns_of(&LevelRecord::displacement_errors),
         columns_of(&LevelRecord::pressure_errors),
         columns_of(&LevelRecord::dual_norm_errors),

@@ -20,6 +20,22 @@ NodalVector recover_displacement(const StiffnessInverse &inverse,
   return space.complete(U);
 }
 
+template <int dim>
+NodalVector solve_homogeneous(const StiffnessInverse &inverse,
+                              const DisplacementSpace<dim> &space,
+                              DistributedVector &b)
+{
+  b.compress(dealii::VectorOperation::add);
+  DistributedVector x = space.make_vector();
+  inverse.solve(x, b);
+  NodalVector w(x);
+  space.distribute_homogeneous(w);
+  return w;
+}
+
+template NodalVector solve_homogeneous(const StiffnessInverse &,
+                                       const DisplacementSpace<2> &,
+                                       DistributedVector &);
 template NodalVector recover_displacement(const StiffnessInverse &,
                                           const DisplacementSpace<2> &,
                                           const Coupling &,

@@ -178,6 +178,18 @@ void add_bound(const Scene<dim> &scene,
   solution.record.bound = located.bound;
   solution.bound_fields = std::move(located.fields);
 }
+/** The dual problem on other patches, for the estimate. */
+DualProblem dual_problem(const StiffnessInverse &inverse)
+{
+  return [&inverse](const Coupling &condensed_D,
+                    const dealii::Vector<double> &F,
+                    const dealii::Vector<double> &start) -> std::optional<dealii::Vector<double>> {
+    double seconds = 0.;
+    const QPResult result =
+      solve_dual_problem(make_compliance(inverse, condensed_D, seconds), F, start, {});
+    return result.converged ? std::optional<dealii::Vector<double>>(result.P) : std::nullopt;
+  };
+}
 } // namespace
 
 template <int dim>
@@ -259,7 +271,18 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   record.answer =
     compute_answer(space, scene, discretization.multipliers, forces, solution.U, solution.P);
   if (discretization.mesh.has_parents())
-    record.estimate = estimate_error(space, solution.U);
+    record.estimate = estimate_error(space,
+                                     scene,
+                                     solution.U,
+                                     correct_pressure({space,
+                                                       scene,
+                                                       discretization.multipliers,
+                                                       free.U,
+                                                       solution.P,
+                                                       discretization.condensed_D,
+                                                       *inverse,
+                                                       discretization.n_points,
+                                                       dual_problem(*inverse)}));
   if (wants_bound(parameters.discretization, record.sizes.level))
   {
     progress("bound of the error");

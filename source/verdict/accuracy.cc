@@ -52,7 +52,7 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels)
       text << ", and with fewer than three levels the accuracy is not checked";
   }
   if (finest.estimate)
-    text << ", about " << percent(finest.estimate->relative) << " (H1 norm, estimated)";
+    text << ", about " << percent(finest.estimate->relative) << " (energy norm, estimated)";
   return text.str();
 }
 } // namespace Signorini

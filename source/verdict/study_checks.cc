@@ -75,7 +75,7 @@ std::string check_target(const std::vector<LevelRecord> &levels, const Judge &ju
        << ", the finest: the relative error is ";
   if (const std::optional<double> error = relative_error(finest))
     text << 100. * *error << " %"
-         << (bound_of(finest) ? " (energy norm, guaranteed)" : " (H1 norm, estimated)");
+         << (bound_of(finest) ? " (energy norm, guaranteed)" : " (energy norm, estimated)");
   else
     text << "not known";
   text << "; raise Finest level.";
@@ -119,7 +119,7 @@ std::string check_estimate(const std::vector<LevelRecord> &levels, const Judge &
     return level.estimate && !(level.estimate->relative < negligible);
   });
   const auto falls = [&](const LevelRecord &coarse, const LevelRecord &fine) {
-    return fine.estimate->absolute < slowest * coarse.estimate->absolute;
+    return fine.estimate->energy < slowest * coarse.estimate->energy;
   };
   if (!all_matter || std::adjacent_find(first, levels.end(), falls) != levels.end())
     return "";

@@ -4,6 +4,7 @@
 #include <signorini/compliance/compliance.h>
 #include <signorini/elasticity/cell_stiffness.h>
 #include <signorini/elasticity/linear_system.h>
+#include <signorini/postprocess/error_estimate.h>
 #include <signorini/postprocess/nodal_interpolation.h>
 
 #include "box.h"
@@ -176,6 +177,24 @@ void refusals(Checks &checks)
     const ContactSurface<3> refused(mesh, scene, {2, 5});
   });
 }
+
+/** (x^2, y^2, z^2): the strains of pi^{2h} u_h - u_h have the mean zero in each cell and depend on
+ * one coordinate each, with squares h^2/3; those of u_h have squares 4/3 - h^2/3 and the mean 1. */
+void estimate(Checks &checks)
+{
+  const Scene<3> scene = make_box_scene(scalar([](const auto &) { return 0.; }), nothing);
+  const Box box(scene, 2, 2);
+  const VectorField squares([](const dealii::Point<3> &x) {
+    return Vector3({x[0] * x[0], x[1] * x[1], x[2] * x[2]});
+  });
+  const double h = 0.25, square = (4. - h * h) / 3.;
+  const double energy = std::sqrt(confined_modulus) * h;
+  const double scale = std::sqrt(lambda * (3. * square + 6.) + 2. * mu * 3. * square);
+  const ErrorEstimate found =
+    estimate_error(box.space, scene, interpolate_at_nodes(box.space, squares));
+  checks.near("estimate in the energy norm", found.energy, energy, 1e-13);
+  checks.near("estimate, relative", found.relative, energy / scale, 1e-13);
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -188,5 +207,6 @@ int main(int argc, char **argv)
   stiffness_and_loads(checks);
   compliance(checks);
   refusals(checks);
+  estimate(checks);
   return checks.exit_code();
 }

@@ -259,30 +259,60 @@ void choice(Checks &checks)
   checks.near("no grandparents", on_level(1), 1, 0);
 }
 
-/** x^2 differs from its interpolant by h^2/3 (slope) and h^4/30 (value), squared. */
+/**
+ * x^2 differs from its interpolant by h^2/3 (slope) and h^4/30 (value), squared. For (x^2, y^2) the
+ * strains e11 and e22 of the difference have the mean zero in each cell and depend on one
+ * coordinate each: |||.|||^2 = (lambda + 2 mu) 2 h^2/3. Those of the interpolant take the middle
+ * values of 2 x and 2 y, whose squares have the mean 4/3 - h^2/3.
+ */
 void estimates(Checks &checks)
 {
+  const std::string material =
+    "subsection Material\nset Young's modulus = 5\nset Poisson's ratio = 0.25\nend\n";
+  const double lambda = 2., mu = 2.;
   for (const unsigned int number : {1U, 3U})
   {
-    const OneLevel level(sides, number);
+    const OneLevel level(sides + material, number);
     const double h = std::pow(0.5, number);
     const NodalVector U = nodal_values(
       level.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], x[1] * x[1]); });
-    const ErrorEstimate estimate = estimate_error(level.space(), U);
+    const ErrorEstimate estimate = estimate_error(level.space(), level.scene, U);
     const double exact = std::sqrt(2. * (h * h / 3. + std::pow(h, 4) / 30.));
     const std::string name = "estimate on level " + std::to_string(number);
-    checks.near(name + ": distance to the interpolant", estimate.absolute, exact, 1e-14);
-    // ‖(x^2, y^2)‖_1^2 = 2 (1/5 + 4/3).
-    checks.near(name + ": relative", estimate.relative, exact / std::sqrt(46. / 15.), 1e-14);
+    checks.near(name + ": distance to the interpolant", estimate.h1, exact, 1e-14);
+    const double energy = std::sqrt((lambda + 2. * mu) * 2. * h * h / 3.);
+    const double square = (4. - h * h) / 3.;
+    const double scale = std::sqrt(lambda * (2. * square + 2.) + 2. * mu * 2. * square);
+    checks.near(name + ": in the energy norm", estimate.energy, energy, 1e-13);
+    checks.near(name + ": relative", estimate.relative, energy / scale, 1e-13);
+    checks.that(name + ": no pressure",
+                estimate.mesh == estimate.energy && estimate.pressure == 0.);
+    NodalVector moved(U);
+    moved.add(1000.);
+    checks.near(name + ": relative, after a translation",
+                estimate_error(level.space(), level.scene, moved).relative,
+                energy / scale,
+                1e-10);
   }
+  // E = 1 + x: int (1 + x) (2 x - m(x))^2 = 3/2 h^2/3, and the same for y.
+  const OneLevel graded(sides + entry("Material", "Young's modulus", "1+x") +
+                          entry("Material", "Poisson's ratio", "0"),
+                        2);
+  const NodalVector squares = nodal_values(
+    graded.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], x[1] * x[1]); });
+  checks.near("a material that varies",
+              estimate_error(graded.space(), graded.scene, squares).energy,
+              0.25,
+              1e-14);
   const OneLevel distorted(entry("Geometry", "Distortion", "0.3") + sides, 3);
   const NodalVector linear = nodal_values(distorted.space(), [](const Point<2> &x) { return x; });
   checks.near("linear functions have no error",
-              estimate_error(distorted.space(), linear).absolute,
+              estimate_error(distorted.space(), distorted.scene, linear).h1,
               0.,
               1e-13);
   NodalVector zero(linear.size());
-  checks.near("nothing moves", estimate_error(distorted.space(), zero).relative, 0., 0.);
+  checks.near(
+    "nothing moves", estimate_error(distorted.space(), distorted.scene, zero).relative, 0., 0.);
 }
 } // namespace
 

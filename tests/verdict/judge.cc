@@ -109,7 +109,7 @@ std::vector<LevelRecord> three_levels()
   for (unsigned int k = 0; k < 3; ++k)
   {
     levels[k].sizes.level = k + 2;
-    levels[k].estimate = ErrorEstimate{std::pow(0.5, k), 0.1 * std::pow(0.5, k)};
+    levels[k].estimate = ErrorEstimate{1., std::pow(0.5, k), 0.1 * std::pow(0.5, k), 0., 0.};
   }
   return levels;
 }
@@ -120,10 +120,10 @@ void studies(Checks &checks)
   std::vector<LevelRecord> levels = three_levels();
   const StudyVerdict good = judge.verdict(levels);
   checks.that("certified", good.is_certified() && good.reason.empty());
-  levels[2].estimate->absolute = levels[1].estimate->absolute;
+  levels[2].estimate->energy = levels[1].estimate->energy;
   checks.that("one level without progress is none too many", judge.verdict(levels).is_certified());
   for (LevelRecord &level : levels)
-    level.estimate->absolute = 1.;
+    level.estimate->energy = 1.;
   checks.that("the estimate does not fall",
               begins_with(judge.verdict(levels).reason, "The estimated error does not fall"));
   checks.that("two levels do not show it", judge.verdict({levels[0], levels[1]}).is_certified());
@@ -173,7 +173,7 @@ void errors(Checks &checks)
               begins_with(judge.verdict(levels).accuracy,
                           "the error is at most 20 % (energy norm, guaranteed)"));
   for (LevelRecord &level : levels)
-    level.estimate->absolute = 1.;
+    level.estimate->energy = 1.;
   checks.that("a bound sees more than an estimate that does not fall",
               judge.verdict(levels).outcome == Outcome::certified);
   levels[2].bound->relative = 0.21;

@@ -92,6 +92,9 @@ public:
   DistributedVector make_vector() const;
   /** All nodal values on every rank, the constrained ones filled in from the others. */
   NodalVector complete(const DistributedVector &free_values) const;
+  /** Constrained values of a difference of two displacements: T w_free, zero where displacements
+   * are prescribed. */
+  void distribute_homogeneous(NodalVector &w) const;
   /**
    * The functional restricted to V^h: T^T r, where v = T v_free for v in V^h. r_j = r(phi_j) for
    * all j; zero at constrained degrees of freedom, whatever is prescribed there.

@@ -22,6 +22,9 @@ struct DisplacementErrors
   /** ‖u - pi_4^{4h} u_h‖_{1,Omega}, the interpolation of degree four on cells of T^{4h}; empty
    * where there is no T^{4h}. */
   std::optional<double> post4_h1;
+  /** |||u - u_h|||, with the strain of u_h itself and Hooke's tensor at quadrature points (root of
+   * force x length^{dim-1}). */
+  double energy = 0.;
 
   static Columns<DisplacementErrors> columns();
 };

@@ -3,27 +3,46 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/elasticity/displacement_space.h>
+#include <signorini/postprocess/pressure_correction.h>
 
 namespace Signorini
 {
-/** An a posteriori estimate of ‖u - u_h‖_{1,Omega}. */
+/**
+ * A posteriori estimates of the error. Let p be a better pressure than p_H, and z_h in V^h what it
+ * adds to u_h (PressureCorrection). With the exact pressure u_h + z_h is the best approximation of
+ * u, so that u - u_h - z_h is orthogonal to V^h, and
+ *
+ *     |||u - u_h|||² = |||u - (u_h + z_h)|||² + |||z_h|||².
+ *
+ * The first part is estimated by the distance to pi^{2h}. Energy norms are roots of force x
+ * length^{dim-1}.
+ */
 struct ErrorEstimate
 {
-  /** ‖pi^{2h} u_h - u_h‖_{1,Omega}; asymptotically exact where pi^{2h} u_h superconverges. */
-  double absolute;
-  /** The same divided by ‖pi^{2h} u_h‖_{1,Omega}, both with the body's size as the unit of length:
-   * it does not depend on the units of the scene. */
-  double relative;
+  /** ‖pi^{2h} u_h - u_h‖_{1,Omega}, of ‖u - u_h‖_1; asymptotically exact where pi^{2h} u_h
+   * superconverges and |||z_h||| is small. */
+  double h1 = 0.;
+  /** (mesh² + pressure²)^{1/2}, of |||u - u_h|||. */
+  double energy = 0.;
+  /** The same divided by energy_scale(): it depends neither on units nor on translations. */
+  double relative = 0.;
+  /** |||pi^{2h} v - v||| for v = u_h + z_h. */
+  double mesh = 0.;
+  /** |||z_h|||. */
+  double pressure = 0.;
 
   static Columns<ErrorEstimate> columns();
 };
 
 /**
- * Compares u_h with pi^{2h} u_h. Needs Mesh::has_parents(). Runs on all threads given, with the
- * same sums for any number of them. Collective.
+ * Compares u_h and u_h + z_h with their interpolations on T^{2h}. Needs Mesh::has_parents(). Runs
+ * on all threads given, with the same sums for any number of them. Collective.
  */
 template <int dim>
-ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const NodalVector &U);
+ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
+                             const Scene<dim> &scene,
+                             const NodalVector &U,
+                             const PressureCorrection &correction = {});
 
 /**
  * The number of generations with which PatchInterpolation comes closest to u: 2 (degree four) where

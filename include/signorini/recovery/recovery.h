@@ -13,4 +13,11 @@ NodalVector recover_displacement(const StiffnessInverse &inverse,
                                  const Coupling &condensed_D,
                                  const dealii::Vector<double> &P,
                                  const DistributedVector &f);
+
+/** A^{-1} b with homogeneous essential conditions: what the forces b (compressed here) add to a
+ * displacement. Collective. */
+template <int dim>
+NodalVector solve_homogeneous(const StiffnessInverse &inverse,
+                              const DisplacementSpace<dim> &space,
+                              DistributedVector &b);
 } // namespace Signorini

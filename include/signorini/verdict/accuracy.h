@@ -12,7 +12,7 @@ namespace Signorini
 /** The guaranteed bound of the relative error of u_h in the energy norm, where there is one. */
 std::optional<double> bound_of(const LevelRecord &level);
 
-/** That bound, or else the estimated relative error in the H1 norm. */
+/** That bound, or else the estimated relative error in the energy norm. */
 std::optional<double> relative_error(const LevelRecord &level);
 
 /** What is known about the error of the finest level, half a sentence: its guaranteed bound and its
