@@ -27,7 +27,7 @@ std::string digits(const double value)
 /** Zero for what is rounding against @p size. */
 double rounded(const double value, const double size)
 {
-  constexpr double rounding = 1e-10;
+  constexpr double rounding = 1e-11;
   return std::abs(value) <= rounding * size ? 0. : value;
 }
 
@@ -81,7 +81,8 @@ public:
   void print_forces()
   {
     std::vector<std::string> total = force_parts(answer_.contact_force);
-    if (level_.bound && level_.bound->force_error)
+    if (level_.bound && level_.bound->force_error &&
+        rounded(*level_.bound->force_error, scale_of_forces()) > 0.)
       total.push_back("error at most " + digits(*level_.bound->force_error));
     lines_.add("Contact force", total);
     if (answer_.contact_by_side.size() > 1)
@@ -129,7 +130,9 @@ public:
     if (!answer_.penetration)
       return;
     const Penetration &deepest = *answer_.penetration;
-    if (deepest.value > 0.)
+    if (rounded(deepest.value, answer_.size) == 0.)
+      lines_.add("Penetration", {"none"});
+    else if (deepest.value > 0.)
       lines_.add("Penetration",
                  {"at most", digits(deepest.value), at(deepest.place), "(between the means)"});
     else
@@ -163,7 +166,8 @@ public:
     double seconds = 0.;
     for (const LevelRecord &level : levels_)
       seconds += level.times.total();
-    lines_.add("Time", {digits(std::round(1000. * seconds) / 1000.), "s"});
+    // Tests of runs leave out lines of this form.
+    lines_.add("Time =", {digits(std::round(1000. * seconds) / 1000.), "s"});
     if (!directory.empty())
       lines_.add("Results", {"in", directory.string()});
   }
@@ -200,7 +204,7 @@ private:
   static std::string percent(const double share)
   {
     std::ostringstream text;
-    text << std::showpos << std::setprecision(2) << 100. * share << " %";
+    text << std::showpos << std::setprecision(2) << 100. * rounded(share, 1.) << " %";
     return text.str();
   }
   static std::string trend_text(const std::vector<std::optional<double>> &values)

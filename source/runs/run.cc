@@ -13,6 +13,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 namespace Signorini
 {
 namespace
@@ -37,6 +39,15 @@ bool differs(const std::string &file_name, const std::string &text)
   }
 }
 
+/** Without the comments in front, in which a run describes its scene. */
+std::string without_description(const std::string &text)
+{
+  std::size_t start = 0;
+  while (start < text.size() && text[start] == '#')
+    start = std::min(text.size(), text.find('\n', start)) + 1;
+  return start < text.size() ? text.substr(start) : "";
+}
+
 /** A run must not replace the scene that it was started with by another text. */
 void refuse_to_overwrite(const RunInput &input, const std::string &echo)
 {
@@ -46,7 +57,7 @@ void refuse_to_overwrite(const RunInput &input, const std::string &echo)
   if (!is_name_of_result(name) ||
       !std::filesystem::equivalent(file, input.directory / name, error) || error)
     return;
-  if (name == parameters_name && input.text == echo)
+  if (name == parameters_name && without_description(input.text) == echo)
     return;
   throw InputError("--output: found '" + shorten_path(input.directory.string()) +
                    "', where the scene " + input.name +

@@ -46,7 +46,7 @@ subsection Discretization
 end
 PRM
 sed 's/Values = E=1/Values = E=2/' block.prm >stiff.prm
-force() { sed -n 's/^Contact force \([^,]*\),.*/\1/p' stdout; }
+force() { sed -n 's/^  Contact force *(0, \([^)]*\)).*/\1/p' stdout; }
 
 run 0 block.prm --set Constants/depth=0.2
 check "the force of nu = 0 is E times the depth" [ "$(force)" = 0.2 ]

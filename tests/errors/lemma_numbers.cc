@@ -61,7 +61,8 @@ void patch_test(Checks &checks)
  */
 void parabola(Checks &checks)
 {
-  const OneLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom left\nend\n"
+  const OneLevel level("subsection Boundary\nset Displacement = top: y^2; x^2\n"
+                       "set Contact = bottom left\nend\nsubsection Contact\nset Gap = 9\nend\n"
                        "subsection Exact solution\nset Displacement = y^2; x^2\n"
                        "set Displacement gradient = 0; 2*y; 2*x; 0\nset Pressure = -1\nend\n",
                        3);

@@ -22,7 +22,8 @@ std::string scene(const std::string &geometry,
                   const std::string &discretization)
 {
   return "subsection Geometry\n" + geometry +
-         "end\nsubsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
+         "end\nsubsection Boundary\nset Displacement = top: " + displacement +
+         "\nset Contact = bottom\nend\n" + entry("Contact", "Gap", "9") +
          "subsection Exact solution\nset Displacement = " + displacement +
          "\nset Displacement gradient = " + gradient + "\nend\nsubsection Discretization\n" +
          discretization + "end\n";
@@ -71,7 +72,8 @@ void polynomials(Checks &checks)
         1e-14);
   norms(checks,
         "polynomial, gradient by differences",
-        OneLevel("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
+        OneLevel("subsection Boundary\nset Displacement = top: " + u +
+                   "\nset Contact = bottom\nend\n" + entry("Contact", "Gap", "9") +
                    entry("Exact solution", "Displacement", u),
                  2),
         l2,
@@ -194,7 +196,9 @@ void square_root(Checks &checks)
 /** The sums are the same digit by digit on any number of threads. */
 void threads(Checks &checks)
 {
-  const OneLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n"
+  const OneLevel level("subsection Boundary\n"
+                       "set Displacement = top: sin(3*x)*y; max(x-0.3,0)^2*exp(y)\n"
+                       "set Contact = bottom\nend\nsubsection Contact\nset Gap = 9\nend\n"
                        "subsection Exact solution\n"
                        "set Displacement = sin(3*x)*y; max(x-0.3,0)^2*exp(y)\nend\n"
                        "subsection Discretization\nset Kinks at x = 0.3\nend\n",
