@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/compliance/free_state.h>
+#include <signorini/elasticity/linear_system.h>
+
+#include "level_pressure.h"
+
+namespace Signorini
+{
+/** What a level was solved with. */
+template <int dim>
+struct SolvedSystem
+{
+  const LinearSystem<dim> &system;
+  const StiffnessInverse &inverse;
+  const FreeState &free;
+  const Pressure &pressure;
+};
+
+/** What follows from U and P: beta, the certificate, the answer, and the estimate and the bound of
+ * the error, as far as they are asked for. Collective. */
+template <int dim>
+void examine(const Parameters &parameters,
+             const Scene<dim> &scene,
+             const Discretization<dim> &discretization,
+             const SolvedSystem<dim> &solved,
+             const Progress &progress,
+             LevelSolution<dim> &solution);
+} // namespace Signorini

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// C and P of one level.
+
+#include "level_pressure.h"
+
+#include <signorini/base/stage_timer.h>
+#include <signorini/compliance/compliance.h>
+#include <signorini/qp/dual_solver.h>
+#include <signorini/recovery/recovery.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+namespace
+{
+DualSolve summary_of(const QPResult &result, const ContactSolver method)
+{
+  DualSolve summary;
+  summary.iterations = result.iterations;
+  if (method == ContactSolver::psor)
+    summary.increment_iterations = result.increment_iterations;
+  summary.kkt = result.kkt_residual;
+  summary.converged = result.converged;
+  summary.unique = result.unique;
+  summary.active_set_failure = result.active_set_failure;
+  return summary;
+}
+
+/** Tells the user of every twentieth part of the columns of C. */
+ColumnProgress column_progress(const Progress &progress, const unsigned int n_columns)
+{
+  const unsigned int every = std::max(1U, n_columns / 20);
+  return [&progress, every, n_columns](const unsigned int done) {
+    if (done % every == 0)
+      progress("compliance: " + std::to_string(done) + " columns, up to " +
+               std::to_string(n_columns));
+  };
+}
+
+template <int dim>
+QPResult solve_contact(const std::shared_ptr<const ComplianceOperator> &C,
+                       const dealii::Vector<double> &F,
+                       const dealii::Vector<double> &start,
+                       const Parameters &parameters,
+                       const Discretization<dim> &discretization)
+{
+  const SolverParameters &solver = parameters.solver;
+  return solve_dual_problem(C,
+                            F,
+                            start,
+                            {solver.contact_solver,
+                             solver.relaxation,
+                             solver.tolerance,
+                             solver.maximum_iterations,
+                             discretization.surface.has_unstable_patch()});
+}
+} // namespace
+
+template <int dim>
+Pressure find_pressure(const Parameters &parameters,
+                       const Discretization<dim> &discretization,
+                       const StiffnessInverse &inverse,
+                       const PatchPressure &start,
+                       const Progress &progress,
+                       LevelSolution<dim> &solution)
+{
+  const Coupling &D = discretization.condensed_D;
+  const auto C = make_compliance(
+    inverse, D, solution.record.times.compliance, column_progress(progress, D.n_columns()));
+  if (parameters.output.compliance)
+    solution.C = C->dense();
+  progress("dual problem");
+  const StageTimer timer(solution.record.times.qp);
+  dealii::Vector<double> P_start;
+  if (!start.patches.empty())
+    P_start = transfer_pressure(start, discretization.surface.patches());
+  const QPResult result = solve_contact(C, solution.F, P_start, parameters, discretization);
+  solution.record.dual = summary_of(result, parameters.solver.contact_solver);
+  return {result.P, C->apply(result.P), diagonal_times(*C, result.P), C, {}};
+}
+
+template <int dim>
+void correct_rounding(const Parameters &parameters,
+                      const Discretization<dim> &discretization,
+                      const StiffnessInverse &inverse,
+                      const DistributedVector &f,
+                      Pressure &pressure,
+                      LevelSolution<dim> &solution)
+{
+  constexpr unsigned int most_passes = 3;
+  constexpr double negligible = 1e-10;
+  const double measure = discretization.multipliers.integrals().l2_norm();
+  for (unsigned int pass = 0; pass < most_passes; ++pass)
+  {
+    dealii::Vector<double> W = discretization.D.transpose_product(solution.U);
+    W -= discretization.G;
+    dealii::Vector<double> corrected_F(pressure.C_P);
+    corrected_F -= W;
+    dealii::Vector<double> r(corrected_F);
+    r -= pass == 0 ? solution.F : pressure.corrected_F;
+    if (r.l2_norm() <= negligible * measure * solution.U.linfty_norm())
+      return;
+    pressure.corrected_F = corrected_F;
+    const QPResult result =
+      solve_contact(pressure.C, corrected_F, pressure.P, parameters, discretization);
+    solution.record.dual = summary_of(result, parameters.solver.contact_solver);
+    pressure.P = result.P;
+    pressure.C_P = pressure.C->apply(result.P);
+    pressure.diagonal_P = diagonal_times(*pressure.C, result.P);
+    solution.U = recover_displacement(
+      inverse, discretization.space, discretization.condensed_D, pressure.P, f);
+  }
+}
+
+template Pressure find_pressure(const Parameters &,
+                                const Discretization<2> &,
+                                const StiffnessInverse &,
+                                const PatchPressure &,
+                                const Progress &,
+                                LevelSolution<2> &);
+template void correct_rounding(const Parameters &,
+                               const Discretization<2> &,
+                               const StiffnessInverse &,
+                               const DistributedVector &,
+                               Pressure &,
+                               LevelSolution<2> &);
+} // namespace Signorini
