@@ -61,6 +61,16 @@ std::optional<Penetration> largest_penetration(const DisplacementSpace<2> &space
   return largest;
 }
 
+Columns<Answer> Answer::columns()
+{
+  return {{"peak_pressure",
+           [](const Answer &answer) {
+             return answer.peak_pressure ? std::optional<double>(answer.peak_pressure->value)
+                                         : std::nullopt;
+           }},
+          {"largest_von_mises", [](const Answer &answer) { return answer.von_mises.value; }}};
+}
+
 Answer compute_answer(const DisplacementSpace<2> &space,
                       const Scene<2> &scene,
                       const MultiplierSpace<2> &multipliers,

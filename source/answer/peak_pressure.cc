@@ -36,20 +36,12 @@ public:
     constant_ =
       means[0] - first * (e[0] + e[1]) + second * (e[0] * e[1] + e[0] * e[2] + e[1] * e[2]);
   }
-  /** Its maximum over the middle interval. */
+  /** Its maximum if that lies in the middle interval, else the value in its middle: where the
+   * parabola is monotone, a neighbour has a larger value. */
   Value maximum() const
   {
-    Value best = at(from_);
-    const Value last = at(to_);
-    if (last.value > best.value)
-      best = last;
-    if (curvature_ < 0.)
-    {
-      const double top = from_ - slope_ / (2. * curvature_);
-      if (top > from_ && top < to_)
-        best = at(top);
-    }
-    return best;
+    const double top = curvature_ < 0. ? from_ - slope_ / (2. * curvature_) : from_;
+    return at(top > from_ && top < to_ ? top : 0.5 * (from_ + to_));
   }
 
 private:

@@ -103,7 +103,7 @@ public:
     lines_.add("Peak pressure",
                {digits(peak.value),
                 at(peak.place) + ",",
-                trend_text(peak_pressures(levels_)) + ";",
+                trend_text(over_levels(levels_, "peak_pressure")) + ";",
                 "mean of its patch",
                 digits(peak.mean),
                 "(" + percent(peak.mean / peak.value - 1.) + ")"});
@@ -146,7 +146,7 @@ public:
                {digits(stress.value),
                 "at",
                 vector_text(stress.point, answer_.size) + ",",
-                trend_text(von_mises_stresses(levels_))});
+                trend_text(over_levels(levels_, "largest_von_mises"))});
   }
 
   void print_energy()

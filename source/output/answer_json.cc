@@ -71,7 +71,7 @@ AnswerJson peak_of(const std::vector<LevelRecord> &levels)
   AnswerJson json = {{"value", peak->value}};
   json.update(describe(peak->place));
   json["mean"] = peak->mean;
-  add_trend(peak_pressures(levels), json);
+  add_trend(over_levels(levels, "peak_pressure"), json);
   return json;
 }
 
@@ -79,7 +79,7 @@ AnswerJson von_mises_of(const std::vector<LevelRecord> &levels)
 {
   const VonMises &stress = levels.back().answer.von_mises;
   AnswerJson json = {{"value", stress.value}, {"point", components(stress.point)}};
-  add_trend(von_mises_stresses(levels), json);
+  add_trend(over_levels(levels, "largest_von_mises"), json);
   return json;
 }
 

@@ -4,13 +4,12 @@
 #include <signorini/record/level_record.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace Signorini
 {
-/** The peak pressure of every level, empty where nothing presses. */
-std::vector<std::optional<double>> peak_pressures(const std::vector<LevelRecord> &levels);
-
-/** The largest von Mises stress of every level. */
-std::vector<std::optional<double>> von_mises_stresses(const std::vector<LevelRecord> &levels);
+/** A column of convergence.csv, level by level; empty where it is not known. */
+std::vector<std::optional<double>> over_levels(const std::vector<LevelRecord> &levels,
+                                               const std::string &column);
 } // namespace Signorini

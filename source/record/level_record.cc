@@ -50,6 +50,7 @@ Columns<LevelRecord> columns_of_parts()
         Columns<LevelRecord>{{"endpoint_error", &LevelRecord::endpoint_error}},
         columns_of(&LevelRecord::lemmas),
         columns_of(&LevelRecord::bound),
+        columns_of(&LevelRecord::answer),
         columns_of(&LevelRecord::times),
         columns_of(&LevelRecord::resources)})
     all.insert(all.end(), columns.begin(), columns.end());

@@ -50,10 +50,10 @@ struct SweepColumn
 constexpr SweepColumn sweep_columns[] = {{"level", "level", "level"},
                                          {"dofs", "dofs", "dofs"},
                                          {"contact_force", "force", "contact_force_n"},
-                                         {"max_pressure", "max p", "max_pressure"},
+                                         {"peak_pressure", "peak p", "peak_pressure"},
                                          {"energy", "energy", "energy"},
-                                         {"estimate", "estimate", "estimated_h1"},
-                                         {"bound", "bound", "bound_energy"},
+                                         {"estimate", "estimate", "estimated_relative"},
+                                         {"bound", "bound", "bound_relative"},
                                          {"seconds", "seconds", "t_total"}};
 
 std::optional<double> number(const RunSummary &run, const SweepColumn &column)

@@ -5,6 +5,7 @@
 #include <signorini/answer/peak_pressure.h>
 #include <signorini/answer/side_forces.h>
 #include <signorini/answer/von_mises.h>
+#include <signorini/base/columns.h>
 
 #include <optional>
 #include <vector>
@@ -33,6 +34,8 @@ struct Answer
   /** Empty without a contact side. */
   std::optional<Penetration> penetration;
   VonMises von_mises;
+
+  static Columns<Answer> columns();
 };
 
 /** u_{h,n} - g at 17 points of every piece. @throws InputError where g has no value. */
