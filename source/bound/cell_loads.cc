@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Body forces, cell by cell.
 
+#include <signorini/base/threads.h>
 #include <signorini/bound/cell_loads.h>
 #include <signorini/elasticity/integration.h>
 
@@ -201,18 +202,33 @@ CellLoad make_load(const CellShape &shape, const ForceAtPoints &force)
   return load;
 }
 
+std::vector<dealii::Triangulation<2>::active_cell_iterator>
+cells_in_order(const DisplacementSpace<2> &space)
+{
+  std::vector<dealii::Triangulation<2>::active_cell_iterator> cells;
+  cells.reserve(space.mesh().triangulation().n_active_cells());
+  for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
+    cells.push_back(cell);
+  return cells;
+}
+
 std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
                                  const Scene<2> &scene,
                                  const EdgeMesh &mesh,
                                  const unsigned int n_points)
 {
-  std::vector<CellLoad> loads;
   if (scene.body_force == nullptr)
-    return loads;
-  loads.reserve(mesh.cells().size());
-  ForceSampler sampler(space, scene, n_points);
-  for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
-    loads.push_back(make_load(CellShape(mesh.cells()[loads.size()].corners), sampler.sample(cell)));
+    return {};
+  const auto cells = cells_in_order(space);
+  std::vector<CellLoad> loads(cells.size());
+  work_on_ranges(number_of_threads(space.mesh().communicator()),
+                 cells.size(),
+                 [&](const std::size_t begin, const std::size_t end) {
+                   ForceSampler sampler(space, scene, n_points);
+                   for (std::size_t i = begin; i < end; ++i)
+                     loads[i] =
+                       make_load(CellShape(mesh.cells()[i].corners), sampler.sample(cells[i]));
+                 });
   return loads;
 }
 } // namespace Signorini

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The stress of the bound, from the residuals of the discrete solution.
 
+#include <signorini/base/threads.h>
 #include <signorini/bound/balance.h>
 #include <signorini/bound/equilibrated_stress.h>
 #include <signorini/bound/oscillation.h>
-#include <signorini/bound/star_solver.h>
 #include <signorini/elasticity/cell_stiffness.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace Signorini
 {
@@ -29,21 +30,6 @@ void add(std::vector<double> &a, const double factor, const std::vector<double> 
 {
   for (std::size_t i = 0; i < a.size(); ++i)
     a[i] += factor * b[i];
-}
-
-double product(const Components &a, const Components &b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Components difference(const Components &a, const Components &b)
-{
-  return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
-}
-
-const Law &law_at(const std::vector<Law> &laws, const std::size_t i)
-{
-  return laws[laws.size() == 1 ? 0 : i];
 }
 
 /** Adds half of the moments of a traction that is sampled at the points of an edge. */
@@ -94,7 +80,15 @@ EquilibratedStress::EquilibratedStress(const StressData &data, const Improvement
       algebra_ =
         std::max(algebra_, start.rest()[v].norm() * mesh_.stars()[v].cells.size() / largest);
   balanced_ = balance_cells(mesh_, start.rest(), moments_);
-  improve(options);
+  CellEnergies energies(table_, mesh_.cells().size());
+  const std::vector<CellIntegrals> integrals = integrate_all(energies);
+  const std::vector<double> change = improve(options, integrals, energies);
+  update(integrals, energies, change);
+}
+
+unsigned int EquilibratedStress::n_threads() const
+{
+  return number_of_threads(data_.space.mesh().communicator());
 }
 
 CellLoad EquilibratedStress::load(const unsigned int cell) const
@@ -111,31 +105,36 @@ EquilibratedStress::CornerValues EquilibratedStress::displacement(const EdgeCell
   return values;
 }
 
-std::vector<EdgeMoments::CornerForces> EquilibratedStress::residuals() const
+std::vector<EdgeMoments::CornerForces> EquilibratedStress::residuals()
 {
   constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}};
-  CellStiffness<2> stiffness(data_.space, data_.scene);
   const double unit = stiffness_unit(data_.space, *data_.scene.material);
-  std::vector<EdgeMoments::CornerForces> R(mesh_.cells().size());
-  unsigned int number = 0;
-  for (const auto &cell : data_.space.mesh().triangulation().active_cell_iterators())
-  {
-    const dealii::FullMatrix<double> &K = stiffness(cell);
-    const CornerValues u = displacement(mesh_.cells()[number]);
-    for (unsigned int a = 0; a < 4; ++a)
-      for (unsigned int c = 0; c < 2; ++c)
-      {
-        double sum = 0.;
-        for (unsigned int b = 0; b < 4; ++b)
-          for (unsigned int d = 0; d < 2; ++d)
-            sum += K(2 * vertex_in_circle[a] + c, 2 * vertex_in_circle[b] + d) * u[b][d];
-        R[number][a][c] = unit * sum;
-      }
-    if (!loads_.empty())
+  const auto cells = cells_in_order(data_.space);
+  std::vector<EdgeMoments::CornerForces> R(cells.size());
+  std::vector<double> energies(cells.size(), 0.);
+  work_on_ranges(n_threads(), cells.size(), [&](const std::size_t begin, const std::size_t end) {
+    CellStiffness<2> stiffness(data_.space, data_.scene);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const dealii::FullMatrix<double> &K = stiffness(cells[i]);
+      // A rigid translation, however large, has no energy.
+      CornerValues u = displacement(mesh_.cells()[i]);
+      const Vector2 first = u[0];
+      for (Vector2 &value : u)
+        value -= first;
       for (unsigned int a = 0; a < 4; ++a)
-        R[number][a] -= loads_[number].nodal[a];
-    ++number;
-  }
+        for (unsigned int c = 0; c < 2; ++c)
+        {
+          double sum = 0.;
+          for (unsigned int b = 0; b < 4; ++b)
+            for (unsigned int d = 0; d < 2; ++d)
+              sum += K(2 * vertex_in_circle[a] + c, 2 * vertex_in_circle[b] + d) * u[b][d];
+          energies[i] += unit * sum * u[a][c];
+          R[i][a][c] = unit * sum - (loads_.empty() ? 0. : loads_[i].nodal[a][c]);
+        }
+    }
+  });
+  energy_ = std::accumulate(energies.begin(), energies.end(), 0.);
   return R;
 }
 
@@ -201,65 +200,40 @@ std::vector<Components> EquilibratedStress::stress(const unsigned int cell,
   return values;
 }
 
-Components EquilibratedStress::strain(const unsigned int cell,
-                                      const StressPoint &point,
-                                      const CornerValues &u) const
+std::vector<double> EquilibratedStress::improve(const ImprovementOptions &options,
+                                                const std::vector<CellIntegrals> &start,
+                                                const CellEnergies &energies)
 {
-  const Components of_u_h = strain_of(point.gradients, u);
-  if (!lift_.cells()[cell])
-    return of_u_h;
-  const Components more = lift_.strain(cell, point);
-  return {{of_u_h[0] + more[0], of_u_h[1] + more[1], of_u_h[2] + more[2]}};
-}
-
-void EquilibratedStress::improve(const ImprovementOptions &options)
-{
-  if (options.most_steps == 0)
-    return;
   // r = -(the gradient of half the square of the misfit).
-  std::vector<double> r(moments_.size(), 0.), z(r.size()), q(r.size());
-  CellEnergies energies(table_, mesh_.cells().size());
+  std::vector<double> r(moments_.size(), 0.), z(r.size()), q(r.size()), change(r.size(), 0.);
+  if (options.most_steps == 0)
+    return change;
   double square = 0., energy = 0.;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
-    const CellData &data = table_(c);
-    const std::vector<Law> &laws = table_.laws(c, data);
-    const std::vector<Components> tau = stress(c, data);
-    const CornerValues u = displacement(mesh_.cells()[c]);
-    CompositeCell::Stresses dual{};
-    for (std::size_t i = 0; i < data.points.size(); ++i)
-    {
-      const StressPoint &point = data.points[i];
-      const Law &law = law_at(laws, i);
-      const Components misfit = difference(law.stress(strain(c, point, u)), tau[i]);
-      const Components of_misfit = law.strain(misfit);
-      square += point.weight * product(misfit, of_misfit);
-      energy += point.weight * product(tau[i], law.strain(tau[i]));
-      for (unsigned int m = 0; m < 3; ++m)
-        for (unsigned int l = 0; l < 3; ++l)
-          dual[9 * point.triangle + 3 * m + l] += point.weight * point.psi[m] * of_misfit[l];
-    }
-    add_moments(mesh_.cells()[c], data.composite.transposed(dual), r);
-    if (!energies.knows(c))
-      energies.set(c, make_energy(data, laws));
+    square += start[c].squares.misfit;
+    energy += start[c].squares.stress;
+    add_moments(mesh_.cells()[c], start[c].of_misfit, r);
   }
-  const StarSolver solver(mesh_, energies);
+  // Below that, the misfit is rounding.
+  const double least_square = 1e-20 * energy;
+  if (square <= least_square)
+    return change;
+  const StarSolver solver(mesh_, energies, n_threads());
   solver.apply(r, z);
   std::vector<double> p = z;
   double rz = product(r, z);
-  // Below that, the misfit is rounding.
-  const double least_square = 1e-22 * energy;
   while (rz > 0. && square > least_square && steps_ < options.most_steps)
   {
     multiply(mesh_, energies, p, q);
     const double alpha = rz / product(p, q), decrease = alpha * rz;
     if (!(decrease > 0.))
-      return;
+      return change;
     ++steps_;
-    add(moments_, alpha, p);
+    add(change, alpha, p);
     square -= decrease;
     if (decrease < options.least_share * square || square < 0.)
-      return;
+      return change;
     add(r, -alpha, q);
     solver.apply(r, z);
     const double new_rz = product(r, z), beta = new_rz / rz;
@@ -267,35 +241,34 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
     for (std::size_t i = 0; i < p.size(); ++i)
       p[i] = z[i] + beta * p[i];
   }
+  return change;
 }
 
-EquilibratedStress::CellSquares EquilibratedStress::integrate(const unsigned int cell,
-                                                              const CellData &data) const
+void EquilibratedStress::update(const std::vector<CellIntegrals> &integrals,
+                                const CellEnergies &energies,
+                                const std::vector<double> &change)
 {
-  const std::vector<Law> &laws = table_.laws(cell, data);
-  const std::vector<Components> tau = stress(cell, data);
-  const CornerValues u = displacement(mesh_.cells()[cell]);
-  CellSquares sum;
-  sum.smallest_eigenvalue = laws[0].smallest_eigenvalue;
-  for (std::size_t i = 0; i < data.points.size(); ++i)
+  // Where more digits than that are lost, the cell is integrated again.
+  constexpr double least_share = 1e-3;
+  add(moments_, 1., change);
+  CellRoom room;
+  for (unsigned int c = 0; c < integrals.size(); ++c)
   {
-    const StressPoint &point = data.points[i];
-    const Law &law = law_at(laws, i);
-    const Components misfit = difference(law.stress(strain(cell, point, u)), tau[i]);
-    sum.misfit += point.weight * product(misfit, law.strain(misfit));
-    sum.stress += point.weight * product(tau[i], law.strain(tau[i]));
-    if (lift_.cells()[cell])
+    const CellIntegrals &before = integrals[c];
+    CellSquares &squares = squares_.emplace_back(before.squares);
+    const CellMoments b = moments_on(mesh_.cells()[c], change), Sb = multiply(energies(c), b);
+    for (unsigned int j = 0; j < b.size(); ++j)
     {
-      const Components e = lift_.strain(cell, point);
-      sum.lift += point.weight * product(e, law.stress(e));
+      squares.misfit += b[j] * (Sb[j] - 2. * before.of_misfit[j]);
+      squares.stress += b[j] * (Sb[j] + 2. * before.of_stress[j]);
     }
-    sum.smallest_eigenvalue = std::min(sum.smallest_eigenvalue, law.smallest_eigenvalue);
+    if (squares.misfit < least_share * before.squares.misfit ||
+        squares.stress < least_share * before.squares.stress)
+      squares = integrate(c, room).squares;
   }
-  return sum;
 }
 
 double EquilibratedStress::oscillation(const unsigned int cell,
-                                       const CellShape &shape,
                                        const double smallest_eigenvalue) const
 {
   const auto &edges = mesh_.cells()[cell].edges;
@@ -304,7 +277,7 @@ double EquilibratedStress::oscillation(const unsigned int cell,
     of_edges += given_.normal_rest[edge] + given_.shear_rest[edge];
   if (of_force == 0. && of_edges == 0.)
     return 0.;
-  const OscillationConstants constants(shape);
+  const OscillationConstants constants(CellShape(mesh_.cells()[cell].corners));
   double sum = constants.body * of_force;
   for (unsigned int k = 0; k < 4; ++k)
     sum += constants.normal[k] * given_.normal_rest[edges[k]] +
@@ -341,10 +314,9 @@ StressBound EquilibratedStress::bound() const
   double lift_square = 0.;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
-    const CellData &data = table_(c);
-    const CellSquares squares = integrate(c, data);
+    const CellSquares &squares = squares_[c];
     const double misfit = std::sqrt(squares.misfit);
-    const double rest = oscillation(c, data.shape, squares.smallest_eigenvalue);
+    const double rest = oscillation(c, squares.smallest_eigenvalue);
     result.misfit.push_back(misfit);
     result.oscillation.push_back(rest);
     result.square += (misfit + rest) * (misfit + rest);

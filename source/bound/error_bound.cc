@@ -2,7 +2,6 @@
 // The bound of the energy error, summed up from stress and contact.
 
 #include <signorini/bound/error_bound.h>
-#include <signorini/elasticity/cell_stiffness.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,28 +12,6 @@ namespace Signorini
 {
 namespace
 {
-/** |||u_h|||, from displacements relative to a corner of each cell: a rigid translation, however
- * large, has no energy. */
-double energy_norm(const StressData &data)
-{
-  CellStiffness<2> stiffness(data.space, data.scene);
-  const auto &element = data.space.element();
-  dealii::Vector<double> U(element.n_dofs_per_cell());
-  double energy = 0.;
-  for (const auto &cell : data.space.dofs().active_cell_iterators())
-    if (cell->is_locally_owned())
-    {
-      cell->get_dof_values(data.U, U);
-      const dealii::Tensor<1, 2> corner(
-        {U[element.component_to_system_index(0, 0)], U[element.component_to_system_index(1, 0)]});
-      for (unsigned int i = 0; i < U.size(); ++i)
-        U[i] -= corner[element.system_to_component_index(i).first];
-      energy += stiffness(cell).matrix_norm_square(U);
-    }
-  energy = dealii::Utilities::MPI::sum(energy, data.space.mesh().communicator());
-  return std::sqrt(std::max(0., energy * stiffness_unit(data.space, *data.scene.material)));
-}
-
 /** "bottom at (0.25, 0)". */
 std::string name_of(const SidePlace &place, const Scene<2> &scene)
 {
@@ -110,7 +87,7 @@ ErrorBound compute_error_bound(const BoundData &data)
   // Where the body moves as a whole, |||u_h||| and the bound are nothing but rounding.
   const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * given.U.linfty_norm() *
                           std::sqrt(given.scene.material->modulus());
-  result.relative = ratio(*result.absolute, std::max(energy_norm(given), rounding));
+  result.relative = ratio(*result.absolute, std::max(stress.energy_norm(), rounding));
   const double J_star = of_stress.complementary_energy - given.P * data.G;
   const double eta = std::sqrt(of_stress.square), lift_norm = std::sqrt(contact.lift_energy);
   const Bracket energy = energy_bracket(J_star, eta, lift_norm, contact.contact_term);

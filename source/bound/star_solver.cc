@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Exact solves on the stars of vertices.
 
+#include <signorini/base/threads.h>
 #include <signorini/bound/star_solver.h>
 
 #include <algorithm>
@@ -83,6 +84,40 @@ dealii::FullMatrix<double> balances(const EdgeMesh &mesh, const Star &star)
   return rows;
 }
 
+/**
+ * Columns that span what disturbs the balance of no cell around a vertex inside of the body, where
+ * all edges take any traction. With a_j and b_j the moments of spoke j at the centre and at its
+ * outer end r_j, the cells are in balance if a_j + b_j and r_j x b_j are the same for all j: one
+ * force in two components, one moment, and for every spoke a couple along it.
+ */
+dealii::FullMatrix<double> balanced_inside(const EdgeMesh &mesh, const Star &star)
+{
+  const unsigned int n = star.spokes.size();
+  const EdgeCell &first = mesh.cells()[star.cells[0].cell];
+  const double length = first.corners[0].distance(first.corners[2]);
+  dealii::FullMatrix<double> Z(4 * n, n + 3);
+  for (unsigned int j = 0; j < n; ++j)
+  {
+    // Spoke j is edge k of cell j, from the centre outwards.
+    const EdgeCell &cell = mesh.cells()[star.cells[j].cell];
+    const unsigned int k = star.cells[j].number;
+    const Vector2 spoke = cell.corners[(k + 1) % 4] - cell.corners[k];
+    const Vector2 r = spoke / spoke.norm();
+    const double size = length / spoke.norm();
+    const Vector2 turn({-size * r[1], size * r[0]});
+    for (unsigned int c = 0; c < 2; ++c)
+    {
+      const unsigned int a = in_star(j, 0) + c, b = in_star(j, 1) + c;
+      Z(a, c) = 1.;
+      Z(b, 2) = turn[c];
+      Z(a, 2) = -turn[c];
+      Z(b, 3 + j) = r[c];
+      Z(a, 3 + j) = -r[c];
+    }
+  }
+  return Z;
+}
+
 /** A B. Matrices are small: starting a library of linear algebra takes longer. */
 dealii::FullMatrix<double> product(const dealii::FullMatrix<double> &A,
                                    const dealii::FullMatrix<double> &B)
@@ -103,6 +138,15 @@ dealii::FullMatrix<double> transposed(const dealii::FullMatrix<double> &A)
     for (unsigned int j = 0; j < A.n(); ++j)
       B(j, i) = A(i, j);
   return B;
+}
+
+/** The changes of moments that disturb the balance of no cell of a star, as columns. */
+dealii::FullMatrix<double> basis(const EdgeMesh &mesh, const Star &star)
+{
+  if (star.is_closed())
+    return balanced_inside(mesh, star);
+  const dealii::FullMatrix<double> free = free_moments(mesh, star);
+  return product(free, null_space(product(balances(mesh, star), free)));
 }
 
 /** X with A X = B for a positive definite A, by Cholesky's method. */
@@ -184,49 +228,49 @@ dealii::FullMatrix<double> null_space(dealii::FullMatrix<double> matrix)
 
 CellEnergies::CellEnergies(const CellTable &table, const std::size_t n_cells)
   : shared_(table.constant_law())
-  , number_of_shape_(table.n_shapes(), unknown)
   , table_(table)
-  , index_(n_cells, unknown)
+  , index_(n_cells)
 {
+  constexpr unsigned int unknown = static_cast<unsigned int>(-1);
+  std::vector<unsigned int> of_shape(table.n_shapes(), unknown);
+  for (unsigned int cell = 0; cell < n_cells; ++cell)
+  {
+    unsigned int *const shared = is_shared(cell) ? &of_shape[table.shape_of(cell)] : nullptr;
+    index_[cell] = shared != nullptr && *shared != unknown ? *shared : first_cell_.size();
+    if (index_[cell] == first_cell_.size())
+      first_cell_.push_back(cell);
+    if (shared != nullptr)
+      *shared = index_[cell];
+  }
+  matrices_.resize(first_cell_.size());
 }
 
-void CellEnergies::set(const unsigned int cell, const CellEnergy &energy)
-{
-  const unsigned int shape = table_.shape_of(cell);
-  index_[cell] = matrices_.size();
-  matrices_.push_back(energy);
-  if (is_shared(cell))
-    for (unsigned int c = cell; c < index_.size(); ++c)
-      if (table_.shape_of(c) == shape)
-        index_[c] = index_[cell];
-}
-
-StarSolver::StarSolver(const EdgeMesh &mesh, const CellEnergies &energies)
+StarSolver::StarSolver(const EdgeMesh &mesh,
+                       const CellEnergies &energies,
+                       const unsigned int n_threads)
   : mesh_(mesh)
   , matrix_of_star_(mesh.stars().size())
 {
   std::map<std::vector<unsigned int>, unsigned int> known;
+  std::vector<unsigned int> to_solve;
   for (unsigned int v = 0; v < mesh.stars().size(); ++v)
   {
-    const Star &star = mesh.stars()[v];
-    const std::vector<unsigned int> name = key(star, energies);
-    if (!name.empty())
-    {
-      const auto found = known.find(name);
-      if (found != known.end())
-      {
-        matrix_of_star_[v] = found->second;
-        continue;
-      }
-      known[name] = matrices_.size();
-    }
-    matrix_of_star_[v] = matrices_.size();
-    const dealii::FullMatrix<double> matrix = solve_star(star, energies);
-    std::vector<double> &rows = matrices_.emplace_back(matrix.m() * matrix.n());
-    for (unsigned int i = 0; i < matrix.m(); ++i)
-      for (unsigned int j = 0; j < matrix.n(); ++j)
-        rows[i * matrix.n() + j] = matrix(i, j);
+    const std::vector<unsigned int> name = key(mesh.stars()[v], energies);
+    matrix_of_star_[v] =
+      name.empty() ? to_solve.size() : known.emplace(name, to_solve.size()).first->second;
+    if (matrix_of_star_[v] == to_solve.size())
+      to_solve.push_back(v);
   }
+  matrices_.resize(to_solve.size());
+  work_on_ranges(n_threads, to_solve.size(), [&](const std::size_t begin, const std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const dealii::FullMatrix<double> matrix = solve_star(mesh.stars()[to_solve[i]], energies);
+      matrices_[i].reserve(matrix.n_elements());
+      for (const auto &entry : matrix)
+        matrices_[i].push_back(entry.value());
+    }
+  });
 }
 
 std::vector<unsigned int> StarSolver::key(const Star &star, const CellEnergies &energies) const
@@ -247,9 +291,7 @@ dealii::FullMatrix<double> StarSolver::solve_star(const Star &star,
                                                   const CellEnergies &energies) const
 {
   const unsigned int n = 4 * star.spokes.size();
-  const dealii::FullMatrix<double> free = free_moments(mesh_, star);
-  const dealii::FullMatrix<double> Z =
-    product(free, null_space(product(balances(mesh_, star), free)));
+  const dealii::FullMatrix<double> Z = basis(mesh_, star);
   dealii::FullMatrix<double> S(n, n);
   if (Z.n() == 0)
     return S;
@@ -295,23 +337,26 @@ void StarSolver::apply(const std::vector<double> &r, std::vector<double> &z) con
   }
 }
 
+CellMoments multiply(const CellEnergy &energy, const CellMoments &b)
+{
+  constexpr unsigned int n = CompositeCell::n_moments;
+  CellMoments y{};
+  for (unsigned int j = 0; j < n; ++j)
+    for (unsigned int i = 0; i < n; ++i)
+      y[i] += energy[n * j + i] * b[j];
+  return y;
+}
+
 void multiply(const EdgeMesh &mesh,
               const CellEnergies &energies,
               const std::vector<double> &b,
               std::vector<double> &gradient)
 {
-  constexpr unsigned int n = CompositeCell::n_moments;
   std::fill(gradient.begin(), gradient.end(), 0.);
   for (unsigned int c = 0; c < mesh.cells().size(); ++c)
   {
     const EdgeCell &cell = mesh.cells()[c];
-    const CellMoments x = moments_on(cell, b);
-    const CellEnergy &energy = energies(c);
-    CellMoments y{};
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int i = 0; i < n; ++i)
-        y[i] += energy[n * j + i] * x[j];
-    add_moments(cell, y, gradient);
+    add_moments(cell, multiply(energies(c), moments_on(cell, b)), gradient);
   }
 }
 } // namespace Signorini

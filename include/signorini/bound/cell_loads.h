@@ -46,6 +46,10 @@ struct ForceAtPoints
  */
 CellLoad make_load(const CellShape &shape, const ForceAtPoints &force);
 
+/** All active cells in their order, the order of EdgeMesh::cells(). */
+std::vector<dealii::Triangulation<2>::active_cell_iterator>
+cells_in_order(const DisplacementSpace<2> &space);
+
 /** The loads of all cells, with @p n_points Gauss points per direction as in the system; empty
  * without a body force. */
 std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,

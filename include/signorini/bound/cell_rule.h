@@ -35,10 +35,6 @@ struct StressPoint
   dealii::Point<2> reference;
 };
 
-/** Gradients of the bilinear shape functions of the corners. */
-std::array<dealii::Tensor<1, 2>, 4> shape_gradients(const CellShape &shape,
-                                                    const dealii::Point<2> &reference);
-
 /** Strain (e11, e22, 2 e12) from gradients of the shape functions and values at the corners. */
 Components strain_of(const std::array<dealii::Tensor<1, 2>, 4> &gradients,
                      const std::array<dealii::Tensor<1, 2>, 4> &values);

@@ -5,7 +5,10 @@
 #include <signorini/bound/cell_table.h>
 #include <signorini/bound/edge_tractions.h>
 #include <signorini/bound/prescribed_lift.h>
+#include <signorini/bound/star_solver.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -98,6 +101,11 @@ public:
   {
     return moments_;
   }
+  /** |||u_h|||. */
+  double energy_norm() const
+  {
+    return std::sqrt(std::max(0., energy_));
+  }
   /** Components of tau at the points of a cell. */
   std::vector<Components> stress(unsigned int cell, const CellData &data) const;
   /** f_h of a cell; zero without a body force. */
@@ -106,9 +114,11 @@ public:
 private:
   using CornerValues = std::array<dealii::Tensor<1, 2>, 4>;
 
+  unsigned int n_threads() const;
   CornerValues displacement(const EdgeCell &cell) const;
-  /** R_K^i = int_K sigma_h:grad phi_i - int_K f phi_i, with the quadrature of the system. */
-  std::vector<EdgeMoments::CornerForces> residuals() const;
+  /** R_K^i = int_K sigma_h:grad phi_i - int_K f phi_i, with the quadrature of the system; sets
+   * energy_. */
+  std::vector<EdgeMoments::CornerForces> residuals();
   /** Moments of the mean of sigma_h n from both sides of edges. */
   std::vector<double> mean_tractions() const;
   /** (e11, e22, 2 e12) of u_h + E. */
@@ -119,21 +129,42 @@ private:
     double misfit = 0., stress = 0., lift = 0.;
     double smallest_eigenvalue = 0.;
   };
-  CellSquares integrate(unsigned int cell, const CellData &data) const;
+  /** The same with what makes them functions of a change b of the moments: misfit - 2 of_misfit.b +
+   * bᵀ S b and stress + 2 of_stress.b + bᵀ S b. */
+  struct CellIntegrals
+  {
+    CellSquares squares;
+    CellMoments of_misfit, of_stress;
+  };
+  /** @param energies where S goes. */
+  CellIntegrals integrate(unsigned int cell,
+                          CellRoom &room,
+                          CellEnergies *energies = nullptr) const;
+  /** Of all cells, with all threads; sets @p energies. */
+  std::vector<CellIntegrals> integrate_all(CellEnergies &energies) const;
+  /** Adds the change to the moments, and sets the squares after it. */
+  void update(const std::vector<CellIntegrals> &integrals,
+              const CellEnergies &energies,
+              const std::vector<double> &change);
   /** osc_K. */
-  double oscillation(unsigned int cell, const CellShape &shape, double smallest_eigenvalue) const;
+  double oscillation(unsigned int cell, double smallest_eigenvalue) const;
   /** int_{Gamma_D} tau n.u_D on the edges of a cell. */
   double support_work(unsigned int cell) const;
-  void improve(const ImprovementOptions &options);
+  /** @return the change of the moments. */
+  std::vector<double> improve(const ImprovementOptions &options,
+                              const std::vector<CellIntegrals> &start,
+                              const CellEnergies &energies);
   CompositeCell::Stresses stresses(unsigned int cell, const CellData &data) const;
 
   StressData data_;
   EdgeMesh mesh_;
   PrescribedLift lift_;
-  mutable CellTable table_;
+  CellTable table_;
   std::vector<CellLoad> loads_;
   GivenTractions given_;
   std::vector<double> moments_;
+  std::vector<CellSquares> squares_;
+  double energy_ = 0.;
   double algebra_ = 0.;
   bool balanced_ = false;
   unsigned int steps_ = 0;
