@@ -202,6 +202,21 @@ CellLoad make_load(const CellShape &shape, const ForceAtPoints &force)
   return load;
 }
 
+double add_couple(const CellShape &shape, const double moment, CellLoad &load)
+{
+  std::array<Vector2, 4> arms;
+  double inertia = 0.;
+  for (unsigned int k = 0; k < 4; ++k)
+  {
+    arms[k] = shape.centre(k) - shape.centre();
+    inertia += shape.areas[k] * arms[k].norm_square();
+  }
+  for (unsigned int k = 0; k < 4; ++k)
+    for (unsigned int c = 0; c < 2; ++c)
+      load.constant[2 * k + c] += moment / inertia * rotated(arms[k])[c];
+  return std::abs(moment) / std::sqrt(inertia);
+}
+
 std::vector<dealii::Triangulation<2>::active_cell_iterator>
 cells_in_order(const DisplacementSpace<2> &space)
 {

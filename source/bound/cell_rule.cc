@@ -121,10 +121,34 @@ std::array<double, 3> barycentric(const Triangle &triangle, const dealii::Point<
   return lambda;
 }
 
-/** The bilinear map of [-1,1]^2, from corner 0: x(s, t) = centre + e s + f t + g s t. */
-struct BilinearMap
+/** Derivatives along s and t. */
+struct Jacobian
 {
-  explicit BilinearMap(const CellShape &shape)
+  Vector2 d_s, d_t;
+
+  double determinant() const
+  {
+    return cross(d_s, d_t);
+  }
+};
+
+/** Quadratic functions on [-1,1] that are one at -1, 0 and 1, or their derivatives. */
+std::array<double, 3> quadratics(const double s)
+{
+  return {{0.5 * s * (s - 1.), 1. - s * s, 0.5 * s * (s + 1.)}};
+}
+std::array<double, 3> quadratic_slopes(const double s)
+{
+  return {{s - 0.5, -2. * s, s + 0.5}};
+}
+
+/** The maps of [-1,1]^2, from corner 0: the bilinear one x(s, t) = centre + e s + f t + g s t, and
+ * the biquadratic one of curved cells. */
+struct CellMap
+{
+  explicit CellMap(const CellShape &shape)
+    : bulges(shape.bulges)
+    , is_curved(shape.is_curved)
   {
     const Vector2 a = shape.corners[1] - shape.corners[0], b = shape.corners[2] - shape.corners[0];
     const Vector2 c = shape.corners[3] - shape.corners[0];
@@ -151,11 +175,12 @@ struct BilinearMap
     return {s, t};
   }
   /** Of the shape functions of the corners. */
-  std::array<Vector2, 4> gradients(const dealii::Point<2> &reference) const
+  std::array<Vector2, 4> gradients(const dealii::Point<2> &reference,
+                                   const Jacobian &jacobian) const
   {
     const double s = reference[0], t = reference[1];
-    const Vector2 d_s = e + t * g, d_t = f + s * g;
-    const double J = cross(d_s, d_t);
+    const Vector2 &d_s = jacobian.d_s, &d_t = jacobian.d_t;
+    const double J = jacobian.determinant();
     // grad s and grad t, divided by four.
     const Vector2 grad_s({0.25 * d_t[1] / J, -0.25 * d_t[0] / J});
     const Vector2 grad_t({-0.25 * d_s[1] / J, 0.25 * d_s[0] / J});
@@ -169,8 +194,49 @@ struct BilinearMap
     return result;
   }
 
+  Jacobian bilinear(const dealii::Point<2> &reference) const
+  {
+    return {e + reference[1] * g, f + reference[0] * g};
+  }
+  /** Of the curved cell. */
+  Jacobian biquadratic(const dealii::Point<2> &reference) const
+  {
+    Jacobian sum = bilinear(reference);
+    const auto a = quadratics(reference[0]), b = quadratics(reference[1]);
+    const auto da = quadratic_slopes(reference[0]), db = quadratic_slopes(reference[1]);
+    for (unsigned int i = 0; i < bulges.size(); ++i)
+    {
+      sum.d_s += da[along_s[i]] * b[along_t[i]] * bulges[i];
+      sum.d_t += a[along_s[i]] * db[along_t[i]] * bulges[i];
+    }
+    return sum;
+  }
+  /** From the point of the quadrilateral to that of the curved cell. */
+  Vector2 bulge(const dealii::Point<2> &reference) const
+  {
+    Vector2 sum;
+    const auto a = quadratics(reference[0]), b = quadratics(reference[1]);
+    for (unsigned int i = 0; i < bulges.size(); ++i)
+      sum += a[along_s[i]] * b[along_t[i]] * bulges[i];
+    return sum;
+  }
+
+  /** The factors of the shape functions of the bulges. */
+  static constexpr std::array<unsigned int, 5> along_s = {{1, 2, 1, 0, 1}};
+  static constexpr std::array<unsigned int, 5> along_t = {{0, 1, 2, 1, 1}};
   Vector2 centre, e, f, g;
+  Bulges bulges;
+  bool is_curved;
 };
+
+/** Takes a point of the quadrilateral to the curved cell. */
+void bend(const CellMap &map, StressPoint &point)
+{
+  const Jacobian curved = map.biquadratic(point.reference);
+  point.weight *= curved.determinant() / map.bilinear(point.reference).determinant();
+  point.offset += map.bulge(point.reference);
+  point.gradients = map.gradients(point.reference, curved);
+}
 
 /** The smallest eigenvalue of Hooke's law in the orthonormal components (s11, s22, sqrt(2) s12). */
 double least_eigenvalue(const dealii::Tensor<2, 3> &matrix)
@@ -225,7 +291,7 @@ std::array<std::array<EdgePoint, 2>, 4> edge_points(const CellShape &shape)
 {
   constexpr std::array<std::array<double, 2>, 4> corners = {
     {{{-1., -1.}}, {{1., -1.}}, {{1., 1.}}, {{-1., 1.}}}};
-  const BilinearMap map(shape);
+  const CellMap map(shape);
   std::array<std::array<EdgePoint, 2>, 4> points;
   for (unsigned int k = 0; k < 4; ++k)
     for (unsigned int i = 0; i < 2; ++i)
@@ -236,8 +302,9 @@ std::array<std::array<EdgePoint, 2>, 4> edge_points(const CellShape &shape)
       point.position = s;
       point.offset = (1. - s) * (shape.corners[k] - shape.corners[0]) +
                      s * (shape.corners[next] - shape.corners[0]);
-      point.gradients = map.gradients({(1. - s) * corners[k][0] + s * corners[next][0],
-                                       (1. - s) * corners[k][1] + s * corners[next][1]});
+      const dealii::Point<2> reference((1. - s) * corners[k][0] + s * corners[next][0],
+                                       (1. - s) * corners[k][1] + s * corners[next][1]);
+      point.gradients = map.gradients(reference, map.bilinear(reference));
     }
   return points;
 }
@@ -258,13 +325,13 @@ std::vector<StressPoint> make_rule(const CellShape &shape,
                                    const RuleKind &kind,
                                    const std::vector<KinkLine<2>> &lines)
 {
-  const bool exact = kind.constant_law && shape.affine && !kind.fine;
+  const bool exact = kind.constant_law && shape.affine && !kind.fine && !shape.is_curved;
   const unsigned int n_points =
     std::max(kind.constant_law ? 4U : kind.n_points, kind.fine ? 6U : 0U);
   const TriangleRule rule = !exact           ? collapsed_rule(n_points)
                             : kind.quadratic ? quartic_rule()
                                              : midpoint_rule();
-  const BilinearMap map(shape);
+  const CellMap map(shape);
   std::vector<StressPoint> points;
   points.reserve(4 * rule.size());
   for (unsigned int k = 0; k < 4; ++k)
@@ -284,7 +351,9 @@ std::vector<StressPoint> make_rule(const CellShape &shape,
         point.psi = midpoint_functions(
           lines.empty() ? at.lambda : barycentric(whole, shape.corners[0] + point.offset));
         point.reference = map.inverse(point.offset);
-        point.gradients = map.gradients(point.reference);
+        point.gradients = map.gradients(point.reference, map.bilinear(point.reference));
+        if (shape.is_curved)
+          bend(map, point);
         points.push_back(point);
       }
   }

@@ -85,7 +85,8 @@ unsigned int CellTable::classify(const unsigned int cell)
     return true;
   };
   const unsigned int alone = most_shapes + cell;
-  if (fine_[cell] || !crossing(lines_, mesh_.cells()[cell]).empty())
+  if (mesh_.cells()[cell].is_curved || fine_[cell] ||
+      !crossing(lines_, mesh_.cells()[cell]).empty())
     return alone;
   // The cell before is most likely of the same shape.
   if (cell > 0 && shape_of_[cell - 1] < edges_of_shape_.size() &&
@@ -109,7 +110,7 @@ const CellData &CellTable::data(const unsigned int cell, CellRoom &room) const
   const EdgeCell &here = mesh_.cells()[cell];
   RuleKind kind = kind_;
   kind.fine = fine_[cell];
-  room.data = std::make_unique<CellData>(CellShape(here.corners), kind, crossing(lines_, here));
+  room.data = std::make_unique<CellData>(CellShape(here), kind, crossing(lines_, here));
   return *room.data;
 }
 

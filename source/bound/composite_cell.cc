@@ -141,6 +141,13 @@ CellShape::CellShape(const std::array<dealii::Point<2>, 4> &corners)
   affine = difference.norm() < 1e-12 * first.norm();
 }
 
+CellShape::CellShape(const EdgeCell &cell)
+  : CellShape(cell.corners)
+{
+  bulges = cell.bulges;
+  is_curved = cell.is_curved;
+}
+
 double CellShape::diameter() const
 {
   double largest = 0.;

@@ -32,20 +32,19 @@ std::array<Vector2, 2> linear_traction(const std::vector<double> &moments,
 void add_traction_side(const dealii::FEFaceValues<2> &values,
                        const dealii::Function<2> &traction,
                        const EdgeMesh &mesh,
-                       const std::array<dealii::Point<2>, 2> &ends,
+                       const unsigned int second_end,
                        const unsigned int edge,
                        GivenTractions &given)
 {
   const auto &points = values.get_quadrature_points();
   std::vector<dealii::Vector<double>> t(points.size(), dealii::Vector<double>(2));
   traction.vector_value_list(points, t);
-  const auto position = [&](const dealii::Point<2> &x) {
-    return (x - ends[0]) * (ends[1] - ends[0]) / (ends[1] - ends[0]).norm_square();
-  };
+  // The hat function of the second end, which is the share of the length on straight edges.
+  const auto position = [&](const unsigned int i) { return values.shape_value(2 * second_end, i); };
   for (unsigned int i = 0; i < points.size(); ++i)
     for (unsigned int c = 0; c < 2; ++c)
     {
-      const double s = position(points[i]), weighted = t[i][c] * values.JxW(i);
+      const double s = position(i), weighted = t[i][c] * values.JxW(i);
       given.moments[4 * edge + c] += (1. - s) * weighted;
       given.moments[4 * edge + 2 + c] += s * weighted;
     }
@@ -54,7 +53,7 @@ void add_traction_side(const dealii::FEFaceValues<2> &values,
   double shear_square = 0., normal_square = 0.;
   for (unsigned int i = 0; i < points.size(); ++i)
   {
-    const double s = position(points[i]);
+    const double s = position(i);
     const Vector2 difference = Vector2({t[i][0], t[i][1]}) - (1. - s) * linear[0] - s * linear[1];
     const double of_normal = difference * normal;
     normal_square += of_normal * of_normal * values.JxW(i);
@@ -76,7 +75,6 @@ void add_traction_sides(const DisplacementSpace<2> &space,
                        n_points,
                        dealii::update_values | dealii::update_quadrature_points |
                          dealii::update_JxW_values);
-  const auto &vertices = space.mesh().triangulation().get_vertices();
   for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
     if (cell->at_boundary())
       for (const unsigned int f : cell->face_indices())
@@ -85,11 +83,14 @@ void add_traction_sides(const DisplacementSpace<2> &space,
         if (!face->at_boundary() || scene.boundary[face->boundary_id()].role != Role::traction)
           continue;
         const unsigned int edge = mesh.edge_of_line(face->index());
-        const auto &ends = mesh.edges()[edge].vertices;
+        const auto first_vertex = dealii::GeometryInfo<2>::face_to_cell_vertices(f, 0);
+        const bool reversed = mesh.edges()[edge].vertices[0] != face->vertex_index(0);
+        const unsigned int second_end =
+          reversed ? first_vertex : dealii::GeometryInfo<2>::face_to_cell_vertices(f, 1);
         add_traction_side(values.reinit(cell, f),
                           *scene.boundary[face->boundary_id()].data,
                           mesh,
-                          {{vertices[ends[0]], vertices[ends[1]]}},
+                          second_end,
                           edge,
                           given);
       }
@@ -226,6 +227,29 @@ GivenTractions given_tractions(const DisplacementSpace<2> &space,
   add_traction_sides(space, scene, mesh, n_points, given);
   add_contact_sides(mesh, pressed_parts(mesh, multipliers, P), given);
   return given;
+}
+
+void give_to_contact(const EdgeMesh &mesh,
+                     const Scene<2> &scene,
+                     const std::vector<Vector2> &rest,
+                     GivenTractions &given)
+{
+  for (std::size_t v = 0; v < rest.size(); ++v)
+  {
+    const Star &star = mesh.stars()[v];
+    if (star.cells.empty() || star.is_closed())
+      continue;
+    const auto touches = [&](const Spoke &spoke) {
+      return scene.boundary[mesh.edges()[spoke.edge].side].role == Role::contact;
+    };
+    const Spoke &first = star.spokes.front(), &last = star.spokes.back();
+    const double n_contact = (touches(first) ? 1. : 0.) + (touches(last) ? 1. : 0.);
+    for (const Spoke *const spoke : {&first, &last})
+      if (touches(*spoke))
+        for (unsigned int c = 0; c < 2; ++c)
+          given.moments[4 * spoke->edge + 2 * spoke->end + c] +=
+            (spoke == &first ? 1. : -1.) * spoke->sign * star.cells.size() / n_contact * rest[v][c];
+  }
 }
 
 EdgeMoments::EdgeMoments(const EdgeMesh &mesh,

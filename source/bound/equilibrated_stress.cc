@@ -69,7 +69,13 @@ EquilibratedStress::EquilibratedStress(const StressData &data, const Improvement
   , given_(given_tractions(data.space, data.scene, mesh_, data.multipliers, data.P, data.n_points))
 {
   const auto R = residuals();
-  const EdgeMoments start(mesh_, R, given_.moments, mean_tractions());
+  const std::vector<double> guess = mean_tractions();
+  if (mesh_.is_curved())
+  {
+    balance_couples(R);
+    give_to_contact(mesh_, data.scene, EdgeMoments(mesh_, R, given_.moments, guess).rest(), given_);
+  }
+  const EdgeMoments start(mesh_, R, given_.moments, guess);
   moments_ = start.moments();
   double largest = 0.;
   for (const auto &forces : R)
@@ -84,6 +90,47 @@ EquilibratedStress::EquilibratedStress(const StressData &data, const Improvement
   const std::vector<CellIntegrals> integrals = integrate_all(energies);
   const std::vector<double> change = improve(options, integrals, energies);
   update(integrals, energies, change);
+}
+
+void EquilibratedStress::balance_couples(const std::vector<EdgeMoments::CornerForces> &R)
+{
+  loads_.resize(mesh_.cells().size());
+  couples_.assign(mesh_.cells().size(), 0.);
+  for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
+  {
+    const EdgeCell &cell = mesh_.cells()[c];
+    if (!cell.is_curved)
+      continue;
+    double moment = 0.;
+    for (unsigned int a = 0; a < 4; ++a)
+      moment -= cross(cell.corners[a] - cell.corners[0], R[c][a] + loads_[c].nodal[a]);
+    couples_[c] = add_couple(CellShape(cell.corners), moment, loads_[c]);
+  }
+}
+
+double EquilibratedStress::geometry(const unsigned int cell, const double smallest_eigenvalue) const
+{
+  const EdgeCell &here = mesh_.cells()[cell];
+  if (!here.is_curved)
+    return 0.;
+  const CellShape shape(here.corners);
+  const auto points = edge_points(shape);
+  const CornerValues u = displacement(here);
+  double sum = OscillationConstants(shape).body * couples_[cell];
+  for (unsigned int k = 0; k < 4; ++k)
+  {
+    const Edge &edge = mesh_.edges()[here.edges[k]];
+    if (edge.side == Edge::no_side || edge.freedom == EdgeFreedom::any)
+      continue;
+    const Vector2 t = (here.corners[(k + 1) % 4] - here.corners[k]) / edge.length;
+    const EdgePoint &point = points[k][0];
+    const Components s =
+      table_.law(here.corners[0] + point.offset).stress(strain_of(point.gradients, u));
+    const Vector2 along({s[0] * t[0] + s[2] * t[1], s[2] * t[0] + s[1] * t[1]});
+    sum += 4. * here.bulges[k].norm() / edge.length * along.norm() *
+           turning_constant(edge.length, shape.area() / edge.length);
+  }
+  return sum / std::sqrt(smallest_eigenvalue);
 }
 
 unsigned int EquilibratedStress::n_threads() const
@@ -319,10 +366,12 @@ StressBound EquilibratedStress::bound() const
     const double rest = oscillation(c, squares.smallest_eigenvalue);
     result.misfit.push_back(misfit);
     result.oscillation.push_back(rest);
-    result.square += (misfit + rest) * (misfit + rest);
+    const double of_geometry = geometry(c, squares.smallest_eigenvalue);
+    result.geometry_square += of_geometry * of_geometry;
+    result.square += std::pow(misfit + rest + of_geometry, 2);
     result.oscillation_square += rest * rest;
     result.complementary_energy +=
-      0.5 * std::pow(std::sqrt(squares.stress) + rest, 2) - support_work(c);
+      0.5 * std::pow(std::sqrt(squares.stress) + rest + of_geometry, 2) - support_work(c);
     lift_square += squares.lift;
   }
   result.lift = std::sqrt(lift_square);

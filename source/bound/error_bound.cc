@@ -79,7 +79,9 @@ ErrorBound compute_error_bound(const BoundData &data)
     return result;
   }
   result.oscillation = std::sqrt(of_stress.oscillation_square) + of_stress.lift;
-  result.mesh = std::max(0., std::sqrt(of_stress.square) - std::sqrt(of_stress.oscillation_square));
+  result.mesh = std::max(0.,
+                         std::sqrt(of_stress.square) - std::sqrt(of_stress.oscillation_square) -
+                           std::sqrt(of_stress.geometry_square));
   result.contact = std::sqrt(std::max(0., contact.square()));
   result.algebra = of_stress.algebra;
   // The inequality holds for u_h + E with the prescribed displacement itself; E is zero on contact.
@@ -88,15 +90,22 @@ ErrorBound compute_error_bound(const BoundData &data)
   const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * given.U.linfty_norm() *
                           std::sqrt(given.scene.material->modulus());
   result.relative = ratio(*result.absolute, std::max(stress.energy_norm(), rounding));
-  const double J_star = of_stress.complementary_energy - given.P * data.G;
-  const double eta = std::sqrt(of_stress.square), lift_norm = std::sqrt(contact.lift_energy);
-  const Bracket energy = energy_bracket(J_star, eta, lift_norm, contact.contact_term);
-  result.energy_lower = energy.lower;
-  result.energy_upper = energy.upper;
-  if (const auto unit_lift =
-        norm_of_unit_lift(given.space, given.scene, lift.trace(), data.inverse))
-    result.force_error =
-      contact_force_bound(stress_error_bound(eta, lift_norm, contact.contact_term), *unit_lift);
+  result.guaranteed = stress.is_guaranteed();
+  result.geometry = std::sqrt(of_stress.geometry_square);
+  result.relative_geometry = ratio(*result.geometry, std::max(stress.energy_norm(), rounding));
+  // A polygon says nothing about the last digits of the energy, nor about the force on a curve.
+  if (result.guaranteed)
+  {
+    const double J_star = of_stress.complementary_energy - given.P * data.G;
+    const double eta = std::sqrt(of_stress.square), lift_norm = std::sqrt(contact.lift_energy);
+    const Bracket energy = energy_bracket(J_star, eta, lift_norm, contact.contact_term);
+    result.energy_lower = energy.lower;
+    result.energy_upper = energy.upper;
+    if (const auto unit_lift =
+          norm_of_unit_lift(given.space, given.scene, lift.trace(), data.inverse))
+      result.force_error =
+        contact_force_bound(stress_error_bound(eta, lift_norm, contact.contact_term), *unit_lift);
+  }
   result.largest_cell = name_of_worst_cell(of_stress, given.space);
   if (!given.scene.contact_sides().empty())
     result.largest_face = name_of(contact.largest_part, given.scene);
@@ -110,6 +119,7 @@ Columns<ErrorBound> ErrorBound::columns()
           {"bound_mesh", &ErrorBound::mesh},
           {"bound_oscillation", &ErrorBound::oscillation},
           {"bound_contact", &ErrorBound::contact},
+          {"bound_geometry", &ErrorBound::geometry},
           {"bound_algebra", &ErrorBound::algebra},
           {"max_penetration", &ErrorBound::penetration},
           {"energy_lower", &ErrorBound::energy_lower},

@@ -24,6 +24,8 @@ Json describe(const ErrorBound &bound)
           {"mesh", number(bound.mesh)},
           {"oscillation", number(bound.oscillation)},
           {"contact", number(bound.contact)},
+          {"geometry", number(bound.geometry)},
+          {"guaranteed", bound.absolute.has_value() && bound.guaranteed},
           {"algebra", number(bound.algebra)},
           {"energy", {number(bound.energy_lower), number(bound.energy_upper)}},
           {"contact_force_error", number(bound.force_error)},

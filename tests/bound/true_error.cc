@@ -95,6 +95,7 @@ void check(Checks &checks, Effectivities &table, const Case &given)
   const std::string text = given.text + entry("Discretization", "Target error", "1e-9") +
                            entry("Output", "Inf-sup constant", "false");
   table.start(given);
+  double coarser_geometry = 0.;
   for (unsigned int number = given.coarsest; number <= finest; ++number)
   {
     const OneLevel level(text, number);
@@ -111,6 +112,12 @@ void check(Checks &checks, Effectivities &table, const Case &given)
                    bound / error,
                    1. - 1e-6,
                    number >= 4 && given.effectivity > 0. ? given.effectivity : 1e10);
+    // Zero on straight sides.
+    const double geometry = *solution.record.bound->geometry;
+    if (coarser_geometry > 0.)
+      checks.between(
+        name + ", order of the geometric part", std::log2(coarser_geometry / geometry), 1.3, 4.);
+    coarser_geometry = geometry;
     table.add(bound / error);
   }
   table.end_row();
@@ -180,6 +187,9 @@ std::vector<Case> make_cases()
     cases.push_back({name + ", 4 patches", with("Patches", "4"), 3, 0.});
     cases.push_back({name + ", 5 patches", with("Patches", "5"), 3, 0.});
   }
+  // Curved sides: an estimated bound.
+  for (const char *scene : {"E1", "E2", "E3"})
+    cases.push_back({scene, named_scene(scene), 3, 1.6});
   // Displacements are prescribed that are not linear on edges.
   for (const char *nu : {"0.3", "0.49", "0.4999"})
     for (const char *element : {"Q1", "Q1 B-bar"})

@@ -46,6 +46,10 @@ struct ForceAtPoints
  */
 CellLoad make_load(const CellShape &shape, const ForceAtPoints &force);
 
+/** Adds a rotation about the centre, constant on triangles, with the given moment. @return its norm
+ * in L2(K). */
+double add_couple(const CellShape &shape, double moment, CellLoad &load);
+
 /** All active cells in their order, the order of EdgeMesh::cells(). */
 std::vector<dealii::Triangulation<2>::active_cell_iterator>
 cells_in_order(const DisplacementSpace<2> &space);

@@ -27,9 +27,9 @@ struct StressPoint
   unsigned int triangle;
   std::array<double, 3> psi;
   double weight;
-  /** From corner 0. */
+  /** From corner 0, on curved cells that of the image. */
   dealii::Tensor<1, 2> offset;
-  /** Of the bilinear shape functions of the four corners. */
+  /** Of the shape functions of the four corners. */
   std::array<dealii::Tensor<1, 2>, 4> gradients;
   /** Reference coordinates in [-1,1]^2: corners are (-1,-1), (1,-1), (1,1), (-1,1). */
   dealii::Point<2> reference;
@@ -66,10 +66,12 @@ struct RuleKind
 };
 
 /**
- * Points on the four triangles of a cell. With a constant law on a parallelogram squares of
- * stresses and strains are integrated exactly: with the three mid-points per triangle, six points
- * where stresses are quadratic. Otherwise 4 x 4 Gauss points per triangle for a constant law and
- * n_points x n_points for others, on each of the parts into which the lines cut a triangle.
+ * Points on the four triangles of a cell. On curved cells they are the images of those of the
+ * quadrilateral, with weights and gradients of the curved cell.  With a constant law on a
+ * parallelogram squares of stresses and strains are integrated exactly: with the three mid-points
+ * per triangle, six points where stresses are quadratic. Otherwise 4 x 4 Gauss points per triangle
+ * for a constant law and n_points x n_points for others, on each of the parts into which the lines
+ * cut a triangle.
  */
 std::vector<StressPoint> make_rule(const CellShape &shape,
                                    const RuleKind &kind,

@@ -23,10 +23,13 @@ struct StressBound
   /** osc_K: there is a stress of at most this norm that balances, together with tau, the loads
    * themselves. */
   std::vector<double> oscillation;
-  /** sum_K (misfit_K + osc_K)². */
+  /** sum_K (misfit_K + osc_K)², with what curved sides add. */
   double square = 0.;
   /** sum_K osc_K². */
   double oscillation_square = 0.;
+  /** sum_K of the squares of what curved sides add to osc_K, an estimate; zero for straight ones.
+   */
+  double geometry_square = 0.;
   /** |||E|||: the bound is for u_h + E, where E makes up for prescribed displacements that are not
    * linear along edges and is zero elsewhere (PrescribedLift); that for u_h is larger by as much.
    */
@@ -92,6 +95,11 @@ public:
 
   StressBound bound() const;
 
+  /** Whether the bound is guaranteed: the body is a polygon. */
+  bool is_guaranteed() const
+  {
+    return !mesh_.is_curved();
+  }
   const EdgeMesh &mesh() const
   {
     return mesh_;
@@ -146,6 +154,14 @@ private:
   void update(const std::vector<CellIntegrals> &integrals,
               const CellEnergies &energies,
               const std::vector<double> &change);
+  /**
+   * Adds to the loads of curved cells the couple that makes them balance the residuals: V^h of
+   * curved cells holds rotations up to the bulges only.
+   */
+  void balance_couples(const std::vector<EdgeMoments::CornerForces> &R);
+  /** What the polygon adds to osc_K: that couple, and the tractions on an edge, which is no chord.
+   */
+  double geometry(unsigned int cell, double smallest_eigenvalue) const;
   /** osc_K. */
   double oscillation(unsigned int cell, double smallest_eigenvalue) const;
   /** int_{Gamma_D} tau n.u_D on the edges of a cell. */
@@ -161,6 +177,8 @@ private:
   PrescribedLift lift_;
   CellTable table_;
   std::vector<CellLoad> loads_;
+  /** ‖.‖_{L2(K)} of the couples that curved cells need. */
+  std::vector<double> couples_;
   GivenTractions given_;
   std::vector<double> moments_;
   std::vector<CellSquares> squares_;
