@@ -187,9 +187,9 @@ std::vector<Case> make_cases()
     cases.push_back({name + ", 4 patches", with("Patches", "4"), 3, 0.});
     cases.push_back({name + ", 5 patches", with("Patches", "5"), 3, 0.});
   }
-  // Curved sides: an estimated bound.
+  // Curved sides: an estimated bound. Most of E3's is the body force on general quadrilaterals.
   for (const char *scene : {"E1", "E2", "E3"})
-    cases.push_back({scene, named_scene(scene), 3, 1.6});
+    cases.push_back({scene, named_scene(scene), 3, std::string(scene) == "E3" ? 0. : 1.6});
   // Displacements are prescribed that are not linear on edges.
   for (const char *nu : {"0.3", "0.49", "0.4999"})
     for (const char *element : {"Q1", "Q1 B-bar"})
