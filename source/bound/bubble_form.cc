@@ -72,23 +72,31 @@ double BubbleForm::change(const PatchBubbles::Coefficients &b, const CellMisfit 
   return sum;
 }
 
-const BubbleForm *BubbleForms::of(const unsigned int cell,
-                                  const CellTable &table,
-                                  const CellData &data)
+CompositeCell::Stresses BubbleForm::dual(const PatchBubbles::Coefficients &b) const
 {
-  const unsigned int shape = table.shape_of(cell);
-  if (!table.constant_law() || !data.shape.affine)
-    return nullptr;
-  if (shape >= table.n_shapes())
+  CompositeCell::Stresses sum{};
+  for (unsigned int i = 0; i < n_bubbles; ++i)
+    for (unsigned int j = 0; j < sum.size(); ++j)
+      sum[j] -= 0.5 * b[i / 2][i % 2] * rows_[i][first_stress + j];
+  return sum;
+}
+
+BubbleForms::BubbleForms(const CellTable &table)
+  : table_(table)
+{
+  if (!table.constant_law())
+    return;
+  for (unsigned int shape = 0; shape < table.n_shapes(); ++shape)
   {
-    single_ = std::make_unique<const BubbleForm>(data.shape, table.law(data.shape.corners[0]));
-    return single_.get();
+    const CellShape &cell = table.shared(shape).shape;
+    forms_.push_back(
+      cell.affine ? std::make_unique<const BubbleForm>(cell, table.law(cell.corners[0])) : nullptr);
   }
-  if (forms_.empty())
-    forms_.resize(table.n_shapes());
-  if (!forms_[shape])
-    forms_[shape] =
-      std::make_unique<const BubbleForm>(data.shape, table.law(data.shape.corners[0]));
-  return forms_[shape].get();
+}
+
+const BubbleForm *BubbleForms::of(const unsigned int cell) const
+{
+  const unsigned int shape = table_.shape_of(cell);
+  return shape < forms_.size() ? forms_[shape].get() : nullptr;
 }
 } // namespace Signorini

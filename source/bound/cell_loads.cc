@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Body forces, cell by cell.
 
+#include <signorini/base/threads.h>
 #include <signorini/bound/cell_loads.h>
 #include <signorini/elasticity/integration.h>
 #include <signorini/scene/functions.h>
@@ -153,6 +154,20 @@ private:
   CellValues<2> values_;
   ForceAtPoints sample_;
 };
+
+/** The load of a cell, with the finer points where they are given and change it. */
+template <typename CellIterator>
+CellLoad checked_load(const CellShape &shape,
+                      const CellIterator &cell,
+                      ForceSampler &sampler,
+                      ForceSampler *const finer)
+{
+  const CellLoad load = make_load(shape, sampler.sample(cell));
+  if (finer == nullptr)
+    return load;
+  const CellLoad fine = make_load(shape, finer->sample(cell));
+  return agree(load, fine) ? load : fine;
+}
 } // namespace
 
 Components CellLoad::stress(const CellShape &shape, const dealii::Point<2> &reference) const
@@ -217,33 +232,65 @@ CellLoad make_load(const CellShape &shape, const ForceAtPoints &force)
   return load;
 }
 
+double add_couple(const CellShape &shape, const double moment, CellLoad &load)
+{
+  std::array<Vector2, 4> arms;
+  double inertia = 0.;
+  for (unsigned int k = 0; k < 4; ++k)
+  {
+    arms[k] = shape.centre(k) - shape.centre();
+    inertia += shape.areas[k] * arms[k].norm_square();
+  }
+  for (unsigned int k = 0; k < 4; ++k)
+    for (unsigned int c = 0; c < 2; ++c)
+      load.constant[2 * k + c] += moment / inertia * rotated(arms[k])[c];
+  return std::abs(moment) / std::sqrt(inertia);
+}
+
+std::vector<dealii::Triangulation<2>::active_cell_iterator>
+cells_in_order(const DisplacementSpace<2> &space)
+{
+  std::vector<dealii::Triangulation<2>::active_cell_iterator> cells;
+  cells.reserve(space.mesh().triangulation().n_active_cells());
+  for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
+    cells.push_back(cell);
+  return cells;
+}
+
 std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
                                  const Scene<2> &scene,
                                  const EdgeMesh &mesh,
                                  const unsigned int n_points)
 {
-  std::vector<CellLoad> loads;
   if (scene.body_force == nullptr)
-    return loads;
-  const std::size_t n_cells = mesh.cells().size();
-  loads.reserve(n_cells);
-  ForceSampler sampler(space, scene, n_points);
+    return {};
+  const auto cells = cells_in_order(space);
+  std::vector<CellLoad> loads(cells.size());
   // About 500000 points on the mesh, as long as these are more than the system has.
-  const unsigned int n_fine = std::clamp<unsigned int>(std::sqrt(5e5 / n_cells), 1, 96);
-  std::unique_ptr<ForceSampler> finer;
-  if (n_fine > n_points && !is_constant(*scene.body_force))
-    finer = std::make_unique<ForceSampler>(space, scene, n_fine);
-  for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
-  {
-    const CellShape shape(mesh.cells()[loads.size()].corners);
-    loads.push_back(make_load(shape, sampler.sample(cell)));
-    if (finer)
-    {
-      const CellLoad load = make_load(shape, finer->sample(cell));
-      if (!agree(loads.back(), load))
-        loads.back() = load;
-    }
-  }
+  const unsigned int n_fine = std::clamp<unsigned int>(std::sqrt(5e5 / cells.size()), 1, 96);
+  // The rules of cells that are cut have that many points on each of up to hundreds of parts.
+  constexpr unsigned int most_points_on_parts = 8;
+  const bool check = n_fine > n_points && !is_constant(*scene.body_force);
+  work_on_ranges(number_of_threads(space.mesh().communicator()),
+                 cells.size(),
+                 [&](const std::size_t begin, const std::size_t end) {
+                   ForceSampler sampler(space, scene, n_points);
+                   std::unique_ptr<ForceSampler> finer, finer_on_parts;
+                   if (check)
+                   {
+                     finer = std::make_unique<ForceSampler>(space, scene, n_fine);
+                     finer_on_parts = std::make_unique<ForceSampler>(
+                       space, scene, std::min(n_fine, most_points_on_parts));
+                   }
+                   for (std::size_t i = begin; i < end; ++i)
+                   {
+                     const bool is_cut = needs_cuts<2>(scene.kinks, cells[i]);
+                     loads[i] = checked_load(CellShape(mesh.cells()[i].corners),
+                                             cells[i],
+                                             sampler,
+                                             (is_cut ? finer_on_parts : finer).get());
+                   }
+                 });
   return loads;
 }
 } // namespace Signorini

@@ -133,44 +133,148 @@ std::vector<RulePart> parts_of(const Triangle &whole,
   return parts;
 }
 
-/** x(s, t) of the bilinear map of [-1,1]^2, and its derivatives. */
-struct BilinearMap
+/** The barycentric coordinates of a point in a triangle. */
+std::array<double, 3> barycentric(const Triangle &triangle, const dealii::Point<2> &x)
 {
-  BilinearMap(const CellShape &shape, const dealii::Point<2> &reference)
+  std::array<double, 3> lambda;
+  for (unsigned int v = 0; v < 3; ++v)
+    lambda[v] =
+      twice_area({{x, triangle[(v + 1) % 3], triangle[(v + 2) % 3]}}) / twice_area(triangle);
+  return lambda;
+}
+
+/** Derivatives along s and t. */
+struct Jacobian
+{
+  Vector2 d_s, d_t;
+
+  double determinant() const
+  {
+    return cross(d_s, d_t);
+  }
+};
+
+/** Quadratic functions on [-1,1] that are one at -1, 0 and 1, or their derivatives. */
+std::array<double, 3> quadratics(const double s)
+{
+  return {{0.5 * s * (s - 1.), 1. - s * s, 0.5 * s * (s + 1.)}};
+}
+std::array<double, 3> quadratic_slopes(const double s)
+{
+  return {{s - 0.5, -2. * s, s + 0.5}};
+}
+
+/** The maps of [-1,1]^2, from corner 0: the bilinear one x(s, t) = centre + e s + f t + g s t, and
+ * the biquadratic one of curved cells. */
+struct CellMap
+{
+  explicit CellMap(const CellShape &shape)
+    : bulges(shape.bulges)
+    , is_curved(shape.is_curved)
+  {
+    const Vector2 a = shape.corners[1] - shape.corners[0], b = shape.corners[2] - shape.corners[0];
+    const Vector2 c = shape.corners[3] - shape.corners[0];
+    centre = 0.25 * (a + b + c);
+    e = 0.25 * (a + b - c);
+    f = 0.25 * (c + b - a);
+    g = 0.25 * (b - a - c);
+  }
+  /** The reference coordinates of a point, by Newton's method: one step on parallelograms. */
+  dealii::Point<2> inverse(const Vector2 &offset) const
+  {
+    double s = 0., t = 0.;
+    for (unsigned int step = 0; step < 20; ++step)
+    {
+      const Vector2 r = offset - (centre + s * e + t * f + s * t * g);
+      const Vector2 d_s = e + t * g, d_t = f + s * g;
+      const double J = cross(d_s, d_t);
+      const double ds = cross(r, d_t) / J, dt = cross(d_s, r) / J;
+      s += ds;
+      t += dt;
+      if (std::abs(ds) + std::abs(dt) < 1e-14)
+        break;
+    }
+    return {s, t};
+  }
+  /** Of the shape functions of the corners. */
+  std::array<Vector2, 4> gradients(const dealii::Point<2> &reference,
+                                   const Jacobian &jacobian) const
   {
     const double s = reference[0], t = reference[1];
+    const Vector2 &d_s = jacobian.d_s, &d_t = jacobian.d_t;
+    const double J = jacobian.determinant();
+    // grad s and grad t, divided by four.
+    const Vector2 grad_s({0.25 * d_t[1] / J, -0.25 * d_t[0] / J});
+    const Vector2 grad_t({-0.25 * d_s[1] / J, 0.25 * d_s[0] / J});
+    std::array<Vector2, 4> result;
     for (unsigned int c = 0; c < 4; ++c)
     {
       const double a = c == 1 || c == 2 ? 1. : -1., b = c >= 2 ? 1. : -1.;
-      const Vector2 x = shape.corners[c] - shape.corners[0];
-      offset += 0.25 * (1. + a * s) * (1. + b * t) * x;
-      d_s += 0.25 * a * (1. + b * t) * x;
-      d_t += 0.25 * b * (1. + a * s) * x;
-      shape_d_s[c] = 0.25 * a * (1. + b * t);
-      shape_d_t[c] = 0.25 * b * (1. + a * s);
+      for (unsigned int i = 0; i < 2; ++i)
+        result[c][i] = a * (1. + b * t) * grad_s[i] + b * (1. + a * s) * grad_t[i];
     }
-    J = d_s[0] * d_t[1] - d_s[1] * d_t[0];
+    return result;
   }
-  Vector2 offset, d_s, d_t;
-  std::array<double, 4> shape_d_s, shape_d_t;
-  double J;
+
+  Jacobian bilinear(const dealii::Point<2> &reference) const
+  {
+    return {e + reference[1] * g, f + reference[0] * g};
+  }
+  /** Of the curved cell. */
+  Jacobian biquadratic(const dealii::Point<2> &reference) const
+  {
+    Jacobian sum = bilinear(reference);
+    const auto a = quadratics(reference[0]), b = quadratics(reference[1]);
+    const auto da = quadratic_slopes(reference[0]), db = quadratic_slopes(reference[1]);
+    for (unsigned int i = 0; i < bulges.size(); ++i)
+    {
+      sum.d_s += da[along_s[i]] * b[along_t[i]] * bulges[i];
+      sum.d_t += a[along_s[i]] * db[along_t[i]] * bulges[i];
+    }
+    return sum;
+  }
+  /** From the point of the quadrilateral to that of the curved cell. */
+  Vector2 bulge(const dealii::Point<2> &reference) const
+  {
+    Vector2 sum;
+    const auto a = quadratics(reference[0]), b = quadratics(reference[1]);
+    for (unsigned int i = 0; i < bulges.size(); ++i)
+      sum += a[along_s[i]] * b[along_t[i]] * bulges[i];
+    return sum;
+  }
+
+  /** The factors of the shape functions of the bulges. */
+  static constexpr std::array<unsigned int, 5> along_s = {{1, 2, 1, 0, 1}};
+  static constexpr std::array<unsigned int, 5> along_t = {{0, 1, 2, 1, 1}};
+  Vector2 centre, e, f, g;
+  Bulges bulges;
+  bool is_curved;
 };
 
-/** The reference coordinates of a point, by Newton's method: one step on parallelograms. */
-dealii::Point<2> reference_coordinates(const CellShape &shape, const Vector2 &offset)
+/** Takes a point of the quadrilateral to the curved cell. */
+void bend(const CellMap &map, StressPoint &point)
 {
-  dealii::Point<2> reference;
-  for (unsigned int step = 0; step < 20; ++step)
+  const Jacobian curved = map.biquadratic(point.reference);
+  point.weight *= curved.determinant() / map.bilinear(point.reference).determinant();
+  point.offset += map.bulge(point.reference);
+  point.gradients = map.gradients(point.reference, curved);
+}
+
+/** The smallest eigenvalue of Hooke's law in the orthonormal components (s11, s22, sqrt(2) s12). */
+double least_eigenvalue(const dealii::Tensor<2, 3> &matrix)
+{
+  if (matrix[0][2] == 0. && matrix[1][2] == 0.)
   {
-    const BilinearMap map(shape, reference);
-    const Vector2 r = offset - map.offset;
-    const double ds = (r[0] * map.d_t[1] - r[1] * map.d_t[0]) / map.J;
-    const double dt = (map.d_s[0] * r[1] - map.d_s[1] * r[0]) / map.J;
-    reference += Vector2({ds, dt});
-    if (std::abs(ds) + std::abs(dt) < 1e-14)
-      break;
+    const double mean = 0.5 * (matrix[0][0] + matrix[1][1]);
+    const double radius = std::hypot(0.5 * (matrix[0][0] - matrix[1][1]), matrix[0][1]);
+    return std::min(mean - radius, 2. * matrix[2][2]);
   }
-  return reference;
+  dealii::SymmetricTensor<2, 3> orthonormal;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = i; j < 3; ++j)
+      orthonormal[i][j] =
+        matrix[i][j] * (i == 2 ? std::sqrt(2.) : 1.) * (j == 2 ? std::sqrt(2.) : 1.);
+  return dealii::eigenvalues(orthonormal)[2];
 }
 } // namespace
 
@@ -178,21 +282,14 @@ Law::Law(const dealii::SymmetricTensor<4, 2> &hooke)
 {
   constexpr std::array<std::array<unsigned int, 2>, 3> pairs = {{{{0, 0}}, {{1, 1}}, {{0, 1}}}};
   dealii::Tensor<2, 3> matrix;
-  dealii::SymmetricTensor<2, 3> orthonormal;
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
-    {
-      matrix[i][j] = hooke[pairs[i][0]][pairs[i][1]][pairs[j][0]][pairs[j][1]];
-      stiffness[i][j] = matrix[i][j];
-      if (j >= i)
-        orthonormal[i][j] =
-          matrix[i][j] * (i == 2 ? std::sqrt(2.) : 1.) * (j == 2 ? std::sqrt(2.) : 1.);
-    }
+      stiffness[i][j] = matrix[i][j] = hooke[pairs[i][0]][pairs[i][1]][pairs[j][0]][pairs[j][1]];
   const dealii::Tensor<2, 3> inverse = dealii::invert(matrix);
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
       compliance[i][j] = inverse[i][j];
-  smallest_eigenvalue = dealii::eigenvalues(orthonormal)[2];
+  smallest_eigenvalue = least_eigenvalue(matrix);
 }
 
 Components Law::stress(const Components &strain) const
@@ -212,22 +309,11 @@ Components Law::strain(const Components &stress) const
   return e;
 }
 
-std::array<Vector2, 4> shape_gradients(const CellShape &shape, const dealii::Point<2> &reference)
-{
-  const BilinearMap map(shape, reference);
-  std::array<Vector2, 4> gradients;
-  for (unsigned int c = 0; c < 4; ++c)
-  {
-    gradients[c][0] = (map.shape_d_s[c] * map.d_t[1] - map.shape_d_t[c] * map.d_s[1]) / map.J;
-    gradients[c][1] = (map.shape_d_t[c] * map.d_s[0] - map.shape_d_s[c] * map.d_t[0]) / map.J;
-  }
-  return gradients;
-}
-
 std::array<std::array<EdgePoint, 2>, 4> edge_points(const CellShape &shape)
 {
   constexpr std::array<std::array<double, 2>, 4> corners = {
     {{{-1., -1.}}, {{1., -1.}}, {{1., 1.}}, {{-1., 1.}}}};
+  const CellMap map(shape);
   std::array<std::array<EdgePoint, 2>, 4> points;
   for (unsigned int k = 0; k < 4; ++k)
     for (unsigned int i = 0; i < 2; ++i)
@@ -238,9 +324,9 @@ std::array<std::array<EdgePoint, 2>, 4> edge_points(const CellShape &shape)
       point.position = s;
       point.offset = (1. - s) * (shape.corners[k] - shape.corners[0]) +
                      s * (shape.corners[next] - shape.corners[0]);
-      point.gradients = shape_gradients(shape,
-                                        {(1. - s) * corners[k][0] + s * corners[next][0],
-                                         (1. - s) * corners[k][1] + s * corners[next][1]});
+      const dealii::Point<2> reference((1. - s) * corners[k][0] + s * corners[next][0],
+                                       (1. - s) * corners[k][1] + s * corners[next][1]);
+      point.gradients = map.gradients(reference, map.bilinear(reference));
     }
   return points;
 }
@@ -262,12 +348,14 @@ std::vector<StressPoint> make_rule(const CellShape &shape,
                                    const std::vector<KinkLine<2>> &lines,
                                    const TriangleDivision &divide)
 {
-  const bool exact = kind.constant_law && shape.affine && !kind.fine;
+  const bool exact = kind.constant_law && shape.affine && !kind.fine && !shape.is_curved;
   const unsigned int least = divide ? 3 : (kind.constant_law ? 4 : kind.n_points);
   const TriangleRule rule = !exact           ? collapsed_rule(std::max(least, kind.fine ? 6U : 0U))
                             : kind.quadratic ? quartic_rule()
                                              : midpoint_rule();
+  const CellMap map(shape);
   std::vector<StressPoint> points;
+  points.reserve(4 * rule.size());
   unsigned int n_parts = 0;
   for (unsigned int k = 0; k < 4; ++k)
   {
@@ -284,13 +372,13 @@ std::vector<StressPoint> make_rule(const CellShape &shape,
         point.weight = 0.5 * std::abs(twice_area(part.corners)) * at.weight;
         for (unsigned int v = 0; v < 3; ++v)
           point.offset += at.lambda[v] * (part.corners[v] - shape.corners[0]);
-        const dealii::Point<2> x = shape.corners[0] + point.offset;
-        std::array<double, 3> lambda;
-        for (unsigned int v = 0; v < 3; ++v)
-          lambda[v] = twice_area({{x, whole[(v + 1) % 3], whole[(v + 2) % 3]}}) / twice_area(whole);
-        point.psi = midpoint_functions(lines.empty() && !divide ? at.lambda : lambda);
-        point.reference = reference_coordinates(shape, point.offset);
-        point.gradients = shape_gradients(shape, point.reference);
+        point.psi = midpoint_functions(lines.empty() && !divide
+                                         ? at.lambda
+                                         : barycentric(whole, shape.corners[0] + point.offset));
+        point.reference = map.inverse(point.offset);
+        point.gradients = map.gradients(point.reference, map.bilinear(point.reference));
+        if (shape.is_curved)
+          bend(map, point);
         points.push_back(point);
       }
     }

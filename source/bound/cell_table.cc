@@ -47,7 +47,7 @@ CellTable::CellTable(const EdgeMesh &mesh,
       varied_.push_back(LawSampling::varies(sampling_->scan(cell.corners)));
   }
   else
-    laws_.emplace_back(material_.hooke(mesh.cells()[0].corners[0]));
+    law_.emplace_back(material_.hooke(mesh.cells()[0].corners[0]));
   shape_of_.reserve(mesh.cells().size());
   for (unsigned int c = 0; c < mesh.cells().size(); ++c)
     shape_of_.push_back(classify(c));
@@ -66,7 +66,7 @@ unsigned int CellTable::classify(const unsigned int cell)
     return true;
   };
   const unsigned int alone = most_shapes + cell;
-  if (lift_.cells()[cell] || (sampling_ && varied_[cell]) ||
+  if (mesh_.cells()[cell].is_curved || lift_.cells()[cell] || (sampling_ && varied_[cell]) ||
       !crossing(lines_, mesh_.cells()[cell]).empty())
     return alone;
   // The cell before is most likely of the same shape.
@@ -84,14 +84,14 @@ unsigned int CellTable::classify(const unsigned int cell)
   return edges_of_shape_.size() - 1;
 }
 
-const CellData &CellTable::operator()(const unsigned int cell)
+const CellData &CellTable::data(const unsigned int cell, CellRoom &room) const
 {
   if (shape_of_[cell] < most_shapes)
     return *shared_[shape_of_[cell]];
   const EdgeCell &here = mesh_.cells()[cell];
   RuleKind kind = kind_;
   kind.fine = lift_.cells()[cell];
-  const CellShape shape(here.corners);
+  const CellShape shape(here);
   TriangleDivision divide;
   LawSampling::Samples samples;
   if (sampling_ && varied_[cell])
@@ -104,18 +104,20 @@ const CellData &CellTable::operator()(const unsigned int cell)
   std::vector<KinkLine<2>> lines = crossing(lines_, here);
   const std::vector<KinkLine<2>> of_lift = lift_.lines(cell, here);
   lines.insert(lines.end(), of_lift.begin(), of_lift.end());
-  single_ = std::make_unique<CellData>(shape, kind, lines, divide);
-  return *single_;
+  room.data = std::make_unique<CellData>(shape, kind, lines, divide);
+  return *room.data;
 }
 
-const std::vector<Law> &CellTable::laws(const unsigned int cell, const CellData &data)
+const std::vector<Law> &CellTable::laws(const unsigned int cell,
+                                        const CellData &data,
+                                        CellRoom &room) const
 {
   if (kind_.constant_law)
-    return laws_;
-  laws_.clear();
+    return law_;
+  room.laws.clear();
   for (const StressPoint &point : data.points)
-    laws_.emplace_back(material_.hooke(mesh_.cells()[cell].corners[0] + point.offset));
-  return laws_;
+    room.laws.emplace_back(material_.hooke(mesh_.cells()[cell].corners[0] + point.offset));
+  return room.laws;
 }
 
 CellEnergy make_energy(const CellData &data, const std::vector<Law> &laws)
@@ -126,24 +128,33 @@ CellEnergy make_energy(const CellData &data, const std::vector<Law> &laws)
   {
     const StressPoint &point = data.points[i];
     const Law &law = laws[laws.size() == 1 ? 0 : i];
-    for (unsigned int r = 0; r < 9; ++r)
-      for (unsigned int s = 0; s < 9; ++s)
-        products[point.triangle][9 * r + s] +=
-          point.weight * point.psi[r / 3] * point.psi[s / 3] * law.compliance[r % 3][s % 3];
+    for (unsigned int m = 0; m < 3; ++m)
+      for (unsigned int l = 0; l < 3; ++l)
+      {
+        const double factor = point.weight * point.psi[m] * point.psi[l];
+        for (unsigned int r = 0; r < 3; ++r)
+          for (unsigned int s = 0; s < 3; ++s)
+            products[point.triangle][9 * (3 * m + r) + 3 * l + s] += factor * law.compliance[r][s];
+      }
   }
+  // Row by row, T with the columns of the composite cell.
   constexpr unsigned int n = CompositeCell::n_moments;
-  CellEnergy energy{};
+  std::array<std::array<double, n>, CompositeCell::n_stresses> rows;
   for (unsigned int j = 0; j < n; ++j)
-  {
-    CompositeCell::Stresses strain{};
-    const CompositeCell::Stresses &stress = data.composite.column(j);
-    for (unsigned int k = 0; k < 4; ++k)
-      for (unsigned int r = 0; r < 9; ++r)
-        for (unsigned int s = 0; s < 9; ++s)
-          strain[9 * k + r] += products[k][9 * r + s] * stress[9 * k + s];
-    const CellMoments row = data.composite.transposed(strain);
-    std::copy(row.begin(), row.end(), energy.begin() + n * j);
-  }
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      rows[i][j] = data.composite.column(j)[i];
+  CellEnergy energy{};
+  for (unsigned int k = 0; k < 4; ++k)
+    for (unsigned int r = 0; r < 9; ++r)
+    {
+      std::array<double, n> strain{};
+      for (unsigned int s = 0; s < 9; ++s)
+        for (unsigned int j = 0; j < n; ++j)
+          strain[j] += products[k][9 * r + s] * rows[9 * k + s][j];
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          energy[n * j + i] += strain[j] * rows[9 * k + r][i];
+    }
   return energy;
 }
 } // namespace Signorini

@@ -3,9 +3,6 @@
 
 #include <signorini/bound/composite_cell.h>
 
-#include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/householder.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -24,165 +21,98 @@ Vector2 scaled_normal(const Vector2 &d)
   return normal;
 }
 
-/** Solves A x = x for the lower triangle of a positive definite matrix, which is destroyed. */
-template <std::size_t n, std::size_t m>
-void solve_by_cholesky(std::array<std::array<double, n>, n> &A,
-                       std::array<std::array<double, m>, n> &x)
-{
-  for (unsigned int i = 0; i < n; ++i)
-  {
-    for (unsigned int k = 0; k <= i; ++k)
-    {
-      double sum = A[i][k];
-      for (unsigned int l = 0; l < k; ++l)
-        sum -= A[i][l] * A[k][l];
-      A[i][k] = k == i ? std::sqrt(sum) : sum / A[k][k];
-    }
-    for (unsigned int k = 0; k < i; ++k)
-      for (unsigned int j = 0; j < m; ++j)
-        x[i][j] -= A[i][k] * x[k][j];
-    for (unsigned int j = 0; j < m; ++j)
-      x[i][j] /= A[i][i];
-  }
-  for (unsigned int i = n; i-- > 0;)
-  {
-    for (unsigned int j = 0; j < m; ++j)
-      x[i][j] /= A[i][i];
-    for (unsigned int k = 0; k < i; ++k)
-      for (unsigned int j = 0; j < m; ++j)
-        x[k][j] -= A[i][k] * x[i][j];
-  }
-}
-
-/** The equations for the 36 components on the quadrilateral (1,0), (0,1), (-p,0), (0,-q). Each
- * comes with 24 right-hand sides: moments and loads. */
-class ReferenceEquations
+/**
+ * Stresses on the quadrilateral (1,0), (0,1), (-p,0), (0,-q), whose diagonals are the axes, without
+ * a system of equations:
+ *
+ * 1. Corner k lies on axis alpha = k mod 2; beta is the other one. The tractions at both sides of
+ *    the corner are known. tau_ab and tau_bb there are the same on the two triangles, as tractions
+ *    across the axis are continuous: the beta-components of both tractions determine them, the
+ *    alpha-components then tau_aa on either triangle.
+ * 2. At the crossing tau_12 is the same on all triangles, and tau_bb on the two triangles at
+ *    half-axis j with the direction alpha. The difference of their two equations
+ *    (div tau)_b + d_b = 0 determines tau_bb, any one of them tau_12: the mean of four such values
+ *    is taken, which are equal if moments and loads are in balance.
+ */
+class ReferenceStress
 {
 public:
-  static constexpr unsigned int n_equations = 40, n_sides = 24;
-  /** Solution j has the components [i][j]. */
-  using Solutions = std::array<std::array<double, n_sides>, CompositeCell::n_stresses>;
+  using Sides = std::array<double, CompositeCell::n_moments + CompositeCell::n_loads>;
 
-  ReferenceEquations(const double p, const double q)
-    : matrix_(n_equations, CompositeCell::n_stresses)
-    , sides_(n_equations, n_sides)
+  ReferenceStress(const double p, const double q)
+    : at_({{1., 1., -p, -q}})
   {
-    corners_[0][0] = 1.;
-    corners_[1][1] = 1.;
-    corners_[2][0] = -p;
-    corners_[3][1] = -q;
+    std::array<Vector2, 4> corners;
+    for (unsigned int k = 0; k < 4; ++k)
+      corners[k][k % 2] = at_[k];
+    for (unsigned int k = 0; k < 4; ++k)
+      normals_[k] = scaled_normal(corners[(k + 1) % 4] - corners[k]);
+  }
+  /** Moments first, then loads. */
+  CompositeCell::Stresses operator()(const Sides &sides) const
+  {
+    // Stress (11, 22, 12) on triangle k at its corners k and k + 1 and at the crossing.
+    std::array<std::array<Components, 3>, 4> values;
+    for (unsigned int k = 0; k < 4; ++k)
+      solve_corner(k, sides, values[(k + 3) % 4][1], values[k][0]);
+    double shear = 0.;
+    for (unsigned int j = 0; j < 4; ++j)
+      shear += 0.25 * solve_half_axis(j, sides, values[(j + 3) % 4], values[j]);
+    CompositeCell::Stresses result;
     for (unsigned int k = 0; k < 4; ++k)
     {
-      join(k);
-      load_edge(k);
-      balance(k);
+      values[k][2][2] = shear;
+      for (unsigned int m = 0; m < 3; ++m)
+        for (unsigned int i = 0; i < 3; ++i)
+          result[9 * k + 3 * m + i] = 0.5 * (values[k][(m + 1) % 3][i] + values[k][(m + 2) % 3][i]);
     }
-  }
-  /** The stresses for all right-hand sides. */
-  Solutions solve() const
-  {
-    const dealii::Householder<double> householder(matrix_);
-    Solutions solutions;
-    dealii::Vector<double> side(n_equations), solution(CompositeCell::n_stresses);
-    for (unsigned int j = 0; j < n_sides; ++j)
-    {
-      for (unsigned int i = 0; i < n_equations; ++i)
-        side[i] = sides_(i, j);
-      householder.least_squares(solution, side);
-      for (unsigned int i = 0; i < CompositeCell::n_stresses; ++i)
-        solutions[i][j] = solution[i];
-    }
-    return solutions;
-  }
-  /** The same by normal equations, several times faster and with an error of the square of the
-   * condition number: for quadrilaterals that are not far from parallelograms. */
-  Solutions solve_quickly() const
-  {
-    constexpr unsigned int n = CompositeCell::n_stresses;
-    std::array<std::array<double, n>, n> L{};
-    Solutions x{};
-    for (unsigned int r = 0; r < n_equations; ++r)
-    {
-      std::array<unsigned int, n> columns;
-      unsigned int n_columns = 0;
-      for (unsigned int i = 0; i < n; ++i)
-        if (matrix_(r, i) != 0.)
-          columns[n_columns++] = i;
-      for (unsigned int a = 0; a < n_columns; ++a)
-      {
-        const unsigned int i = columns[a];
-        for (unsigned int b = 0; b <= a; ++b)
-          L[i][columns[b]] += matrix_(r, i) * matrix_(r, columns[b]);
-        for (unsigned int j = 0; j < n_sides; ++j)
-          x[i][j] += matrix_(r, i) * sides_(r, j);
-      }
-    }
-    solve_by_cholesky(L, x);
-    return x;
+    return result;
   }
 
 private:
-  /** matrix(row + c, .) += factor (tau nu)_c at vertex v of triangle k. */
-  void add_traction(const unsigned int row,
-                    const unsigned int k,
-                    const unsigned int v,
-                    const Vector2 &nu,
-                    const double factor)
+  /** The traction times the length of edge k at its first or second end. */
+  static Vector2 traction(const Sides &sides, const unsigned int k, const unsigned int end)
   {
-    for (unsigned int m = 0; m < 3; ++m)
-      add_product(row, 9 * k + 3 * m, nu, m == v ? -factor : factor);
-  }
-  /** matrix(row + c, .) += factor (s nu)_c with the components of s from @p column on. */
-  void add_product(const unsigned int row,
-                   const unsigned int column,
-                   const Vector2 &nu,
-                   const double factor)
-  {
-    matrix_(row, column) += factor * nu[0];
-    matrix_(row, column + 2) += factor * nu[1];
-    matrix_(row + 1, column + 1) += factor * nu[1];
-    matrix_(row + 1, column + 2) += factor * nu[0];
-  }
-  /** Tractions are continuous between triangles k - 1 and k. */
-  void join(const unsigned int k)
-  {
-    const unsigned int before = (k + 3) % 4;
-    const Vector2 nu = scaled_normal(corners_[k]);
-    add_traction(n_rows_, k, 0, nu, 1.);
-    add_traction(n_rows_, before, 1, nu, -1.);
-    add_traction(n_rows_ + 2, k, 2, nu, 1.);
-    add_traction(n_rows_ + 2, before, 2, nu, -1.);
-    n_rows_ += 4;
-  }
-  /** The moments on edge k: (2 t_a + t_b)/6 and (t_a + 2 t_b)/6 for the traction at its ends. */
-  void load_edge(const unsigned int k)
-  {
-    const Vector2 nu = scaled_normal(corners_[(k + 1) % 4] - corners_[k]);
-    for (unsigned int end = 0; end < 2; ++end)
-    {
-      add_traction(n_rows_, k, end, nu, 2. / 6.);
-      add_traction(n_rows_, k, 1 - end, nu, 1. / 6.);
-      for (unsigned int c = 0; c < 2; ++c)
-        sides_(n_rows_ + c, 4 * k + 2 * end + c) = 1.;
-      n_rows_ += 2;
-    }
-  }
-  /** div tau + d_k = 0 on triangle k, with grad psi_m = -2 grad lambda_m. */
-  void balance(const unsigned int k)
-  {
-    const std::array<Vector2, 3> x = {{corners_[k], corners_[(k + 1) % 4], Vector2()}};
-    const double twice_area = cross(x[0], x[1]);
-    for (unsigned int m = 0; m < 3; ++m)
-      add_product(
-        n_rows_, 9 * k + 3 * m, scaled_normal(x[(m + 2) % 3] - x[(m + 1) % 3]) / twice_area, 2.);
+    Vector2 t;
     for (unsigned int c = 0; c < 2; ++c)
-      sides_(n_rows_ + c, CompositeCell::n_moments + 2 * k + c) = -1.;
-    n_rows_ += 2;
+      t[c] = 4. * sides[4 * k + 2 * end + c] - 2. * sides[4 * k + 2 * (1 - end) + c];
+    return t;
+  }
+  /** Step 1 for corner k, on the triangles before and after it. */
+  void solve_corner(const unsigned int k,
+                    const Sides &sides,
+                    Components &before,
+                    Components &after) const
+  {
+    const unsigned int a = k % 2, b = 1 - a;
+    const Vector2 &mu = normals_[(k + 3) % 4], &nu = normals_[k];
+    const Vector2 s = traction(sides, (k + 3) % 4, 1), t = traction(sides, k, 0);
+    const double determinant = nu[a] * mu[b] - nu[b] * mu[a];
+    before[2] = after[2] = (t[b] * mu[b] - nu[b] * s[b]) / determinant;
+    before[b] = after[b] = (nu[a] * s[b] - mu[a] * t[b]) / determinant;
+    before[a] = (s[a] - before[2] * mu[b]) / mu[a];
+    after[a] = (t[a] - after[2] * nu[b]) / nu[a];
+  }
+  /** Step 2 for half-axis j, on the triangles before and after it. @return tau_12 at the crossing.
+   */
+  double solve_half_axis(const unsigned int j,
+                         const Sides &sides,
+                         std::array<Components, 3> &before,
+                         std::array<Components, 3> &after) const
+  {
+    const unsigned int b = 1 - j % 2, k = (j + 3) % 4;
+    const double to_before = 1. / at_[k], to_after = 1. / at_[(j + 1) % 4];
+    const double d_before = sides[CompositeCell::n_moments + 2 * k + b];
+    const double d_after = sides[CompositeCell::n_moments + 2 * j + b];
+    const double normal = (to_after * after[1][b] - to_before * before[0][b] + d_after - d_before) /
+                          (to_after - to_before);
+    before[2][b] = after[2][b] = normal;
+    return after[0][2] + at_[j] * (to_after * (after[1][b] - normal) + d_after);
   }
 
-  std::array<Vector2, 4> corners_;
-  dealii::FullMatrix<double> matrix_, sides_;
-  unsigned int n_rows_ = 0;
+  /** Positions of the corners on their axes. */
+  std::array<double, 4> at_;
+  std::array<Vector2, 4> normals_;
 };
 
 /** F s F^T for F = (a1, a2). */
@@ -211,6 +141,13 @@ CellShape::CellShape(const std::array<dealii::Point<2>, 4> &corners)
   affine = difference.norm() < 1e-12 * first.norm();
 }
 
+CellShape::CellShape(const EdgeCell &cell)
+  : CellShape(cell.corners)
+{
+  bulges = cell.bulges;
+  is_curved = cell.is_curved;
+}
+
 double CellShape::diameter() const
 {
   double largest = 0.;
@@ -235,10 +172,14 @@ dealii::Point<2> CellShape::centre() const
 
 CompositeCell::CompositeCell(const CellShape &shape)
 {
-  const bool quick =
-    !shape.affine && std::min(shape.p, shape.q) > 0.25 && std::max(shape.p, shape.q) < 4.;
-  const ReferenceEquations equations(shape.affine ? 1. : shape.p, shape.affine ? 1. : shape.q);
-  const auto reference = quick ? equations.solve_quickly() : equations.solve();
+  const ReferenceStress reference(shape.affine ? 1. : shape.p, shape.affine ? 1. : shape.q);
+  std::array<Stresses, n_moments + n_loads> of_unit;
+  for (unsigned int j = 0; j < of_unit.size(); ++j)
+  {
+    ReferenceStress::Sides side{};
+    side[j] = 1.;
+    of_unit[j] = reference(side);
+  }
   const Vector2 a1 = shape.corners[0] - shape.crossing, a2 = shape.corners[1] - shape.crossing;
   const double J = cross(a1, a2);
   // Pairs of columns belong to vectors: b' = F^{-1} b / det F and d' = F^{-1} d.
@@ -252,7 +193,7 @@ CompositeCell::CompositeCell(const CellShape &shape)
       {
         Components s;
         for (unsigned int l = 0; l < 3; ++l)
-          s[l] = inverse[c][0] * reference[i + l][j] + inverse[c][1] * reference[i + l][j + 1];
+          s[l] = inverse[c][0] * of_unit[j][i + l] + inverse[c][1] * of_unit[j + 1][i + l];
         s = push_forward(s, a1, a2);
         std::copy(s.begin(), s.end(), columns_[j + c].begin() + i);
       }
@@ -279,14 +220,10 @@ CompositeCell::Stresses CompositeCell::stress(const CellMoments &moments, const 
 
 CellMoments CompositeCell::transposed(const Stresses &values) const
 {
-  CellMoments result;
-  for (unsigned int j = 0; j < n_moments; ++j)
-  {
-    double sum = 0.;
-    for (unsigned int i = 0; i < n_stresses; ++i)
-      sum += columns_[j][i] * values[i];
-    result[j] = sum;
-  }
+  CellMoments result{};
+  for (unsigned int i = 0; i < n_stresses; ++i)
+    for (unsigned int j = 0; j < n_moments; ++j)
+      result[j] += columns_[j][i] * values[i];
   return result;
 }
 } // namespace Signorini

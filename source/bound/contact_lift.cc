@@ -144,11 +144,6 @@ ContactLift::ContactLift(const DisplacementSpace<2> &space,
   : space_(space)
   , scene_(scene)
 {
-  if (space.mesh().is_curved())
-  {
-    no_bound_ = "the body has curved sides, and the bound is for straight ones.";
-    return;
-  }
   if (space.element().degree > 1)
   {
     no_bound_ = "the displacement has a degree above one, and the bound is for bilinear elements.";

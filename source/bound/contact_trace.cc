@@ -6,6 +6,7 @@
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/mapping.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,11 +34,13 @@ bool PenetrationFace::presses_everywhere() const
     pressures.begin(), pressures.end(), [](const Pressed &part) { return part.presses; });
 }
 
-double PenetrationFace::normal_value(const NodalVector &V, const double t) const
+double PenetrationFace::component(const NodalVector &V,
+                                  const double t,
+                                  const dealii::Tensor<1, 2> &direction) const
 {
   double value = 0.;
   for (unsigned int d = 0; d < 2; ++d)
-    value += normal[d] * ((1. - t) * V[dofs[0][d]] + t * V[dofs[1][d]]);
+    value += direction[d] * ((1. - t) * V[dofs[0][d]] + t * V[dofs[1][d]]);
   return value;
 }
 
@@ -84,6 +87,13 @@ void ContactTrace::find_faces(const dealii::Vector<double> &P, const std::vector
         face.dofs[end][d] = cell->vertex_dof_index(v, d);
     }
     face.length = face.start.distance(face.end);
+    if (space_.mesh().is_curved())
+    {
+      dealii::Point<2> middle(0.5, 0.5);
+      middle[contact.face_no / 2] = contact.face_no % 2;
+      face.bulge =
+        space_.mesh().mapping().transform_unit_to_real_cell(cell, middle) - face.point(0.5);
+    }
     const Side<2> &side = scene_.geometry.sides[contact.side];
     face.normal = side.normal(side.arc_length(face.point(0.5)));
     faces_.push_back(face);
@@ -154,8 +164,12 @@ void ContactTrace::find_conditions()
 
 double ContactTrace::penetration(const PenetrationFace &face, const double t) const
 {
-  return face.normal_value(U_, t) + 4. * t * (1. - t) * face.field.bubble -
-         scene_.boundary[face.side].data->value(face.point(t));
+  const dealii::Point<2> x = face.point(t);
+  const double gap = scene_.boundary[face.side].data->value(x);
+  if (!space_.mesh().is_curved())
+    return face.normal_value(U_, t) + 4. * t * (1. - t) * face.field.bubble - gap;
+  const Side<2> &side = scene_.geometry.sides[face.side];
+  return face.component(U_, t, side.normal(side.arc_length(x))) - gap;
 }
 
 ContactTrace::TractionChange ContactTrace::traction_change(const dealii::Tensor<1, 2> &c) const

@@ -3,6 +3,8 @@
 
 #include <signorini/bound/edge_mesh.h>
 
+#include <deal.II/fe/mapping.h>
+
 namespace Signorini
 {
 namespace
@@ -26,12 +28,31 @@ EdgeFreedom freedom_of(const Role role)
     return EdgeFreedom::none;
   }
 }
+
+/** Sets how a cell is curved. */
+void find_bulges(const dealii::Mapping<2> &mapping,
+                 const dealii::Triangulation<2>::active_cell_iterator &cell,
+                 EdgeCell &here)
+{
+  const std::array<dealii::Point<2>, 5> middles = {
+    {{0.5, 0.}, {1., 0.5}, {0.5, 1.}, {0., 0.5}, {0.5, 0.5}}};
+  const auto &x = here.corners;
+  const double size = x[0].distance(x[2]);
+  for (unsigned int i = 0; i < 5; ++i)
+  {
+    const dealii::Tensor<1, 2> chord = i < 4
+                                         ? 0.5 * (x[i] - x[0]) + 0.5 * (x[(i + 1) % 4] - x[0])
+                                         : 0.25 * ((x[1] - x[0]) + (x[2] - x[0]) + (x[3] - x[0]));
+    here.bulges[i] = (mapping.transform_unit_to_real_cell(cell, middles[i]) - x[0]) - chord;
+    here.is_curved = here.is_curved || here.bulges[i].norm() > 1e-12 * size;
+  }
+  if (!here.is_curved)
+    here.bulges = Bulges();
+}
 } // namespace
 
 std::string EdgeMesh::objection(const Mesh<2> &mesh)
 {
-  if (mesh.is_curved())
-    return "the body has curved sides, and the bound is for straight ones";
   if (mesh.triangulation().has_hanging_nodes())
     return "the mesh has hanging nodes";
   return "";
@@ -61,6 +82,9 @@ void EdgeMesh::collect_cells(const DisplacementSpace<2> &space, const Scene<2> &
       here.vertices[k] = cell->vertex_index(v);
       dofs_[here.vertices[k]] = {{cell->vertex_dof_index(v, 0), cell->vertex_dof_index(v, 1)}};
     }
+    if (space.mesh().is_curved())
+      find_bulges(space.mesh().mapping(), cell, here);
+    is_curved_ = is_curved_ || here.is_curved;
     for (unsigned int k = 0; k < 4; ++k)
     {
       const auto line = cell->line(line_in_circle[k]);

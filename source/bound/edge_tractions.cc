@@ -32,29 +32,31 @@ std::array<Vector2, 2> linear_traction(const std::vector<double> &moments,
 /** t on one edge of a traction side. */
 struct EdgeTraction
 {
+  /** @param second_end the corner of the cell that is the second end of the edge. Its hat function
+   * is the share of the length on straight edges. */
   EdgeTraction(const dealii::FEFaceValues<2> &values,
                const dealii::Function<2> &traction,
                const Edge &edge,
-               const std::array<dealii::Point<2>, 2> &ends)
+               const unsigned int second_end)
   {
-    const auto &points = values.get_quadrature_points();
-    std::vector<dealii::Vector<double>> t(points.size(), dealii::Vector<double>(2));
-    traction.vector_value_list(points, t);
-    const auto position = [&](const dealii::Point<2> &x) {
-      return (x - ends[0]) * (ends[1] - ends[0]) / (ends[1] - ends[0]).norm_square();
+    const std::size_t n_points = values.get_quadrature_points().size();
+    std::vector<dealii::Vector<double>> t(n_points, dealii::Vector<double>(2));
+    traction.vector_value_list(values.get_quadrature_points(), t);
+    const auto position = [&](const unsigned int i) {
+      return values.shape_value(2 * second_end, i);
     };
-    for (unsigned int i = 0; i < points.size(); ++i)
+    for (unsigned int i = 0; i < n_points; ++i)
       for (unsigned int c = 0; c < 2; ++c)
       {
-        const double s = position(points[i]), weighted = t[i][c] * values.JxW(i);
+        const double s = position(i), weighted = t[i][c] * values.JxW(i);
         moments[c] += (1. - s) * weighted;
         moments[2 + c] += s * weighted;
       }
     const auto linear = linear_traction(moments, 0, edge.length);
     double shear_square = 0., normal_square = 0.;
-    for (unsigned int i = 0; i < points.size(); ++i)
+    for (unsigned int i = 0; i < n_points; ++i)
     {
-      const double s = position(points[i]);
+      const double s = position(i);
       const Vector2 difference = Vector2({t[i][0], t[i][1]}) - (1. - s) * linear[0] - s * linear[1];
       const double of_normal = difference * edge.normal;
       normal_square += of_normal * of_normal * values.JxW(i);
@@ -103,11 +105,11 @@ void add_traction_sides(const DisplacementSpace<2> &space,
                          space.element(),
                          scene.kinks,
                          n,
-                         dealii::update_quadrature_points | dealii::update_JxW_values);
+                         dealii::update_values | dealii::update_quadrature_points |
+                           dealii::update_JxW_values);
   };
   const unsigned int n_fine = std::max(n_points, n_fine_points(mesh, scene));
   FaceValues<2> values = make_values(n_points), finer = make_values(n_fine);
-  const auto &vertices = space.mesh().triangulation().get_vertices();
   for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
     if (cell->at_boundary())
       for (const unsigned int f : cell->face_indices())
@@ -117,13 +119,14 @@ void add_traction_sides(const DisplacementSpace<2> &space,
           continue;
         const unsigned int number = mesh.edge_of_line(face->index());
         const Edge &edge = mesh.edges()[number];
-        const std::array<dealii::Point<2>, 2> ends = {
-          {vertices[edge.vertices[0]], vertices[edge.vertices[1]]}};
+        const bool reversed = edge.vertices[0] != face->vertex_index(0);
+        const unsigned int second_end =
+          dealii::GeometryInfo<2>::face_to_cell_vertices(f, reversed ? 0 : 1);
         const dealii::Function<2> &t = *scene.boundary[face->boundary_id()].data;
-        EdgeTraction traction(values.reinit(cell, f), t, edge, ends);
+        EdgeTraction traction(values.reinit(cell, f), t, edge, second_end);
         if (n_fine > n_points && !is_constant(t))
         {
-          const EdgeTraction fine(finer.reinit(cell, f), t, edge, ends);
+          const EdgeTraction fine(finer.reinit(cell, f), t, edge, second_end);
           if (!traction.agrees(fine, edge.length))
             traction = fine;
         }
@@ -265,6 +268,29 @@ GivenTractions given_tractions(const DisplacementSpace<2> &space,
   add_traction_sides(space, scene, mesh, n_points, given);
   add_contact_sides(mesh, pressed_parts(mesh, multipliers, P), given);
   return given;
+}
+
+void give_to_contact(const EdgeMesh &mesh,
+                     const Scene<2> &scene,
+                     const std::vector<Vector2> &rest,
+                     GivenTractions &given)
+{
+  for (std::size_t v = 0; v < rest.size(); ++v)
+  {
+    const Star &star = mesh.stars()[v];
+    if (star.cells.empty() || star.is_closed())
+      continue;
+    const auto touches = [&](const Spoke &spoke) {
+      return scene.boundary[mesh.edges()[spoke.edge].side].role == Role::contact;
+    };
+    const Spoke &first = star.spokes.front(), &last = star.spokes.back();
+    const double n_contact = (touches(first) ? 1. : 0.) + (touches(last) ? 1. : 0.);
+    for (const Spoke *const spoke : {&first, &last})
+      if (touches(*spoke))
+        for (unsigned int c = 0; c < 2; ++c)
+          given.moments[4 * spoke->edge + 2 * spoke->end + c] +=
+            (spoke == &first ? 1. : -1.) * spoke->sign * star.cells.size() / n_contact * rest[v][c];
+  }
 }
 
 EdgeMoments::EdgeMoments(const EdgeMesh &mesh,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The stress of the bound, from the residuals of the discrete solution.
 
+#include <signorini/base/threads.h>
 #include <signorini/bound/balance.h>
 #include <signorini/bound/best_change.h>
 #include <signorini/bound/equilibrated_stress.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace Signorini
 {
@@ -55,10 +57,19 @@ EquilibratedStress::EquilibratedStress(const StressData &data, const Improvement
   , loads_(make_loads(data.space, data.scene, mesh_, data.n_points))
   , given_(given_tractions(data.space, data.scene, mesh_, data.multipliers, data.P, data.n_points))
 {
-  if (data.space.mesh().has_parents())
+  if (data.space.mesh().has_parents() && !mesh_.is_curved())
+  {
     bubbles_ = std::make_unique<const PatchBubbles>(data.space, mesh_, data.U);
+    forms_ = std::make_unique<const BubbleForms>(table_);
+  }
   const auto R = residuals();
-  const EdgeMoments start(mesh_, R, given_.moments, mean_tractions());
+  const std::vector<double> guess = mean_tractions();
+  if (mesh_.is_curved())
+  {
+    balance_couples(R);
+    give_to_contact(mesh_, data.scene, EdgeMoments(mesh_, R, given_.moments, guess).rest(), given_);
+  }
+  const EdgeMoments start(mesh_, R, given_.moments, guess);
   moments_ = start.moments();
   double largest = 0.;
   for (const auto &forces : R)
@@ -69,7 +80,56 @@ EquilibratedStress::EquilibratedStress(const StressData &data, const Improvement
       algebra_ =
         std::max(algebra_, start.rest()[v].norm() * mesh_.stars()[v].cells.size() / largest);
   balanced_ = balance_cells(mesh_, start.rest(), moments_);
-  improve(options);
+  CellEnergies energies(table_, mesh_.cells().size());
+  const std::vector<CellIntegrals> integrals = integrate_all(energies);
+  const std::vector<double> change = improve(options, integrals, energies);
+  update(integrals, energies, change);
+}
+
+void EquilibratedStress::balance_couples(const std::vector<EdgeMoments::CornerForces> &R)
+{
+  loads_.resize(mesh_.cells().size());
+  couples_.assign(mesh_.cells().size(), 0.);
+  for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
+  {
+    const EdgeCell &cell = mesh_.cells()[c];
+    if (!cell.is_curved)
+      continue;
+    double moment = 0.;
+    for (unsigned int a = 0; a < 4; ++a)
+      moment -= cross(cell.corners[a] - cell.corners[0], R[c][a] + loads_[c].nodal[a]);
+    couples_[c] = add_couple(CellShape(cell.corners), moment, loads_[c]);
+  }
+}
+
+double EquilibratedStress::geometry(const unsigned int cell, const double smallest_eigenvalue) const
+{
+  const EdgeCell &here = mesh_.cells()[cell];
+  if (!here.is_curved)
+    return 0.;
+  const CellShape shape(here.corners);
+  const auto points = edge_points(shape);
+  const CornerValues u = displacement(here);
+  double sum = OscillationConstants(shape).body * couples_[cell];
+  for (unsigned int k = 0; k < 4; ++k)
+  {
+    const Edge &edge = mesh_.edges()[here.edges[k]];
+    if (edge.side == Edge::no_side || edge.freedom == EdgeFreedom::any)
+      continue;
+    const Vector2 t = (here.corners[(k + 1) % 4] - here.corners[k]) / edge.length;
+    const EdgePoint &point = points[k][0];
+    const Components s =
+      table_.law(here.corners[0] + point.offset).stress(strain_of(point.gradients, u));
+    const Vector2 along({s[0] * t[0] + s[2] * t[1], s[2] * t[0] + s[1] * t[1]});
+    sum += 4. * here.bulges[k].norm() / edge.length * along.norm() *
+           turning_constant(edge.length, shape.area() / edge.length);
+  }
+  return sum / std::sqrt(smallest_eigenvalue);
+}
+
+unsigned int EquilibratedStress::n_threads() const
+{
+  return number_of_threads(data_.space.mesh().communicator());
 }
 
 CellLoad EquilibratedStress::load(const unsigned int cell) const
@@ -94,31 +154,32 @@ EquilibratedStress::CornerValues EquilibratedStress::deformation(const EdgeCell 
   return values;
 }
 
-std::vector<EdgeMoments::CornerForces> EquilibratedStress::residuals() const
+std::vector<EdgeMoments::CornerForces> EquilibratedStress::residuals()
 {
   constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}};
-  CellStiffness<2> stiffness(data_.space, data_.scene);
   const double unit = stiffness_unit(data_.space, *data_.scene.material);
-  std::vector<EdgeMoments::CornerForces> R(mesh_.cells().size());
-  unsigned int number = 0;
-  for (const auto &cell : data_.space.mesh().triangulation().active_cell_iterators())
-  {
-    const dealii::FullMatrix<double> &K = stiffness(cell);
-    const CornerValues u = deformation(mesh_.cells()[number]);
-    for (unsigned int a = 0; a < 4; ++a)
-      for (unsigned int c = 0; c < 2; ++c)
-      {
-        double sum = 0.;
-        for (unsigned int b = 0; b < 4; ++b)
-          for (unsigned int d = 0; d < 2; ++d)
-            sum += K(2 * vertex_in_circle[a] + c, 2 * vertex_in_circle[b] + d) * u[b][d];
-        R[number][a][c] = unit * sum;
-      }
-    if (!loads_.empty())
+  const auto cells = cells_in_order(data_.space);
+  std::vector<EdgeMoments::CornerForces> R(cells.size());
+  std::vector<double> energies(cells.size(), 0.);
+  work_on_ranges(n_threads(), cells.size(), [&](const std::size_t begin, const std::size_t end) {
+    CellStiffness<2> stiffness(data_.space, data_.scene);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const dealii::FullMatrix<double> &K = stiffness(cells[i]);
+      const CornerValues u = deformation(mesh_.cells()[i]);
       for (unsigned int a = 0; a < 4; ++a)
-        R[number][a] -= loads_[number].nodal[a];
-    ++number;
-  }
+        for (unsigned int c = 0; c < 2; ++c)
+        {
+          double sum = 0.;
+          for (unsigned int b = 0; b < 4; ++b)
+            for (unsigned int d = 0; d < 2; ++d)
+              sum += K(2 * vertex_in_circle[a] + c, 2 * vertex_in_circle[b] + d) * u[b][d];
+          energies[i] += unit * sum * u[a][c];
+          R[i][a][c] = unit * sum - (loads_.empty() ? 0. : loads_[i].nodal[a][c]);
+        }
+    }
+  });
+  energy_ = std::accumulate(energies.begin(), energies.end(), 0.);
   return R;
 }
 
@@ -184,43 +245,7 @@ std::vector<Components> EquilibratedStress::stress(const unsigned int cell,
   return values;
 }
 
-Components EquilibratedStress::strain(const unsigned int cell,
-                                      const StressPoint &point,
-                                      const CornerValues &u) const
-{
-  const Components of_u_h = strain_of(point.gradients, u);
-  if (!lift_.cells()[cell])
-    return of_u_h;
-  return sum(of_u_h, lift_.strain(cell, point));
-}
-
-EquilibratedStress::CellSquares EquilibratedStress::integrate(const unsigned int cell,
-                                                              const CellData &data) const
-{
-  const std::vector<Law> &laws = table_.laws(cell, data);
-  const std::vector<Components> tau = stress(cell, data);
-  const CornerValues u = deformation(mesh_.cells()[cell]);
-  UpperSum misfit_square, stress_square, lift_square;
-  double smallest_eigenvalue = laws[0].smallest_eigenvalue;
-  for (std::size_t i = 0; i < data.points.size(); ++i)
-  {
-    const StressPoint &point = data.points[i];
-    const Law &law = law_at(laws, i);
-    const Components misfit = difference(law.stress(strain(cell, point, u)), tau[i]);
-    misfit_square.add(point, contraction(misfit, law.strain(misfit)));
-    stress_square.add(point, contraction(tau[i], law.strain(tau[i])));
-    if (lift_.cells()[cell])
-    {
-      const Components e = lift_.strain(cell, point);
-      lift_square.add(point, contraction(e, law.stress(e)));
-    }
-    smallest_eigenvalue = std::min(smallest_eigenvalue, law.smallest_eigenvalue);
-  }
-  return {misfit_square.value(), stress_square.value(), lift_square.value(), smallest_eigenvalue};
-}
-
 double EquilibratedStress::oscillation(const unsigned int cell,
-                                       const CellShape &shape,
                                        const double smallest_eigenvalue) const
 {
   const auto &edges = mesh_.cells()[cell].edges;
@@ -229,7 +254,7 @@ double EquilibratedStress::oscillation(const unsigned int cell,
     of_edges += given_.normal_rest[edge] + given_.shear_rest[edge];
   if (of_force == 0. && of_edges == 0.)
     return 0.;
-  const OscillationConstants constants(shape);
+  const OscillationConstants constants(CellShape(mesh_.cells()[cell].corners));
   double sum = constants.body * of_force;
   for (unsigned int k = 0; k < 4; ++k)
     sum += constants.normal[k] * given_.normal_rest[edges[k]] +
@@ -274,13 +299,14 @@ StressBound EquilibratedStress::bound() const
   double lift_square = 0., patch_square = 0., patch_lift_square = 0.;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
-    const CellData &data = table_(c);
-    const CellSquares squares = integrate(c, data);
+    const CellSquares &squares = squares_[c];
     const double misfit = std::sqrt(squares.misfit);
-    const double rest = oscillation(c, data.shape, squares.smallest_eigenvalue);
+    const double rest = oscillation(c, squares.smallest_eigenvalue);
     result.misfit.push_back(misfit);
     result.oscillation.push_back(rest);
-    result.square += (misfit + rest) * (misfit + rest);
+    const double of_geometry = geometry(c, squares.smallest_eigenvalue);
+    result.geometry_square += of_geometry * of_geometry;
+    result.square += std::pow(misfit + rest + of_geometry, 2);
     result.oscillation_square += rest * rest;
     const double norm = std::sqrt(squares.stress);
     const double work = support_work(c, result.translation, result.support_force);
@@ -289,9 +315,9 @@ StressBound EquilibratedStress::bound() const
     lift_square += squares.lift;
     if (bubbles_)
     {
-      const double of_patches = std::sqrt(patch_misfit_square(c, data, squares.misfit)) + rest;
+      const double of_patches = std::sqrt(squares.of_patches) + rest;
       patch_square += of_patches * of_patches;
-      patch_lift_square += bubbles_->holds_back(c) ? patch_lift_energy(c, data) : squares.lift;
+      patch_lift_square += squares.lift_of_patches;
     }
   }
   result.lift = std::sqrt(lift_square);

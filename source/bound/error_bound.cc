@@ -138,6 +138,40 @@ struct Consequences
   /** ‖sigma(u) - tau‖ at most. */
   double stress_error = std::numeric_limits<double>::infinity();
 };
+
+/** What is known for straight sides only: the bound for pi^{2h} u_h, the bracket of the energy and
+ * the bound of the contact force. */
+void add_guaranteed(const BoundData &data,
+                    const EquilibratedStress &stress,
+                    const StressBound &of_stress,
+                    const ContactLift &lift,
+                    const double scale,
+                    ErrorBound &result)
+{
+  const auto change = lift.trace().traction_change(of_stress.translation);
+  const double work = work_of_contact(of_stress, data, change);
+  const Bracket &complementary = of_stress.complementary_energy;
+  Consequences consequences(
+    {complementary.lower - work, complementary.upper - work}, of_stress.square, *lift.bound());
+  if (of_stress.of_patches)
+  {
+    const double square = of_stress.of_patches->square;
+    const ContactLift of_patches = make_lift(data, square, fields_of(stress, true));
+    if (of_patches.bound() && std::isfinite(square + of_patches.bound()->square()))
+    {
+      result.post_absolute = total(square, of_stress.of_patches->lift, *of_patches.bound());
+      result.post_relative = ratio(*result.post_absolute, scale);
+      consequences.consider(square, *of_patches.bound());
+    }
+  }
+  result.energy_lower = consequences.energy.lower;
+  result.energy_upper = consequences.energy.upper;
+  const StressData &given = data.stress;
+  if (const auto unit_lift =
+        norm_of_unit_lift(given.space, given.scene, lift.trace(), data.inverse))
+    result.force_error =
+      contact_force_bound(consequences.stress_error, *unit_lift) + std::abs(change.normal_force);
+}
 } // namespace
 
 LocatedBound compute_located_bound(const BoundData &data)
@@ -163,35 +197,21 @@ LocatedBound compute_located_bound(const BoundData &data)
     return located;
   }
   result.oscillation = std::sqrt(of_stress.oscillation_square) + of_stress.lift;
-  result.mesh = std::max(0., std::sqrt(of_stress.square) - std::sqrt(of_stress.oscillation_square));
+  result.mesh = std::max(0.,
+                         std::sqrt(of_stress.square) - std::sqrt(of_stress.oscillation_square) -
+                           std::sqrt(of_stress.geometry_square));
   result.contact = std::sqrt(std::max(0., contact.square()));
   result.algebra = of_stress.algebra;
   // The inequality holds for u_h + E with the prescribed displacement itself; E is zero on contact.
   result.absolute = total(of_stress.square, of_stress.lift, contact);
-  const double scale = energy_scale(given.space, given.scene, given.U);
+  const double scale = energy_scale(stress.energy_norm(), given.space, given.scene, given.U);
   result.relative = ratio(*result.absolute, scale);
-  const auto change = lift.trace().traction_change(of_stress.translation);
-  const double work = work_of_contact(of_stress, data, change);
-  const Bracket &complementary = of_stress.complementary_energy;
-  Consequences consequences(
-    {complementary.lower - work, complementary.upper - work}, of_stress.square, contact);
-  if (of_stress.of_patches)
-  {
-    const double square = of_stress.of_patches->square;
-    const ContactLift of_patches = make_lift(data, square, fields_of(stress, true));
-    if (of_patches.bound() && std::isfinite(square + of_patches.bound()->square()))
-    {
-      result.post_absolute = total(square, of_stress.of_patches->lift, *of_patches.bound());
-      result.post_relative = ratio(*result.post_absolute, scale);
-      consequences.consider(square, *of_patches.bound());
-    }
-  }
-  result.energy_lower = consequences.energy.lower;
-  result.energy_upper = consequences.energy.upper;
-  if (const auto unit_lift =
-        norm_of_unit_lift(given.space, given.scene, lift.trace(), data.inverse))
-    result.force_error =
-      contact_force_bound(consequences.stress_error, *unit_lift) + std::abs(change.normal_force);
+  result.guaranteed = stress.is_guaranteed();
+  result.geometry = std::sqrt(of_stress.geometry_square);
+  result.relative_geometry = ratio(*result.geometry, scale);
+  // A polygon says nothing about the last digits of the energy, nor about the force on a curve.
+  if (result.guaranteed)
+    add_guaranteed(data, stress, of_stress, lift, scale, result);
   result.largest_cell = name_of_worst_cell(of_stress, given.space);
   if (!given.scene.contact_sides().empty())
     result.largest_face = name_of(contact.largest_part, given.scene);
@@ -209,6 +229,7 @@ Columns<ErrorBound> ErrorBound::columns()
           {"bound_mesh", &ErrorBound::mesh},
           {"bound_oscillation", &ErrorBound::oscillation},
           {"bound_contact", &ErrorBound::contact},
+          {"bound_geometry", &ErrorBound::geometry},
           {"bound_algebra", &ErrorBound::algebra},
           {"bound_post_energy", &ErrorBound::post_absolute},
           {"bound_post_relative", &ErrorBound::post_relative},

@@ -30,7 +30,7 @@ void add(std::vector<double> &a, const double factor, const std::vector<double> 
 }
 
 /** Below this share of the square of tau, the misfit is rounding. */
-constexpr double rounding = 1e-22;
+constexpr double rounding = 1e-20;
 
 std::vector<unsigned int> pulling(const EdgeMesh &mesh,
                                   const std::vector<unsigned int> &edges,
@@ -44,46 +44,32 @@ std::vector<unsigned int> pulling(const EdgeMesh &mesh,
 }
 } // namespace
 
-EquilibratedStress::Residual EquilibratedStress::residual(CellEnergies &energies) const
+EquilibratedStress::Residual
+EquilibratedStress::residual(const std::vector<CellIntegrals> &integrals) const
 {
   Residual result;
   result.r.assign(moments_.size(), 0.);
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
-    const CellData &data = table_(c);
-    const std::vector<Law> &laws = table_.laws(c, data);
-    const std::vector<Components> tau = stress(c, data);
-    const CornerValues u = deformation(mesh_.cells()[c]);
-    CompositeCell::Stresses dual{};
-    double square = 0.;
-    for (std::size_t i = 0; i < data.points.size(); ++i)
-    {
-      const StressPoint &point = data.points[i];
-      const Law &law = law_at(laws, i);
-      const Components misfit = difference(law.stress(strain(c, point, u)), tau[i]);
-      const Components of_misfit = law.strain(misfit);
-      square += point.weight * contraction(misfit, of_misfit);
-      result.energy += point.weight * contraction(tau[i], law.strain(tau[i]));
-      for (unsigned int m = 0; m < 3; ++m)
-        for (unsigned int l = 0; l < 3; ++l)
-          dual[9 * point.triangle + 3 * m + l] += point.weight * point.psi[m] * of_misfit[l];
-    }
-    result.square += square;
-    result.square_of_patches +=
-      bubbles_ ? patch_misfit_square(c, data, square) : std::numeric_limits<double>::infinity();
-    add_moments(mesh_.cells()[c], data.composite.transposed(dual), result.r);
-    if (!energies.knows(c))
-      energies.set(c, make_energy(data, laws));
+    const CellSquares &squares = integrals[c].squares;
+    result.square += squares.misfit;
+    result.square_of_patches += squares.of_patches;
+    result.energy += squares.stress;
+    add_moments(mesh_.cells()[c], integrals[c].of_misfit, result.r);
   }
+  if (!bubbles_)
+    result.square_of_patches = std::numeric_limits<double>::infinity();
   return result;
 }
 
-void EquilibratedStress::improve(const ImprovementOptions &options)
+std::vector<double> EquilibratedStress::improve(const ImprovementOptions &options,
+                                                const std::vector<CellIntegrals> &integrals,
+                                                const CellEnergies &energies)
 {
+  std::vector<double> change(moments_.size(), 0.);
   if (options.most_steps == 0)
-    return;
-  CellEnergies energies(table_, mesh_.cells().size());
-  Residual at_start = residual(energies);
+    return change;
+  Residual at_start = residual(integrals);
   std::vector<unsigned int> free;
   if (bubbles_)
     free = pressing_edges(mesh_, data_.multipliers, data_.P);
@@ -95,26 +81,32 @@ void EquilibratedStress::improve(const ImprovementOptions &options)
     for (unsigned int i = 0; i < 4; ++i)
       at_start.r[4 * edge + i] += 2. / 3. * bubbles_->on_edge(edge)[i % 2];
   }
-  StarSolver solver(mesh_, energies);
   const std::vector<double> start = moments_;
-  for (;;)
+  if (at_start.square > rounding * at_start.energy)
   {
-    const auto edges = iterate(at_start, solver, energies, free, options);
-    if (edges.empty())
-      break;
-    ++restarts_;
-    moments_ = start;
-    for (const unsigned int edge : edges)
+    StarSolver solver(mesh_, energies, n_threads());
+    for (;;)
     {
-      free.erase(std::find(free.begin(), free.end(), edge));
-      mesh_.set_freedom(edge, EdgeFreedom::none);
+      const auto edges = iterate(at_start, solver, energies, free, options);
+      if (edges.empty())
+        break;
+      ++restarts_;
+      moments_ = start;
+      for (const unsigned int edge : edges)
+      {
+        free.erase(std::find(free.begin(), free.end(), edge));
+        mesh_.set_freedom(edge, EdgeFreedom::none);
+      }
+      for (const unsigned int edge : edges)
+        for (const unsigned int vertex : mesh_.edges()[edge].vertices)
+          solver.renew(vertex, energies);
     }
-    for (const unsigned int edge : edges)
-      for (const unsigned int vertex : mesh_.edges()[edge].vertices)
-        solver.renew(vertex, energies);
   }
   for (const unsigned int edge : free)
     given_.normal_rest[edge] = 0.;
+  for (std::size_t i = 0; i < change.size(); ++i)
+    change[i] = moments_[i] - start[i];
+  return change;
 }
 
 std::vector<unsigned int> EquilibratedStress::iterate(Residual left,

@@ -69,6 +69,12 @@ double beam_constant(const double L, const double largest_depth)
 }
 } // namespace
 
+double turning_constant(const double L, const double largest_depth)
+{
+  const double d = std::min(L, largest_depth);
+  return std::sqrt(4. * L * L * L / (30. * d) + 4. * L * d / 45. + 4. * d * d * d / (105. * L));
+}
+
 OscillationConstants::OscillationConstants(const CellShape &shape)
   : korn(korn_constant(shape))
   , body(korn * shape.diameter() / PI)

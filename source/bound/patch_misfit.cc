@@ -9,46 +9,55 @@
 
 namespace Signorini
 {
-double EquilibratedStress::patch_misfit_square(const unsigned int cell,
-                                               const CellData &data,
-                                               const double misfit_square) const
+void EquilibratedStress::integrate_patches(const CellState &state, CellIntegrals &result) const
 {
+  const unsigned int cell = state.cell;
+  const CellData &data = state.data;
   const PatchBubbles::Coefficients b = bubbles_->on(cell);
-  CellMisfit misfit;
-  misfit.u = deformation(mesh_.cells()[cell]);
-  if (const BubbleForm *form = lift_.cells()[cell] ? nullptr : forms_.of(cell, table_, data))
+  const bool holds_back = bubbles_->holds_back(cell);
+  CompositeCell::Stresses dual{};
+  std::unique_ptr<const BubbleForm> own;
+  const BubbleForm *form = forms_->of(cell);
+  if (form == nullptr && !lift_.cells()[cell] && table_.constant_law() && data.shape.affine)
   {
-    misfit.stresses = stresses(cell, data);
-    misfit.slope = load(cell).slope;
-    return std::max(0., misfit_square + form->change(b, misfit));
+    own = std::make_unique<const BubbleForm>(data.shape, state.laws[0]);
+    form = own.get();
   }
-  const std::vector<Law> &laws = table_.laws(cell, data);
-  const std::vector<Components> tau = stress(cell, data);
-  UpperSum square;
-  for (std::size_t i = 0; i < data.points.size(); ++i)
+  if (form != nullptr)
   {
-    const StressPoint &point = data.points[i];
-    const Law &law = law_at(laws, i);
-    const Components e = sum(strain(cell, point, misfit.u), strain_of(bubble_gradients(point), b));
-    const Components s = difference(law.stress(e), tau[i]);
-    square.add(point, contraction(s, law.strain(s)));
+    const CellMisfit misfit = {state.u, stresses(cell, data), load(cell).slope};
+    result.squares.of_patches = std::max(0., result.squares.misfit + form->change(b, misfit));
+    // There u_D - u_h = 0, and z is what is held back.
+    result.squares.lift_of_patches =
+      holds_back ? form->change(bubbles_->held_back(cell), CellMisfit{}) : 0.;
+    dual = form->dual(b);
   }
-  return square.value();
-}
-
-double EquilibratedStress::patch_lift_energy(const unsigned int cell, const CellData &data) const
-{
-  const std::vector<Law> &laws = table_.laws(cell, data);
-  UpperSum energy;
-  for (std::size_t i = 0; i < data.points.size(); ++i)
+  else
   {
-    const StressPoint &point = data.points[i];
-    // u_D - pi^{2h} u_h = (u_D - u_h) - b.
-    const Components e = difference(lift_.strain(cell, point),
-                                    strain_of(bubble_gradients(point), bubbles_->held_back(cell)));
-    energy.add(point, contraction(e, law_at(laws, i).stress(e)));
+    UpperSum square(state.from_above), energy(state.from_above);
+    for (std::size_t i = 0; i < data.points.size(); ++i)
+    {
+      const StressPoint &point = data.points[i];
+      const Law &law = law_at(state.laws, i);
+      const BubbleGradients gradients = bubble_gradients(point);
+      const Components of_bubbles = strain_of(gradients, b);
+      const Components e = sum(strain(cell, point, state.u), of_bubbles);
+      const Components s = difference(law.stress(e), state.tau[i]);
+      square.add(point, contraction(s, law.strain(s)));
+      add_dual(point, of_bubbles, dual);
+      if (!holds_back)
+        continue;
+      // u_D - pi^{2h} u_h = (u_D - u_h) - b.
+      const Components z =
+        difference(lift_.strain(cell, point), strain_of(gradients, bubbles_->held_back(cell)));
+      energy.add(point, contraction(z, law.stress(z)));
+    }
+    result.squares.of_patches = square.value();
+    result.squares.lift_of_patches = holds_back ? energy.value() : result.squares.lift;
   }
-  return energy.value();
+  const CellMoments of_bubbles = data.composite.transposed(dual);
+  for (unsigned int j = 0; j < of_bubbles.size(); ++j)
+    result.of_patches[j] = result.of_misfit[j] + of_bubbles[j];
 }
 
 double EquilibratedStress::normal_bubble(const unsigned int contact_face) const

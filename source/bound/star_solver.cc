@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Exact solves on the stars of vertices.
 
+#include <signorini/base/threads.h>
 #include <signorini/bound/star_solver.h>
 
 #include <algorithm>
@@ -84,6 +85,40 @@ dealii::FullMatrix<double> balances(const EdgeMesh &mesh, const Star &star)
   return rows;
 }
 
+/**
+ * Columns that span what disturbs the balance of no cell around a vertex inside of the body, where
+ * all edges take any traction. With a_j and b_j the moments of spoke j at the centre and at its
+ * outer end r_j, the cells are in balance if a_j + b_j and r_j x b_j are the same for all j: one
+ * force in two components, one moment, and for every spoke a couple along it.
+ */
+dealii::FullMatrix<double> balanced_inside(const EdgeMesh &mesh, const Star &star)
+{
+  const unsigned int n = star.spokes.size();
+  const EdgeCell &first = mesh.cells()[star.cells[0].cell];
+  const double length = first.corners[0].distance(first.corners[2]);
+  dealii::FullMatrix<double> Z(4 * n, n + 3);
+  for (unsigned int j = 0; j < n; ++j)
+  {
+    // Spoke j is edge k of cell j, from the centre outwards.
+    const EdgeCell &cell = mesh.cells()[star.cells[j].cell];
+    const unsigned int k = star.cells[j].number;
+    const Vector2 spoke = cell.corners[(k + 1) % 4] - cell.corners[k];
+    const Vector2 r = spoke / spoke.norm();
+    const double size = length / spoke.norm();
+    const Vector2 turn({-size * r[1], size * r[0]});
+    for (unsigned int c = 0; c < 2; ++c)
+    {
+      const unsigned int a = in_star(j, 0) + c, b = in_star(j, 1) + c;
+      Z(a, c) = 1.;
+      Z(b, 2) = turn[c];
+      Z(a, 2) = -turn[c];
+      Z(b, 3 + j) = r[c];
+      Z(a, 3 + j) = -r[c];
+    }
+  }
+  return Z;
+}
+
 /** A B. Matrices are small: starting a library of linear algebra takes longer. */
 dealii::FullMatrix<double> product(const dealii::FullMatrix<double> &A,
                                    const dealii::FullMatrix<double> &B)
@@ -97,13 +132,13 @@ dealii::FullMatrix<double> product(const dealii::FullMatrix<double> &A,
   return C;
 }
 
-dealii::FullMatrix<double> transposed(const dealii::FullMatrix<double> &A)
+/** The changes of moments that disturb the balance of no cell of a star, as columns. */
+dealii::FullMatrix<double> basis(const EdgeMesh &mesh, const Star &star)
 {
-  dealii::FullMatrix<double> B(A.n(), A.m());
-  for (unsigned int i = 0; i < A.m(); ++i)
-    for (unsigned int j = 0; j < A.n(); ++j)
-      B(j, i) = A(i, j);
-  return B;
+  if (star.is_closed())
+    return balanced_inside(mesh, star);
+  const dealii::FullMatrix<double> free = free_moments(mesh, star);
+  return product(free, null_space(product(balances(mesh, star), free)));
 }
 
 /** X with A X = B for a positive definite A, by Cholesky's method. */
@@ -137,6 +172,7 @@ dealii::FullMatrix<double> solve(dealii::FullMatrix<double> A, dealii::FullMatri
     }
   return B;
 }
+
 /** Inside the body four edges meet: then the compiler knows the sizes of loops. */
 constexpr unsigned int usual_size = 16;
 
@@ -225,59 +261,50 @@ dealii::FullMatrix<double> null_space(dealii::FullMatrix<double> matrix)
 
 CellEnergies::CellEnergies(const CellTable &table, const std::size_t n_cells)
   : shared_(table.constant_law())
-  , number_of_shape_(table.n_shapes(), unknown)
   , table_(table)
-  , index_(n_cells, unknown)
+  , index_(n_cells)
 {
+  constexpr unsigned int unknown = static_cast<unsigned int>(-1);
+  std::vector<unsigned int> of_shape(table.n_shapes(), unknown);
+  for (unsigned int cell = 0; cell < n_cells; ++cell)
+  {
+    unsigned int *const shared = is_shared(cell) ? &of_shape[table.shape_of(cell)] : nullptr;
+    index_[cell] = shared != nullptr && *shared != unknown ? *shared : first_cell_.size();
+    if (index_[cell] == first_cell_.size())
+      first_cell_.push_back(cell);
+    if (shared != nullptr)
+      *shared = index_[cell];
+  }
+  matrices_.resize(first_cell_.size());
 }
 
-void CellEnergies::set(const unsigned int cell, const CellEnergy &energy)
-{
-  const unsigned int shape = table_.shape_of(cell);
-  index_[cell] = matrices_.size();
-  matrices_.push_back(energy);
-  if (is_shared(cell))
-    for (unsigned int c = cell; c < index_.size(); ++c)
-      if (table_.shape_of(c) == shape)
-        index_[c] = index_[cell];
-}
-
-StarSolver::StarSolver(const EdgeMesh &mesh, const CellEnergies &energies)
+StarSolver::StarSolver(const EdgeMesh &mesh,
+                       const CellEnergies &energies,
+                       const unsigned int n_threads)
   : mesh_(mesh)
   , matrix_of_star_(mesh.stars().size())
 {
   std::map<std::vector<unsigned int>, unsigned int> known;
+  std::vector<unsigned int> to_solve;
   for (unsigned int v = 0; v < mesh.stars().size(); ++v)
   {
-    const Star &star = mesh.stars()[v];
-    const std::vector<unsigned int> name = key(star, energies);
-    if (!name.empty())
-    {
-      const auto found = known.find(name);
-      if (found != known.end())
-      {
-        matrix_of_star_[v] = found->second;
-        continue;
-      }
-      known[name] = matrices_.size();
-    }
-    matrix_of_star_[v] = add_matrix(star, energies);
+    const std::vector<unsigned int> name = key(mesh.stars()[v], energies);
+    matrix_of_star_[v] =
+      name.empty() ? to_solve.size() : known.emplace(name, to_solve.size()).first->second;
+    if (matrix_of_star_[v] == to_solve.size())
+      to_solve.push_back(v);
   }
-}
-
-unsigned int StarSolver::add_matrix(const Star &star, const CellEnergies &energies)
-{
-  const dealii::FullMatrix<double> matrix = solve_star(star, energies);
-  std::vector<double> &rows = matrices_.emplace_back(matrix.m() * matrix.n());
-  for (unsigned int i = 0; i < matrix.m(); ++i)
-    for (unsigned int j = 0; j < matrix.n(); ++j)
-      rows[i * matrix.n() + j] = matrix(i, j);
-  return matrices_.size() - 1;
+  matrices_.resize(to_solve.size());
+  work_on_ranges(n_threads, to_solve.size(), [&](const std::size_t begin, const std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      matrices_[i] = solve_star(mesh.stars()[to_solve[i]], energies);
+  });
 }
 
 void StarSolver::renew(const unsigned int vertex, const CellEnergies &energies)
 {
-  matrix_of_star_[vertex] = add_matrix(mesh_.stars()[vertex], energies);
+  matrix_of_star_[vertex] = matrices_.size();
+  matrices_.push_back(solve_star(mesh_.stars()[vertex], energies));
 }
 
 std::vector<unsigned int> StarSolver::key(const Star &star, const CellEnergies &energies) const
@@ -294,16 +321,14 @@ std::vector<unsigned int> StarSolver::key(const Star &star, const CellEnergies &
   return name;
 }
 
-dealii::FullMatrix<double> StarSolver::solve_star(const Star &star,
-                                                  const CellEnergies &energies) const
+std::vector<double> StarSolver::solve_star(const Star &star, const CellEnergies &energies) const
 {
   const unsigned int n = 4 * star.spokes.size();
-  const dealii::FullMatrix<double> free = free_moments(mesh_, star);
-  const dealii::FullMatrix<double> Z =
-    product(free, null_space(product(balances(mesh_, star), free)));
-  dealii::FullMatrix<double> S(n, n);
+  const dealii::FullMatrix<double> Z = basis(mesh_, star);
+  std::vector<double> rows(n * n, 0.);
   if (Z.n() == 0)
-    return S;
+    return rows;
+  dealii::FullMatrix<double> S(n, n);
   for (unsigned int j = 0; j < star.cells.size(); ++j)
   {
     const CellEnergy &energy = energies(star.cells[j].cell);
@@ -313,8 +338,13 @@ dealii::FullMatrix<double> StarSolver::solve_star(const Star &star,
         S(a.in_star, b.in_star) +=
           a.sign * b.sign * energy[CompositeCell::n_moments * a.in_cell + b.in_cell];
   }
-  const dealii::FullMatrix<double> Zt = transposed(Z);
-  return product(Z, solve(product(product(Zt, S), Z), Zt));
+  dealii::FullMatrix<double> Zt(Z.n(), Z.m());
+  Zt.copy_transposed(Z);
+  const dealii::FullMatrix<double> matrix = product(Z, solve(product(product(Zt, S), Z), Zt));
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+      rows[i * n + j] = matrix(i, j);
+  return rows;
 }
 
 void StarSolver::apply(const std::vector<double> &r, std::vector<double> &z) const
@@ -339,23 +369,26 @@ void StarSolver::apply(const std::vector<double> &r, std::vector<double> &z) con
   }
 }
 
+CellMoments multiply(const CellEnergy &energy, const CellMoments &b)
+{
+  constexpr unsigned int n = CompositeCell::n_moments;
+  CellMoments y{};
+  for (unsigned int j = 0; j < n; ++j)
+    for (unsigned int i = 0; i < n; ++i)
+      y[i] += energy[n * j + i] * b[j];
+  return y;
+}
+
 void multiply(const EdgeMesh &mesh,
               const CellEnergies &energies,
               const std::vector<double> &b,
               std::vector<double> &gradient)
 {
-  constexpr unsigned int n = CompositeCell::n_moments;
   std::fill(gradient.begin(), gradient.end(), 0.);
   for (unsigned int c = 0; c < mesh.cells().size(); ++c)
   {
     const EdgeCell &cell = mesh.cells()[c];
-    const CellMoments x = moments_on(cell, b);
-    const CellEnergy &energy = energies(c);
-    CellMoments y{};
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int i = 0; i < n; ++i)
-        y[i] += energy[n * j + i] * x[j];
-    add_moments(cell, y, gradient);
+    add_moments(cell, multiply(energies(c), moments_on(cell, b)), gradient);
   }
 }
 } // namespace Signorini

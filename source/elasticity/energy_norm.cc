@@ -35,17 +35,30 @@ double energy_norm(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
-double energy_scale(const DisplacementSpace<dim> &space,
+double energy_scale(const double norm,
+                    const DisplacementSpace<dim> &space,
                     const Scene<dim> &scene,
                     const NodalVector &U)
 {
   const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * U.linfty_norm() *
                           std::sqrt(stiffness_unit(space, *scene.material));
-  return std::max(energy_norm(space, scene, U), rounding);
+  return std::max(norm, rounding);
+}
+
+template <int dim>
+double energy_scale(const DisplacementSpace<dim> &space,
+                    const Scene<dim> &scene,
+                    const NodalVector &U)
+{
+  return energy_scale(energy_norm(space, scene, U), space, scene, U);
 }
 
 template double energy_norm(const DisplacementSpace<2> &, const Scene<2> &, const NodalVector &);
 template double energy_norm(const DisplacementSpace<3> &, const Scene<3> &, const NodalVector &);
+template double
+energy_scale(double, const DisplacementSpace<2> &, const Scene<2> &, const NodalVector &);
+template double
+energy_scale(double, const DisplacementSpace<3> &, const Scene<3> &, const NodalVector &);
 template double energy_scale(const DisplacementSpace<2> &, const Scene<2> &, const NodalVector &);
 template double energy_scale(const DisplacementSpace<3> &, const Scene<3> &, const NodalVector &);
 } // namespace Signorini

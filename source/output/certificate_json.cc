@@ -24,6 +24,8 @@ Json describe(const ErrorBound &bound)
           {"mesh", number(bound.mesh)},
           {"oscillation", number(bound.oscillation)},
           {"contact", number(bound.contact)},
+          {"geometry", number(bound.geometry)},
+          {"guaranteed", bound.absolute.has_value() && bound.guaranteed},
           {"algebra", number(bound.algebra)},
           {"post_absolute", number(bound.post_absolute)},
           {"post_relative", number(bound.post_relative)},

@@ -30,6 +30,11 @@ std::optional<double> bound_of(const LevelRecord &level)
   return level.bound ? level.bound->relative : std::nullopt;
 }
 
+bool is_guaranteed(const LevelRecord &level)
+{
+  return bound_of(level) && level.bound->guaranteed;
+}
+
 std::optional<double> relative_error(const LevelRecord &level)
 {
   if (const std::optional<double> bound = bound_of(level))
@@ -42,7 +47,14 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels)
   const LevelRecord &finest = levels.back();
   std::ostringstream text;
   if (const std::optional<double> bound = bound_of(finest))
-    text << "the error is at most " << percent(*bound) << " (energy norm, guaranteed)";
+  {
+    if (is_guaranteed(finest))
+      text << "the error is at most " << percent(*bound) << " (energy norm, guaranteed)";
+    else
+      text << "the error is at most about " << percent(*bound)
+           << " (energy norm, estimated bound; the sides are curved: geometric part "
+           << percent(finest.bound->relative_geometry.value_or(0.)) << ")";
+  }
   else
   {
     text << "there is no bound of the error";

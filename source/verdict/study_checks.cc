@@ -60,8 +60,9 @@ std::string check_bound(const std::vector<LevelRecord> &levels, const Judge &jud
     return "";
   std::ostringstream text;
   text << "The error of level " << finest.sizes.level << " may be as large as " << 100. * *error
-       << " % (energy norm, guaranteed bound; Tolerated error: " << 100. * judge.tolerated_error()
-       << " %); " << remedy_for(finest);
+       << " % (energy norm, " << (is_guaranteed(finest) ? "guaranteed" : "estimated")
+       << " bound; Tolerated error: " << 100. * judge.tolerated_error() << " %); "
+       << remedy_for(finest);
   return text.str();
 }
 
@@ -75,7 +76,9 @@ std::string check_target(const std::vector<LevelRecord> &levels, const Judge &ju
        << ", the finest: the relative error is ";
   if (const std::optional<double> error = relative_error(finest))
     text << 100. * *error << " %"
-         << (bound_of(finest) ? " (energy norm, guaranteed)" : " (energy norm, estimated)");
+         << (is_guaranteed(finest) ? " (energy norm, guaranteed)"
+             : bound_of(finest)    ? " (energy norm, estimated bound)"
+                                   : " (energy norm, estimated)");
   else
     text << "not known";
   text << "; raise Finest level.";

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <cstddef>
 #include <deque>
 #include <functional>
 #include <future>
@@ -44,4 +45,13 @@ void produce_in_parallel(const unsigned int n_threads,
     consume(result);
   }
 }
+
+/**
+ * work(begin, end) for ranges that make up [0, n), with all threads given. The ranges are the same
+ * for any number of threads: if work writes to what belongs to its range, and nothing else, so are
+ * the digits. @throws what work throws.
+ */
+void work_on_ranges(unsigned int n_threads,
+                    std::size_t n,
+                    const std::function<void(std::size_t, std::size_t)> &work);
 } // namespace Signorini

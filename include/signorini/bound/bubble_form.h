@@ -30,6 +30,8 @@ public:
   BubbleForm(const CellShape &shape, const Law &law);
 
   double change(const PatchBubbles::Coefficients &b, const CellMisfit &misfit) const;
+  /** int eps(b) psi: minus half of the derivative of change() by the stresses. */
+  CompositeCell::Stresses dual(const PatchBubbles::Coefficients &b) const;
 
 private:
   static constexpr unsigned int n_bubbles = 10, first_stress = 8,
@@ -39,15 +41,18 @@ private:
   std::array<std::array<double, n_columns>, n_bubbles> rows_{};
 };
 
-/** The forms of cells, made when they are first wanted and once for congruent cells. */
+/** The forms of cells with a constant law that share CellData. */
 class BubbleForms
 {
 public:
-  /** None where the cell is no parallelogram or the law varies. Valid until the next call. */
-  const BubbleForm *of(unsigned int cell, const CellTable &table, const CellData &data);
+  explicit BubbleForms(const CellTable &table);
+
+  /** None where the cell is no parallelogram, shares CellData with no other or the law varies. */
+  const BubbleForm *of(unsigned int cell) const;
 
 private:
+  const CellTable &table_;
+  /** By shape. */
   std::vector<std::unique_ptr<const BubbleForm>> forms_;
-  std::unique_ptr<const BubbleForm> single_;
 };
 } // namespace Signorini

@@ -46,11 +46,20 @@ struct ForceAtPoints
  */
 CellLoad make_load(const CellShape &shape, const ForceAtPoints &force);
 
+/** Adds a rotation about the centre, constant on triangles, with the given moment. @return its norm
+ * in L2(K). */
+double add_couple(const CellShape &shape, double moment, CellLoad &load);
+
+/** All active cells in their order, the order of EdgeMesh::cells(). */
+std::vector<dealii::Triangulation<2>::active_cell_iterator>
+cells_in_order(const DisplacementSpace<2> &space);
+
 /**
  * The loads of all cells, with @p n_points Gauss points per direction as in the system; empty
  * without a body force. On meshes below 500000/n_points² cells a rule of about 500000 points checks
- * them, with at most 96 per direction, and takes their place in cells where nodal forces differ by
- * more than 10^-4. The moments of EdgeMoments then leave a rest, which balance_cells() removes.
+ * them, with at most 96 per direction and 8 on the parts of cells that are cut, and takes their
+ * place in cells where nodal forces differ by more than 10^-4. The moments of EdgeMoments then
+ * leave a rest, which balance_cells() removes.
  */
 std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
                                  const Scene<2> &scene,

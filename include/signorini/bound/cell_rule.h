@@ -29,9 +29,9 @@ struct StressPoint
   unsigned int triangle;
   std::array<double, 3> psi;
   double weight;
-  /** From corner 0. */
+  /** From corner 0, on curved cells that of the image. */
   dealii::Tensor<1, 2> offset;
-  /** Of the bilinear shape functions of the four corners. */
+  /** Of the shape functions of the four corners. */
   std::array<dealii::Tensor<1, 2>, 4> gradients;
   /** Reference coordinates in [-1,1]^2: corners are (-1,-1), (1,-1), (1,1), (-1,1). */
   dealii::Point<2> reference;
@@ -47,9 +47,14 @@ struct StressPoint
 class UpperSum
 {
 public:
+  /** @param from_above false: the sum over the points, everywhere. */
+  explicit UpperSum(const bool from_above = true)
+    : from_above_(from_above)
+  {
+  }
   void add(const StressPoint &point, const double value)
   {
-    if (point.unresolved_part == StressPoint::resolved)
+    if (!from_above_ || point.unresolved_part == StressPoint::resolved)
     {
       sum_ += point.weight * value;
       return;
@@ -72,13 +77,10 @@ private:
     sum_ += area_ * largest_;
     area_ = largest_ = 0.;
   }
+  bool from_above_;
   double sum_ = 0., area_ = 0., largest_ = 0.;
   unsigned int part_ = StressPoint::resolved;
 };
-
-/** Gradients of the bilinear shape functions of the corners. */
-std::array<dealii::Tensor<1, 2>, 4> shape_gradients(const CellShape &shape,
-                                                    const dealii::Point<2> &reference);
 
 /** Strain (e11, e22, 2 e12) from gradients of the shape functions and values at the corners. */
 Components strain_of(const std::array<dealii::Tensor<1, 2>, 4> &gradients,
@@ -125,11 +127,13 @@ struct RulePart
 using TriangleDivision = std::function<std::vector<RulePart>(const RulePart::Triangle &)>;
 
 /**
- * Points on the four triangles of a cell. With a constant law on a parallelogram squares of
- * stresses and strains are integrated exactly: with the three mid-points per triangle, six points
- * where stresses are quadratic. Otherwise 4 x 4 Gauss points per triangle for a constant law and
- * n_points x n_points for others, on each of the parts into which the lines cut a triangle. With
- * @p divide these parts are divided further, and each part has 3 x 3 points (6 x 6 if fine).
+ * Points on the four triangles of a cell. On curved cells they are the images of those of the
+ * quadrilateral, with weights and gradients of the curved cell. With a constant law on a
+ * parallelogram squares of stresses and strains are integrated exactly: with the three mid-points
+ * per triangle, six points where stresses are quadratic. Otherwise 4 x 4 Gauss points per triangle
+ * for a constant law and n_points x n_points for others, on each of the parts into which the lines
+ * cut a triangle. With @p divide these parts are divided further, and each part has 3 x 3 points
+ * (6 x 6 if fine).
  */
 std::vector<StressPoint> make_rule(const CellShape &shape,
                                    const RuleKind &kind,

@@ -31,6 +31,13 @@ struct CellData
   std::array<std::array<EdgePoint, 2>, 4> on_edges;
 };
 
+/** Room for what a cell shares with no other; every thread needs its own. */
+struct CellRoom
+{
+  std::unique_ptr<CellData> data;
+  std::vector<Law> laws;
+};
+
 /** The complementary energy of stresses without loads, bᵀ S b = ‖tau(b)‖², row by row. */
 using CellEnergy = std::array<double, CompositeCell::n_moments * CompositeCell::n_moments>;
 
@@ -48,22 +55,22 @@ public:
             bool quadratic,
             const PrescribedLift &lift);
 
-  /** Of cell number @p cell; valid until the next call. */
-  const CellData &operator()(unsigned int cell);
+  /** Of cell number @p cell; valid until the next call with this room. */
+  const CellData &data(unsigned int cell, CellRoom &room) const;
   /** Two Gauss points on every edge of a cell. */
   std::array<std::array<EdgePoint, 2>, 4> on_edges(const unsigned int cell) const
   {
     return shape_of_[cell] < most_shapes ? shared_[shape_of_[cell]]->on_edges
                                          : edge_points(CellShape(mesh_.cells()[cell].corners));
   }
-  /** At the points of the cell that was asked for last; one for all points where Hooke's tensor
-   * is constant. */
-  const std::vector<Law> &laws(unsigned int cell, const CellData &data);
+  /** At the points of a cell, valid until the next call with this room; one for all points where
+   * Hooke's tensor is constant. */
+  const std::vector<Law> &laws(unsigned int cell, const CellData &data, CellRoom &room) const;
 
   /** At a point. */
   Law law(const dealii::Point<2> &x) const
   {
-    return kind_.constant_law ? laws_[0] : Law(material_.hooke(x));
+    return kind_.constant_law ? law_[0] : Law(material_.hooke(x));
   }
 
   bool constant_law() const
@@ -79,6 +86,10 @@ public:
   unsigned int n_shapes() const
   {
     return shared_.size();
+  }
+  const CellData &shared(const unsigned int shape) const
+  {
+    return *shared_[shape];
   }
 
 private:
@@ -100,8 +111,8 @@ private:
   std::vector<std::array<dealii::Tensor<1, 2>, 3>> edges_of_shape_;
   std::vector<std::unique_ptr<CellData>> shared_;
   std::vector<unsigned int> shape_of_;
-  std::unique_ptr<CellData> single_;
-  std::vector<Law> laws_;
+  /** One, where it is constant. */
+  std::vector<Law> law_;
 };
 
 CellEnergy make_energy(const CellData &data, const std::vector<Law> &laws);

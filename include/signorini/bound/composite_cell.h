@@ -22,8 +22,12 @@ inline double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b
 struct CellShape
 {
   explicit CellShape(const std::array<dealii::Point<2>, 4> &corners);
+  /** With what tells a curved cell from the quadrilateral. */
+  explicit CellShape(const EdgeCell &cell);
 
   std::array<dealii::Point<2>, 4> corners;
+  Bulges bulges{};
+  bool is_curved = false;
   /** Where the diagonals meet: x_c = z + t (x_0 - z) for c = 2 with t = -p, and so on. */
   dealii::Point<2> crossing;
   /** x_2 = z - p (x_0 - z), x_3 = z - q (x_1 - z). */

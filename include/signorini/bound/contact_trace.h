@@ -33,7 +33,7 @@ struct FaceField
   std::optional<std::array<double, 2>> traction;
 };
 
-/** A straight contact face with d = ũ_n - g on it, as a function of t in [0,1] from its vertex
+/** A contact face with d = ũ_n - g on it, as a function of t in [0,1] from its vertex
  * 0 to its vertex 1. */
 struct PenetrationFace
 {
@@ -46,6 +46,8 @@ struct PenetrationFace
   /** Outward. */
   dealii::Tensor<1, 2> normal;
   double length;
+  /** From the middle of the chord to that of the face, on curved faces. */
+  dealii::Tensor<1, 2> bulge;
   /** The degrees of freedom of both ends. */
   std::array<Dofs, 2> dofs;
   /** The conditions of both ends, see ContactTrace::conditions(). */
@@ -63,7 +65,7 @@ struct PenetrationFace
 
   dealii::Point<2> point(const double t) const
   {
-    return start + t * (end - start);
+    return start + t * (end - start) + 4. * t * (1. - t) * bulge;
   }
   /** p_H and tau_n at t. */
   double pressure(double t) const;
@@ -75,8 +77,13 @@ struct PenetrationFace
   /** Whether a part presses, and whether all do. */
   bool presses() const;
   bool presses_everywhere() const;
-  /** v_n of a function of V^h at t. */
-  double normal_value(const NodalVector &V, double t) const;
+  /** The component of a function of V^h at t. */
+  double component(const NodalVector &V, double t, const dealii::Tensor<1, 2> &direction) const;
+  /** v_n, with the normal of the face. */
+  double normal_value(const NodalVector &V, const double t) const
+  {
+    return component(V, t, normal);
+  }
 };
 
 /** w_n >= required at a contact node, w in V^h with homogeneous essential conditions. */

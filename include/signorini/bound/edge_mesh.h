@@ -20,7 +20,7 @@ enum class EdgeFreedom
   none
 };
 
-/** A straight edge of the mesh. */
+/** An edge of the mesh; curved edges are taken as their chords. */
 struct Edge
 {
   /** Numbers of its end points in the mesh. */
@@ -35,6 +35,12 @@ struct Edge
   static constexpr unsigned int no_side = static_cast<unsigned int>(-1);
 };
 
+/**
+ * How the biquadratic image of a cell differs from the bilinear one with the same corners: in the
+ * middles of the edges, counter-clockwise, and in the centre.
+ */
+using Bulges = std::array<dealii::Tensor<1, 2>, 5>;
+
 /** A quadrilateral with its corners and edges counter-clockwise; edge k runs from corner k to
  * corner k + 1. */
 struct EdgeCell
@@ -46,6 +52,9 @@ struct EdgeCell
   std::array<double, 4> sign;
   /** Whether Edge::vertices[0] is corner k + 1. */
   std::array<bool, 4> reversed;
+  /** Zero unless the cell is curved by more than rounding. */
+  Bulges bulges{};
+  bool is_curved = false;
 };
 
 /** A corner of a cell. */
@@ -87,7 +96,8 @@ struct Star
 };
 
 /**
- * Edges, cells and stars of a plane mesh with straight edges and without hanging nodes.
+ * Edges, cells and stars of a plane mesh without hanging nodes. Of curved meshes it is the polygon
+ * of the vertices; cells know how they are curved.
  *
  * The traction on an edge is a linear function t along it, that on the first of its cells. It is
  * known by its moments int_e t phi_i with the hat functions of the two end points i, two
@@ -129,6 +139,10 @@ public:
   {
     return edge_of_line_[line];
   }
+  bool is_curved() const
+  {
+    return is_curved_;
+  }
   std::size_t n_moments() const
   {
     return 4 * edges_.size();
@@ -146,6 +160,7 @@ private:
   /** Goes round the vertex from the given corner, the first one on the boundary. */
   Star walk(const Corner &first, const std::vector<std::array<Corner, 2>> &neighbours) const;
 
+  bool is_curved_ = false;
   std::vector<EdgeCell> cells_;
   std::vector<Edge> edges_;
   std::vector<unsigned int> edge_of_line_;

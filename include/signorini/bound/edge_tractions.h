@@ -31,6 +31,16 @@ GivenTractions given_tractions(const DisplacementSpace<2> &space,
                                unsigned int n_points);
 
 /**
+ * Adds to the given tractions of contact edges what was left at their vertices,
+ * EdgeMoments::rest(). On curved contact sides that is the difference between p_H n on arcs and on
+ * chords: the moments are then those of the system.
+ */
+void give_to_contact(const EdgeMesh &mesh,
+                     const Scene<2> &scene,
+                     const std::vector<dealii::Tensor<1, 2>> &rest,
+                     GivenTractions &given);
+
+/**
  * Solves, for every vertex i, the equations b_i^e - b_i^e' = R_K^i for its cells K, with e and e'
  * the edges of K at i in the order of Star and b_i^e the moments of tractions on the cell to the
  * left. The free number per component, where there is one, brings the moments as close to the

@@ -8,7 +8,9 @@
 #include <signorini/bound/prescribed_lift.h>
 #include <signorini/bound/star_solver.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,10 +30,13 @@ struct StressBound
   /** osc_K: there is a stress of at most this norm that balances, together with tau, the loads
    * themselves. */
   std::vector<double> oscillation;
-  /** sum_K (misfit_K + osc_K)². */
+  /** sum_K (misfit_K + osc_K)², with what curved sides add. */
   double square = 0.;
   /** sum_K osc_K². */
   double oscillation_square = 0.;
+  /** sum_K of the squares of what curved sides add to osc_K, an estimate; zero for straight ones.
+   */
+  double geometry_square = 0.;
   /** |||E|||: the bound is for u_h + E, where E makes up for prescribed displacements that are not
    * linear along edges and is zero elsewhere (PrescribedLift); that for u_h is larger by as much.
    */
@@ -113,6 +118,11 @@ public:
 
   StressBound bound() const;
 
+  /** Whether the bound is guaranteed: the body is a polygon. */
+  bool is_guaranteed() const
+  {
+    return !mesh_.is_curved();
+  }
   const EdgeMesh &mesh() const
   {
     return mesh_;
@@ -121,6 +131,11 @@ public:
   const std::vector<double> &moments() const
   {
     return moments_;
+  }
+  /** |||u_h|||. */
+  double energy_norm() const
+  {
+    return std::sqrt(std::max(0., energy_));
   }
   /** Components of tau at the points of a cell. */
   std::vector<Components> stress(unsigned int cell, const CellData &data) const;
@@ -136,33 +151,77 @@ public:
 private:
   using CornerValues = std::array<dealii::Tensor<1, 2>, 4>;
 
+  unsigned int n_threads() const;
   CornerValues displacement(const EdgeCell &cell) const;
   /** The same relative to corner 0: large translations have rounding errors, but no strain. */
   CornerValues deformation(const EdgeCell &cell) const;
-  /** R_K^i = int_K sigma_h:grad phi_i - int_K f phi_i, with the quadrature of the system. */
-  std::vector<EdgeMoments::CornerForces> residuals() const;
+  /** R_K^i = int_K sigma_h:grad phi_i - int_K f phi_i, with the quadrature of the system; sets
+   * energy_. */
+  std::vector<EdgeMoments::CornerForces> residuals();
   /** Moments of the mean of sigma_h n from both sides of edges. */
   std::vector<double> mean_tractions() const;
   /** (e11, e22, 2 e12) of u_h + E. */
   Components strain(unsigned int cell, const StressPoint &point, const CornerValues &u) const;
-  /** Integrals over a cell. */
+  /** Integrals over a cell: the squares of the misfits of u_h + E and of pi^{2h} u_h + z, of tau,
+   * and the energies of E and z. */
   struct CellSquares
   {
-    double misfit, stress, lift;
-    double smallest_eigenvalue;
+    double misfit = 0., of_patches = 0., stress = 0., lift = 0., lift_of_patches = 0.;
+    double smallest_eigenvalue = 0.;
   };
-  CellSquares integrate(unsigned int cell, const CellData &data) const;
+  /** The same with what makes them functions of a change b of the moments: misfit - 2 of_misfit.b +
+   * bᵀ S b, the same for patches, and stress + 2 of_stress.b + bᵀ S b. */
+  struct CellIntegrals
+  {
+    CellSquares squares;
+    CellMoments of_misfit{}, of_patches{}, of_stress{};
+    /** Whether the law is resolved; if not, squares that are taken from above are no such
+     * functions. */
+    bool is_resolved = true;
+  };
+  /** What integrals over a cell are made from. */
+  struct CellState
+  {
+    unsigned int cell;
+    const CellData &data;
+    const std::vector<Law> &laws;
+    /** At the points. */
+    std::vector<Components> tau;
+    CornerValues u;
+    /** Where the law is not resolved: see UpperSum. */
+    bool from_above;
+  };
+  /** @param energies where S goes. */
+  CellIntegrals integrate(unsigned int cell,
+                          CellRoom &room,
+                          bool from_above,
+                          CellEnergies *energies = nullptr) const;
+  /** Adds the integrals for pi^{2h} u_h; needs those for u_h. */
+  void integrate_patches(const CellState &state, CellIntegrals &result) const;
+  /** Of all cells, with all threads; sets @p energies. */
+  std::vector<CellIntegrals> integrate_all(CellEnergies &energies) const;
+  /** Sets the squares after the change of the moments. */
+  void update(const std::vector<CellIntegrals> &integrals,
+              const CellEnergies &energies,
+              const std::vector<double> &change);
+  /**
+   * Adds to the loads of curved cells the couple that makes them balance the residuals: V^h of
+   * curved cells holds rotations up to the bulges only.
+   */
+  void balance_couples(const std::vector<EdgeMoments::CornerForces> &R);
+  /** What the polygon adds to osc_K: that couple, and the tractions on an edge, which is no chord.
+   */
+  double geometry(unsigned int cell, double smallest_eigenvalue) const;
   /** osc_K. */
-  double oscillation(unsigned int cell, const CellShape &shape, double smallest_eigenvalue) const;
+  double oscillation(unsigned int cell, double smallest_eigenvalue) const;
   /** int_{Gamma_D} tau n.(u_D - c) on the edges of a cell; adds int_{Gamma_D} tau n to @p force. */
   double support_work(unsigned int cell,
                       const dealii::Tensor<1, 2> &c,
                       dealii::Tensor<1, 2> &force) const;
-  /** ‖sigma(pi^{2h} u_h + z) - tau‖² on a cell, from the same number of u_h + E. */
-  double patch_misfit_square(unsigned int cell, const CellData &data, double misfit_square) const;
-  /** |||z|||² on a cell where PatchBubbles holds back. */
-  double patch_lift_energy(unsigned int cell, const CellData &data) const;
-  void improve(const ImprovementOptions &options);
+  /** Brings the moments closer to those of the best stress. @return their change. */
+  std::vector<double> improve(const ImprovementOptions &options,
+                              const std::vector<CellIntegrals> &integrals,
+                              const CellEnergies &energies);
   /** The residual of the improvement, -(the gradient of half the square of the misfit). */
   struct Residual
   {
@@ -173,7 +232,7 @@ private:
     /** The square of tau. */
     double energy = 0.;
   };
-  Residual residual(CellEnergies &energies) const;
+  Residual residual(const std::vector<CellIntegrals> &integrals) const;
   /** How steps of the improvement ended. */
   struct Steps
   {
@@ -200,12 +259,16 @@ private:
   StressData data_;
   EdgeMesh mesh_;
   PrescribedLift lift_;
-  mutable CellTable table_;
+  CellTable table_;
   std::vector<CellLoad> loads_;
+  /** ‖.‖_{L2(K)} of the couples that curved cells need. */
+  std::vector<double> couples_;
   GivenTractions given_;
   std::unique_ptr<const PatchBubbles> bubbles_;
-  mutable BubbleForms forms_;
+  std::unique_ptr<const BubbleForms> forms_;
   std::vector<double> moments_;
+  std::vector<CellSquares> squares_;
+  double energy_ = 0.;
   double algebra_ = 0.;
   bool balanced_ = false;
   unsigned int steps_ = 0, restarts_ = 0;

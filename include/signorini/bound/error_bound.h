@@ -38,16 +38,23 @@ struct ErrorBound
    * where u_h vanishes. */
   std::optional<double> relative;
   /** The bound of |||u - pi^{2h} u_h|||, and the same divided like relative; none where cells have
-   * no parents. */
+   * no parents and on curved sides. */
   std::optional<double> post_absolute, post_relative;
   /** The parts of the bound for u_h: the first sum without oscillation, the oscillation of loads
    * and of prescribed displacements, and the contact part. */
   std::optional<double> mesh, oscillation, contact;
+  /** Whether the bound is guaranteed; on curved sides it is an estimate (EquilibratedStress). */
+  bool guaranteed = true;
+  /** What curved sides add, an estimate; 0 for straight sides. */
+  std::optional<double> geometry;
+  /** The same as a share, like relative. */
+  std::optional<double> relative_geometry;
   /** What the linear solver left unbalanced at nodes, relative to the forces there. */
   std::optional<double> algebra;
-  /** Between these lies J(u). */
+  /** Between these lies J(u); none on curved sides. */
   std::optional<double> energy_lower, energy_upper;
-  /** Bound of the error of the contact force (force); none where contact meets a held side. */
+  /** Bound of the error of the contact force (force); none where contact meets a held side, and on
+   * curved sides. */
   std::optional<double> force_error;
   /** max (u_{h,n} - g)_+ (length), and its place in words. */
   double penetration = 0.;
@@ -96,8 +103,8 @@ struct BoundData
   const dealii::Vector<double> &G;
 };
 
-/** Computes the bound for a plane body with straight sides; missing says why there is none for
- * others. Collective. */
+/** Computes the bound for a plane body, guaranteed if its sides are straight and else an estimated
+ * bound; missing says why there is none. Collective. */
 LocatedBound compute_located_bound(const BoundData &data);
 
 /** The same without its places. Collective. */

@@ -45,4 +45,13 @@ struct OscillationConstants
   /** For tractions in any direction, and for normal ones. */
   std::array<double, 4> edge, normal;
 };
+
+/**
+ * The norm of a stress with the shear 1 - 2 x/L on the edge [0,L] of a rectangle with depth d: that
+ * of Airy's function L x/L (1 - x/L) chi(y), chi = y (1 - y/d)², which vanishes with its normal
+ * derivative at y = d. Its square is 4 L³/(30 d) + 4 L d/45 + 4 d³/(105 L); d is at most L. The
+ * shear on the edges x = 0 and x = L, which neighbours with the same load take up, is not balanced:
+ * an estimate.
+ */
+double turning_constant(double L, double d);
 } // namespace Signorini

@@ -23,6 +23,14 @@ inline Components sum(const Components &a, const Components &b)
   return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
 }
 
+/** dual += weight psi e: what the strain e at a point adds to int psi e, by triangle and vertex. */
+inline void add_dual(const StressPoint &point, const Components &e, CompositeCell::Stresses &dual)
+{
+  for (unsigned int m = 0; m < 3; ++m)
+    for (unsigned int l = 0; l < 3; ++l)
+      dual[9 * point.triangle + 3 * m + l] += point.weight * point.psi[m] * e[l];
+}
+
 /** The law at point number @p i; one law is that of all points. */
 inline const Law &law_at(const std::vector<Law> &laws, const std::size_t i)
 {

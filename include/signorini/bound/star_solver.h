@@ -10,18 +10,22 @@
 
 namespace Signorini
 {
-/** S of all cells, congruent ones once. */
+/** S of all cells. Cells that share CellData and have a constant law share the matrix. */
 class CellEnergies
 {
 public:
   explicit CellEnergies(const CellTable &table, std::size_t n_cells);
 
-  bool knows(const unsigned int cell) const
+  /** Whether a cell shares its matrix with no cell before. */
+  bool is_first(const unsigned int cell) const
   {
-    return index_[cell] != unknown;
+    return first_cell_[index_[cell]] == cell;
   }
-  /** Cells that share CellData and have a constant law share the matrix. */
-  void set(unsigned int cell, const CellEnergy &energy);
+  /** Sets the matrix of a cell and of all that share it. */
+  void set(const unsigned int cell, const CellEnergy &energy)
+  {
+    matrices_[index_[cell]] = energy;
+  }
   const CellEnergy &operator()(const unsigned int cell) const
   {
     return matrices_[index_[cell]];
@@ -34,15 +38,14 @@ public:
   /** Whether other cells may share its matrix. */
   bool is_shared(const unsigned int cell) const
   {
-    return shared_ && table_.shape_of(cell) < number_of_shape_.size();
+    return shared_ && table_.shape_of(cell) < table_.n_shapes();
   }
 
 private:
-  static constexpr unsigned int unknown = static_cast<unsigned int>(-1);
   bool shared_;
-  std::vector<unsigned int> number_of_shape_;
   const CellTable &table_;
-  std::vector<unsigned int> index_;
+  /** Of every cell the number of its matrix, and of every matrix the first cell. */
+  std::vector<unsigned int> index_, first_cell_;
   std::vector<CellEnergy> matrices_;
 };
 
@@ -55,7 +58,7 @@ private:
 class StarSolver
 {
 public:
-  StarSolver(const EdgeMesh &mesh, const CellEnergies &energies);
+  StarSolver(const EdgeMesh &mesh, const CellEnergies &energies, unsigned int n_threads = 1);
 
   /** Solves the star of a vertex anew, whose edges have changed their freedom. */
   void renew(unsigned int vertex, const CellEnergies &energies);
@@ -64,10 +67,8 @@ public:
   void apply(const std::vector<double> &r, std::vector<double> &z) const;
 
 private:
-  /** Adds the matrix of a star. @return its number. */
-  unsigned int add_matrix(const Star &star, const CellEnergies &energies);
-  /** Z (ZᵀSZ)^{-1} Zᵀ of a star, in the order spoke, end (centre first), component. */
-  dealii::FullMatrix<double> solve_star(const Star &star, const CellEnergies &energies) const;
+  /** Z (ZᵀSZ)^{-1} Zᵀ of a star row by row, in the order spoke, end (centre first), component. */
+  std::vector<double> solve_star(const Star &star, const CellEnergies &energies) const;
   /** Equal for stars with equal matrices; empty if that is not known. */
   std::vector<unsigned int> key(const Star &star, const CellEnergies &energies) const;
 
@@ -79,6 +80,9 @@ private:
 
 /** A basis of the null space of a matrix, as columns, by elimination with full pivoting. */
 dealii::FullMatrix<double> null_space(dealii::FullMatrix<double> matrix);
+
+/** S b on a cell. */
+CellMoments multiply(const CellEnergy &energy, const CellMoments &b);
 
 /** gradient = S b, cell by cell. */
 void multiply(const EdgeMesh &mesh,

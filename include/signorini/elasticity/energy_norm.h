@@ -18,8 +18,16 @@ double energy_norm(const DisplacementSpace<dim> &space,
 /**
  * What errors in the energy norm are compared with: |||u_h|||, or what rounding makes of it where
  * that is larger. Where a body moves as a whole, |||u_h||| and its error are nothing but rounding.
- * Collective.
+ *
+ * @param norm |||u_h|||
  */
+template <int dim>
+double energy_scale(double norm,
+                    const DisplacementSpace<dim> &space,
+                    const Scene<dim> &scene,
+                    const NodalVector &U);
+
+/** The same, with the norm computed. Collective. */
 template <int dim>
 double energy_scale(const DisplacementSpace<dim> &space,
                     const Scene<dim> &scene,
