@@ -39,6 +39,12 @@ std::string EquilibratedStress::objection(const StressData &data)
   const std::string of_mesh = EdgeMesh::objection(data.space.mesh());
   if (!of_mesh.empty())
     return of_mesh;
+  const auto prescribes = [](const BoundaryCondition<2> &condition) {
+    return condition.role == Role::displacement;
+  };
+  const auto &boundary = data.scene.boundary;
+  if (std::none_of(boundary.begin(), boundary.end(), prescribes))
+    return "";
   const EdgeMesh mesh(data.space, data.scene);
   const PrescribedLift lift(data.scene, mesh, data.U);
   if (lift.largest_jump() > 1e-10)
@@ -246,7 +252,8 @@ std::vector<Components> EquilibratedStress::stress(const unsigned int cell,
 }
 
 double EquilibratedStress::oscillation(const unsigned int cell,
-                                       const double smallest_eigenvalue) const
+                                       const double smallest_eigenvalue,
+                                       OscillationTable &table) const
 {
   const auto &edges = mesh_.cells()[cell].edges;
   double of_force = loads_.empty() ? 0. : loads_[cell].rest, of_edges = 0.;
@@ -254,7 +261,7 @@ double EquilibratedStress::oscillation(const unsigned int cell,
     of_edges += given_.normal_rest[edge] + given_.shear_rest[edge];
   if (of_force == 0. && of_edges == 0.)
     return 0.;
-  const OscillationConstants constants(CellShape(mesh_.cells()[cell].corners));
+  const OscillationConstants &constants = table(table_.shape_of(cell), mesh_.cells()[cell].corners);
   double sum = constants.body * of_force;
   for (unsigned int k = 0; k < 4; ++k)
     sum += constants.normal[k] * given_.normal_rest[edges[k]] +
@@ -296,12 +303,13 @@ StressBound EquilibratedStress::bound() const
   result.steps = steps_;
   result.restarts = restarts_;
   result.translation = displacement(mesh_.cells()[0])[0];
+  OscillationTable constants(table_.n_shapes());
   double lift_square = 0., patch_square = 0., patch_lift_square = 0.;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
     const CellSquares &squares = squares_[c];
     const double misfit = std::sqrt(squares.misfit);
-    const double rest = oscillation(c, squares.smallest_eigenvalue);
+    const double rest = oscillation(c, squares.smallest_eigenvalue, constants);
     result.misfit.push_back(misfit);
     result.oscillation.push_back(rest);
     const double of_geometry = geometry(c, squares.smallest_eigenvalue);

@@ -3,6 +3,7 @@
 
 #include <signorini/verdict/accuracy.h>
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -49,7 +50,12 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels)
   if (const std::optional<double> bound = bound_of(finest))
   {
     if (is_guaranteed(finest))
-      text << "the error is at most " << percent(*bound) << " (energy norm, guaranteed)";
+    {
+      text << "the error is at most " << percent(*bound) << " (energy norm, guaranteed";
+      if (finest.bound->post_relative)
+        text << "; " << percent(*finest.bound->post_relative) << " for pi^2h u_h";
+      text << ")";
+    }
     else
       text << "the error is at most about " << percent(*bound)
            << " (energy norm, estimated bound; the sides are curved: geometric part "
@@ -64,7 +70,11 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels)
       text << ", and with fewer than three levels the accuracy is not checked";
   }
   if (finest.estimate)
-    text << ", about " << percent(finest.estimate->relative) << " (energy norm, estimated)";
+    // What is guaranteed counts more.
+    text << ", about "
+         << percent(std::min(finest.estimate->relative,
+                             is_guaranteed(finest) ? *bound_of(finest) : finest.estimate->relative))
+         << " (energy norm, estimated)";
   return text.str();
 }
 } // namespace Signorini

@@ -3,6 +3,8 @@
 
 #include <signorini/elasticity/displacement_space.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
 #include <string>
 #include <vector>
@@ -81,8 +83,9 @@ struct Spoke
  */
 struct Star
 {
-  std::vector<Corner> cells;
-  std::vector<Spoke> spokes;
+  // Most vertices have four cells: no allocations for them.
+  boost::container::small_vector<Corner, 5> cells;
+  boost::container::small_vector<Spoke, 5> spokes;
 
   bool is_closed() const
   {

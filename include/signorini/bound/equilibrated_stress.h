@@ -5,6 +5,7 @@
 #include <signorini/bound/cell_table.h>
 #include <signorini/bound/edge_tractions.h>
 #include <signorini/bound/energy_bracket.h>
+#include <signorini/bound/oscillation.h>
 #include <signorini/bound/prescribed_lift.h>
 #include <signorini/bound/star_solver.h>
 
@@ -213,7 +214,7 @@ private:
    */
   double geometry(unsigned int cell, double smallest_eigenvalue) const;
   /** osc_K. */
-  double oscillation(unsigned int cell, double smallest_eigenvalue) const;
+  double oscillation(unsigned int cell, double smallest_eigenvalue, OscillationTable &table) const;
   /** int_{Gamma_D} tau n.(u_D - c) on the edges of a cell; adds int_{Gamma_D} tau n to @p force. */
   double support_work(unsigned int cell,
                       const dealii::Tensor<1, 2> &c,

@@ -3,6 +3,10 @@
 
 #include <signorini/bound/composite_cell.h>
 
+#include <array>
+#include <optional>
+#include <vector>
+
 namespace Signorini
 {
 /**
@@ -44,6 +48,31 @@ struct OscillationConstants
   double body;
   /** For tractions in any direction, and for normal ones. */
   std::array<double, 4> edge, normal;
+};
+
+/** The constants of cells, once for those that share a shape. */
+class OscillationTable
+{
+public:
+  /** @param n_shared the number of shapes that cells share. */
+  explicit OscillationTable(const unsigned int n_shared)
+    : shared_(n_shared)
+  {
+  }
+  /** Of a cell with the given number of its shape, which is below n_shared if it is shared. Valid
+   * until the next call. */
+  const OscillationConstants &operator()(const unsigned int shape,
+                                         const std::array<dealii::Point<2>, 4> &corners)
+  {
+    std::optional<OscillationConstants> &known = shape < shared_.size() ? shared_[shape] : own_;
+    if (!known || shape >= shared_.size())
+      known.emplace(CellShape(corners));
+    return *known;
+  }
+
+private:
+  std::vector<std::optional<OscillationConstants>> shared_;
+  std::optional<OscillationConstants> own_;
 };
 
 /**
