@@ -36,7 +36,7 @@ void add_edge(const std::array<EdgePoint, 2> &points,
 
 std::string EquilibratedStress::objection(const StressData &data)
 {
-  const std::string of_mesh = EdgeMesh::objection(data.space.mesh());
+  std::string of_mesh = EdgeMesh::objection(data.space.mesh());
   if (!of_mesh.empty())
     return of_mesh;
   const auto prescribes = [](const BoundaryCondition<2> &condition) {
