@@ -108,9 +108,9 @@ private:
 std::string describe(const std::string &reason, const SidePlace &place, const Scene<2> &scene)
 {
   const Side<2> &side = scene.geometry.sides[place.side];
+  const dealii::Point<2> x = side.point(place.arc_length);
   std::ostringstream text;
-  text << reason << ": side " << side.name() << ", arc length " << place.arc_length << ", ("
-       << side.point(place.arc_length) << ").";
+  text << reason << ", on " << side.name() << " at (" << x[0] << ", " << x[1] << ")";
   return text.str();
 }
 
@@ -146,7 +146,7 @@ ContactLift::ContactLift(const DisplacementSpace<2> &space,
 {
   if (space.element().degree > 1)
   {
-    no_bound_ = "the displacement has a degree above one, and the bound is for bilinear elements.";
+    no_bound_ = "the displacement has a degree above one, and the bound is for bilinear elements";
     return;
   }
   trace_ = std::make_unique<const ContactTrace>(space, scene, multipliers, U, P, fields);
