@@ -30,6 +30,8 @@ std::string check_target(const std::vector<LevelRecord> &levels, const Judge &ju
 /** Without a bound: on the finest level bilinear elements are too stiff for a nearly incompressible
  * body. */
 std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &judge);
+/** The bracket of the energy is too wide: strain energy and work of loads nearly cancel. */
+std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &judge);
 /** Without a bound: the estimated error does not fall. */
 std::string check_estimate(const std::vector<LevelRecord> &levels, const Judge &judge);
 } // namespace Signorini

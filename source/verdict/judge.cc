@@ -24,6 +24,7 @@ constexpr Check<LevelRecord> level_checks[] = {check_overflow,
 constexpr Check<std::vector<LevelRecord>> equation_checks[] = {check_finest_level,
                                                                check_uniqueness};
 constexpr Check<std::vector<LevelRecord>> accuracy_checks[] = {check_bound,
+                                                               check_energy,
                                                                check_locking,
                                                                check_estimate,
                                                                check_target};

@@ -66,6 +66,27 @@ std::string check_bound(const std::vector<LevelRecord> &levels, const Judge &jud
   return text.str();
 }
 
+std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &judge)
+{
+  const LevelRecord &finest = levels.back();
+  if (!is_guaranteed(finest) || !finest.bound->energy_lower || !finest.bound->energy_upper)
+    return "";
+  const double J = finest.certificate.energy;
+  const double off = std::max(J - *finest.bound->energy_lower, *finest.bound->energy_upper - J);
+  // An error of 20 % in the energy norm is one of 4 % in the energy.
+  const double tolerated = judge.tolerated_error() * judge.tolerated_error();
+  // Below that, relative to the strain energy, the bracket is rounding.
+  constexpr double rounding = 1e-10;
+  const double strain_energy = std::pow(*finest.bound->absolute / *finest.bound->relative, 2);
+  if (off <= tolerated * std::abs(J) || !(off > rounding * strain_energy))
+    return "";
+  std::ostringstream text;
+  text << "The energy of level " << finest.sizes.level << " is known up to "
+       << 100. * off / std::abs(J) << " % only (guaranteed; allowed is the square of Tolerated "
+       << "error, " << 100. * tolerated << " %); " << remedy_for(finest);
+  return text.str();
+}
+
 std::string check_target(const std::vector<LevelRecord> &levels, const Judge &judge)
 {
   const LevelRecord &finest = levels.back();
