@@ -46,8 +46,7 @@ RunSummary run_file(const CommandLine &command_line,
                     MPI_Comm communicator,
                     Screen &screen)
 {
-  try
-  {
+  return tell_errors(screen, [&]() {
     const RunInput input = read_input(command_line.parameter_files[i],
                                       command_line.overrides,
                                       command_line.directories[i],
@@ -58,17 +57,7 @@ RunSummary run_file(const CommandLine &command_line,
       sweeps.push_back(read_sweep(argument));
     return sweeps.empty() ? run_scene(input, communicator, screen)
                           : run_sweep(input, sweeps, communicator, screen);
-  }
-  catch (const InputError &error)
-  {
-    screen.complain(error.what());
-    return {1, "wrong input", {}};
-  }
-  catch (const ComputationError &error)
-  {
-    screen.complain(error.what());
-    return {2, "failed", {}};
-  }
+  });
 }
 
 /** One scene after the other. @return the largest exit code. */

@@ -25,9 +25,8 @@ SideForce total_force(const std::vector<SideForce> &parts)
       centre += size * *part.through;
     }
   }
-  constexpr double negligible = 1e-10;
-  if (sizes > 0. && total.resultant.force.norm() > negligible * sizes)
-    total.through = point_of_action(total.resultant, dealii::Point<2>(centre / sizes));
+  if (sizes > 0.)
+    total.through = point_of_action(total.resultant, dealii::Point<2>(centre / sizes), sizes);
   return total;
 }
 } // namespace

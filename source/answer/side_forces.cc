@@ -12,10 +12,6 @@ namespace
 {
 using Vector2 = dealii::Tensor<1, 2>;
 
-/** Forces that are smaller than this share of the others are rounding: they have no line of action.
- */
-constexpr double negligible = 1e-10;
-
 /** A side that holds a node. */
 struct Holder
 {
@@ -111,25 +107,24 @@ std::vector<SideForce> contact_forces(const MultiplierSpace<2> &multipliers,
   const ContactSurface<2> &surface = multipliers.surface();
   for (const unsigned int side : scene.contact_sides())
   {
-    std::vector<Piece<2>> pieces;
+    SideForce force = {scene.geometry.sides[side].name(), {}, {}};
     double total = 0.;
-    dealii::Tensor<1, 2> centre;
+    Vector2 centre;
     for (const Piece<2> &piece : surface.pieces())
       if (surface.patches()[piece.patch].side == side)
       {
-        pieces.push_back(piece);
+        force.resultant += contact_resultant(multipliers, P, piece);
         const SurfaceRule<2> &rule = piece.on_mesh;
         for (std::size_t q = 0; q < rule.size(); ++q)
         {
-          const double force = multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q];
-          total += force;
-          centre += force * rule.points[q];
+          const double share = multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q];
+          total += share;
+          centre += share * rule.points[q];
         }
       }
-    SideForce force = {
-      scene.geometry.sides[side].name(), contact_resultant(multipliers, P, pieces), {}};
-    if (force.resultant.force.norm() > negligible * std::abs(total))
-      force.through = point_of_action(force.resultant, dealii::Point<2>(centre / total));
+    if (total != 0.)
+      force.through =
+        point_of_action(force.resultant, dealii::Point<2>(centre / total), std::abs(total));
     forces.push_back(force);
   }
   return forces;
@@ -157,17 +152,20 @@ std::vector<SideForce> reactions(const DisplacementSpace<2> &space,
   for (const auto &[number, resultant] : by_side)
   {
     const Side<2> &side = scene.geometry.sides[number];
-    SideForce force = {side.name(), resultant, {}};
-    if (resultant.force.norm() > negligible * scale)
-      force.through = point_of_action(resultant, side.point(0.5 * side.length()));
-    result.push_back(force);
+    result.push_back(
+      {side.name(), resultant, point_of_action(resultant, side.point(0.5 * side.length()), scale)});
   }
   return result;
 }
 
-dealii::Point<2> point_of_action(const Resultant<2> &resultant, const dealii::Point<2> &centre)
+std::optional<dealii::Point<2>> point_of_action(const Resultant<2> &resultant,
+                                                const dealii::Point<2> &centre,
+                                                const double scale)
 {
+  constexpr double negligible = 1e-10;
   const Vector2 &F = resultant.force;
+  if (!(F.norm() > negligible * scale))
+    return {};
   // x = centre + t (F2, -F1) has the moment centre × F + t |F|².
   const double t = resultant.moment_about(centre)[0] / F.norm_square();
   return centre + t * Vector2({F[1], -F[0]});

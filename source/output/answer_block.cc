@@ -163,11 +163,8 @@ public:
 
   void print_end(const std::filesystem::path &directory)
   {
-    double seconds = 0.;
-    for (const LevelRecord &level : levels_)
-      seconds += level.times.total();
     // Tests of runs leave out lines of this form.
-    lines_.add("Time =", {digits(std::round(1000. * seconds) / 1000.), "s"});
+    lines_.add("Time =", {digits(std::round(1000. * total_seconds(levels_)) / 1000.), "s"});
     if (!directory.empty())
       lines_.add("Results", {"in", directory.string()});
   }

@@ -109,9 +109,6 @@ void write_answer(std::ostream &stream,
   const LevelRecord &finest = levels.back();
   const Answer &answer = finest.answer;
   const ErrorBound bound = finest.bound.value_or(ErrorBound());
-  double seconds = 0.;
-  for (const LevelRecord &level : levels)
-    seconds += level.times.total();
   AnswerJson total = describe(answer.contact_force);
   total["error"] = optional_number(bound.force_error);
   const AnswerJson json = {{"level", finest.sizes.level},
@@ -128,7 +125,7 @@ void write_answer(std::ostream &stream,
                             {{"value", finest.certificate.energy},
                              {"lower", optional_number(bound.energy_lower)},
                              {"upper", optional_number(bound.energy_upper)}}},
-                           {"seconds", seconds}};
+                           {"seconds", total_seconds(levels)}};
   stream << json.dump(2) << "\n";
 }
 } // namespace Signorini

@@ -13,4 +13,12 @@ std::vector<std::optional<double>> over_levels(const std::vector<LevelRecord> &l
     values.push_back(value(level, column));
   return values;
 }
+
+double total_seconds(const std::vector<LevelRecord> &levels)
+{
+  double seconds = 0.;
+  for (const LevelRecord &level : levels)
+    seconds += level.times.total();
+  return seconds;
+}
 } // namespace Signorini

@@ -259,12 +259,10 @@ Certificate certify(const DisplacementSpace<dim> &space,
   certificate.support = support_error(space, scene, solution.U);
   const Deformation deformed = deformation(space, solution.U);
   certificate.translation = deformed.translation;
-  balance(space,
-          scene,
-          system.applied,
-          contact_resultant(multipliers, solution.P, multipliers.surface().pieces()),
-          forces,
-          certificate);
+  Resultant<dim> contact;
+  for (const Piece<dim> &piece : multipliers.surface().pieces())
+    contact += contact_resultant(multipliers, solution.P, piece);
+  balance(space, scene, system.applied, contact, forces, certificate);
 
   dealii::Vector<double> W = D.transpose_product(solution.U);
   W -= solution.G;

@@ -45,17 +45,14 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
 template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
                                  const dealii::Vector<double> &P,
-                                 const std::vector<Piece<dim>> &pieces)
+                                 const Piece<dim> &piece)
 {
   Resultant<dim> resultant;
-  for (const Piece<dim> &piece : pieces)
-  {
-    const SurfaceRule<dim> &rule = piece.on_mesh;
-    for (std::size_t q = 0; q < rule.size(); ++q)
-      resultant.add(multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q] *
-                      rule.normals[q],
-                    rule.points[q]);
-  }
+  const SurfaceRule<dim> &rule = piece.on_mesh;
+  for (std::size_t q = 0; q < rule.size(); ++q)
+    resultant.add(multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q] *
+                    rule.normals[q],
+                  rule.points[q]);
   return resultant;
 }
 
@@ -73,8 +70,8 @@ template NodalForces nodal_forces(const DisplacementSpace<3> &,
                                   const dealii::Vector<double> &);
 template Resultant<2> contact_resultant(const MultiplierSpace<2> &,
                                         const dealii::Vector<double> &,
-                                        const std::vector<Piece<2>> &);
+                                        const Piece<2> &);
 template Resultant<3> contact_resultant(const MultiplierSpace<3> &,
                                         const dealii::Vector<double> &,
-                                        const std::vector<Piece<3>> &);
+                                        const Piece<3> &);
 } // namespace Signorini

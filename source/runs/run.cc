@@ -123,14 +123,11 @@ RunInput read_input(const std::string &file_name,
   return input;
 }
 
-RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen)
+RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &run)
 {
-  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    describe_interruption("before the first level.");
-  // Every rank has the same input and meets the same errors; see agree() for the rest.
   try
   {
-    return try_to_run(input, communicator, screen);
+    return run();
   }
   catch (const InputError &error)
   {
@@ -142,5 +139,13 @@ RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &scree
     screen.complain(error.what());
     return {2, "failed", {}};
   }
+}
+
+RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen)
+{
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    describe_interruption("before the first level.");
+  // Every rank has the same input and meets the same errors; see agree() for the rest.
+  return tell_errors(screen, [&]() { return try_to_run(input, communicator, screen); });
 }
 } // namespace Signorini

@@ -142,9 +142,9 @@ void forces(Checks &checks)
   Resultant<2> oblique;
   const dealii::Point<2> a(0.3, -0.7);
   oblique.add(dealii::Tensor<1, 2>({2., 1.}), a);
-  const dealii::Point<2> nearest = point_of_action(oblique, {0.3 + 4., -0.7 + 2.});
+  const dealii::Point<2> nearest = *point_of_action(oblique, {0.3 + 4., -0.7 + 2.}, 1.);
   checks.near("a point of the line stays", nearest.distance({4.3, 1.3}), 0., 1e-14);
-  const dealii::Point<2> foot = point_of_action(oblique, {0.3 - 1., -0.7 + 2.});
+  const dealii::Point<2> foot = *point_of_action(oblique, {0.3 - 1., -0.7 + 2.}, 1.);
   checks.near("foot of the perpendicular", foot.distance(a), 0., 1e-14);
 }
 

@@ -38,6 +38,9 @@ std::vector<SideForce> reactions(const DisplacementSpace<2> &space,
                                  const Scene<2> &scene,
                                  const NodalForces &forces);
 
-/** The point of the line of action x × F = M that is nearest to @p centre. |F| must not vanish. */
-dealii::Point<2> point_of_action(const Resultant<2> &resultant, const dealii::Point<2> &centre);
+/** The point of the line of action x × F = M that is nearest to @p centre; none where |F| is
+ * rounding against @p scale (force). */
+std::optional<dealii::Point<2>> point_of_action(const Resultant<2> &resultant,
+                                                const dealii::Point<2> &centre,
+                                                double scale);
 } // namespace Signorini

@@ -38,9 +38,9 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
                          const NodalVector &U,
                          const dealii::Vector<double> &P);
 
-/** int p_H n and int p_H x × n over pieces of Gamma_c. */
+/** int p_H n and int p_H x × n over a piece of Gamma_c. */
 template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
                                  const dealii::Vector<double> &P,
-                                 const std::vector<Piece<dim>> &pieces);
+                                 const Piece<dim> &piece);
 } // namespace Signorini

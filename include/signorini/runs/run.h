@@ -5,6 +5,7 @@
 #include <signorini/runs/screen.h>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,10 @@ RunInput read_input(const std::string &file_name,
                     const std::filesystem::path &directory,
                     MPI_Comm communicator,
                     const Screen &screen);
+
+/** run(), with an InputError or a ComputationError told on the screen and turned into the summary
+ * of a run that it has ended. */
+RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &run);
 
 /** From parameters to results: one scene. What goes wrong is told on the screen. Collective. */
 RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen);
