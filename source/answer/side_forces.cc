@@ -2,6 +2,7 @@
 // Which force acts through which side.
 
 #include <signorini/answer/side_forces.h>
+#include <signorini/elasticity/node_positions.h>
 
 #include <cmath>
 #include <map>
@@ -57,12 +58,14 @@ void add_holder(const unsigned int side, const Role role, const Vector2 &normal,
   node.holders.push_back({side, role == Role::roller, normal});
 }
 
-/** By vertex. */
-std::map<unsigned int, HeldNode> held_nodes(const DisplacementSpace<2> &space,
+/** By the first degree of freedom. */
+std::map<dealii::types::global_dof_index, HeldNode> held_nodes(const DisplacementSpace<2> &space,
                                             const Scene<2> &scene,
                                             const NodalForces &forces)
 {
-  std::map<unsigned int, HeldNode> nodes;
+  std::map<dealii::types::global_dof_index, HeldNode> nodes;
+  NodePositions<2> positions(space);
+  std::vector<dealii::types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->at_boundary())
       for (const unsigned int f : cell->face_indices())
@@ -70,12 +73,20 @@ std::map<unsigned int, HeldNode> held_nodes(const DisplacementSpace<2> &space,
         const auto face = cell->face(f);
         if (!face->at_boundary() || !holds(scene.boundary[face->boundary_id()].role))
           continue;
-        for (unsigned int v = 0; v < 2; ++v)
+        const dealii::FiniteElement<2> &element = cell->get_fe();
+        indices.resize(element.n_dofs_per_cell());
+        cell->get_dof_indices(indices);
+        const std::vector<dealii::Point<2>> &points = positions(cell);
+        for (unsigned int k = 0; k < points.size(); ++k)
         {
-          HeldNode &node = nodes[face->vertex_index(v)];
-          node.point = face->vertex(v);
+          const unsigned int first = element.component_to_system_index(0, k);
+          if (!element.has_support_on_face(first, f))
+            continue;
+          HeldNode &node = nodes[indices[first]];
+          node.point = points[k];
           for (unsigned int c = 0; c < 2; ++c)
-            node.reaction[c] = forces.residual[face->vertex_dof_index(v, c)];
+            node.reaction[c] =
+              forces.residual[indices[element.component_to_system_index(c, k)]];
           add_holder(face->boundary_id(),
                      scene.boundary[face->boundary_id()].role,
                      face_normal(cell, f),

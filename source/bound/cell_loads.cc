@@ -118,7 +118,7 @@ public:
                const unsigned int n_points)
     : force_(*scene.body_force)
     , values_(space.mesh().mapping(),
-              space.element(),
+              space,
               scene.kinks,
               n_points,
               dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values)

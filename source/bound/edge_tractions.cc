@@ -102,7 +102,7 @@ void add_traction_sides(const DisplacementSpace<2> &space,
 {
   const auto make_values = [&](const unsigned int n) {
     return FaceValues<2>(space.mesh().mapping(),
-                         space.element(),
+                         space,
                          scene.kinks,
                          n,
                          dealii::update_values | dealii::update_quadrature_points |

@@ -3,6 +3,9 @@
 
 #include <signorini/elasticity/cell_stiffness.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace Signorini
 {
 namespace
@@ -42,7 +45,7 @@ std::vector<double> mean_divergences(const dealii::FEValues<dim> &values)
 /** Whether every vertex is the sum of the edges along its coordinates: a parallelogram, in space a
  * parallelepiped. */
 template <int dim>
-bool is_affine(const std::vector<dealii::Tensor<1, dim>> &shape)
+bool is_affine(const std::vector<dealii::Tensor<1, dim>> &shape, const double tolerance)
 {
   for (unsigned int v = 0; v < shape.size(); ++v)
   {
@@ -50,10 +53,17 @@ bool is_affine(const std::vector<dealii::Tensor<1, dim>> &shape)
     for (unsigned int d = 0; d < dim; ++d)
       if (((v >> d) & 1U) != 0)
         difference -= shape[1U << d];
-    if (!(difference.norm() < 1e-12 * shape.back().norm()))
+    if (!(difference.norm() < tolerance * shape.back().norm()))
       return false;
   }
   return true;
+}
+
+/** Relative to the size of a cell: the coordinates of small cells far from the origin know their
+ * shape less accurately. */
+double tolerance_of_shapes(const double distance_from_origin, const double size)
+{
+  return std::max(1e-12, 16. * std::numeric_limits<double>::epsilon() * distance_from_origin / size);
 }
 
 /** magnitudes_i = sum_j |K_ij x_j|. */
@@ -70,44 +80,43 @@ void multiply_magnitudes(const dealii::FullMatrix<double> &K,
 
 template <int dim>
 CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Scene<dim> &scene)
-  : mesh_(space.mesh())
+  : space_(space)
+  , mesh_(space.mesh())
   , material_(*scene.material)
   , strain_operator_(space.strain_operator())
   , constant_(material_.is_constant())
   , curved_(mesh_.is_curved())
   , kinks_(constant_ ? Kinks<dim>() : scene.kinks)
-  , affine_values_(mesh_.unit_mapping(),
-                   space.element(),
-                   kinks_,
-                   space.element().degree + 1,
-                   stiffness_flags)
-  , general_values_(mesh_.unit_mapping(),
-                    space.element(),
-                    kinks_,
-                    space.element().degree + 3,
-                    stiffness_flags)
-  , matrix_(space.element().n_dofs_per_cell())
+  , affine_values_(mesh_.unit_mapping(), space, kinks_, 2, stiffness_flags)
+  , general_values_(mesh_.unit_mapping(), space, kinks_, 4, stiffness_flags)
 {
 }
 
 template <int dim>
-bool CellStiffness<dim>::is_congruent(const CellIterator &cell) const
+const typename CellStiffness<dim>::Sample *
+CellStiffness<dim>::find_sample(const unsigned int element_number,
+                                const std::vector<dealii::Tensor<1, dim>> &shape,
+                                const double tolerance) const
 {
-  if (!constant_ || curved_ || shape_.empty())
-    return false;
-  const double size = shape_.back().norm();
-  for (const unsigned int v : cell->vertex_indices())
-    if ((cell->vertex(v) - cell->vertex(0) - shape_[v]).norm() > 1e-12 * size)
+  const double size = shape.back().norm();
+  const auto fits = [&](const Sample &sample) {
+    if (sample.element_number != element_number)
       return false;
-  return true;
+    for (unsigned int v = 0; v < shape.size(); ++v)
+      if ((shape[v] / size - sample.shape[v]).norm() > tolerance)
+        return false;
+    return true;
+  };
+  const auto found = std::find_if(samples_.begin(), samples_.end(), fits);
+  return found == samples_.end() ? nullptr : &*found;
 }
 
 template <int dim>
 void CellStiffness<dim>::integrate(const dealii::FEValues<dim> &values)
 {
   const dealii::FEValuesExtractors::Vector displacement(0);
+  constexpr unsigned int n_strains = dealii::SymmetricTensor<2, dim>::n_independent_components;
   const unsigned int n = values.dofs_per_cell;
-  std::vector<dealii::SymmetricTensor<2, dim>> strain(n), stress(n);
   const std::vector<double> mean_dilatation = strain_operator_ == StrainOperator::mean_dilatation
                                                 ? mean_divergences(values)
                                                 : std::vector<double>();
@@ -115,33 +124,54 @@ void CellStiffness<dim>::integrate(const dealii::FEValues<dim> &values)
     return material_.relative_hooke(mesh_.from_unit_body(values.quadrature_point(q)));
   };
   dealii::SymmetricTensor<4, dim> hooke = hooke_at(0);
-  matrix_ = 0.;
+  // With a row for every point and component, the sum over both is a product of matrices.
+  strains_.reinit(values.n_quadrature_points * n_strains, n);
+  stresses_.reinit(values.n_quadrature_points * n_strains, n);
   for (const unsigned int q : values.quadrature_point_indices())
   {
     if (!constant_)
       hooke = hooke_at(q);
     for (unsigned int i = 0; i < n; ++i)
     {
-      strain[i] = values[displacement].symmetric_gradient(i, q);
+      dealii::SymmetricTensor<2, dim> strain = values[displacement].symmetric_gradient(i, q);
       if (!mean_dilatation.empty())
-        replace_trace(strain[i], mean_dilatation[i]);
-      stress[i] = hooke * strain[i];
+        replace_trace(strain, mean_dilatation[i]);
+      const dealii::SymmetricTensor<2, dim> stress = values.JxW(q) * (hooke * strain);
+      for (unsigned int c = 0; c < n_strains; ++c)
+      {
+        // Off the diagonal a component stands for two.
+        strains_(q * n_strains + c, i) = (c < dim ? 1. : 2.) * strain.access_raw_entry(c);
+        stresses_(q * n_strains + c, i) = stress.access_raw_entry(c);
+      }
     }
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        matrix_(i, j) += strain[i] * stress[j] * values.JxW(q);
   }
+  matrix_.reinit(n, n);
+  strains_.Tmmult(matrix_, stresses_);
 }
 
 template <int dim>
 const dealii::FullMatrix<double> &CellStiffness<dim>::operator()(const CellIterator &cell)
 {
-  if (is_congruent(cell))
+  std::vector<dealii::Tensor<1, dim>> shape = shape_of<dim>(cell);
+  const double size = shape.back().norm();
+  const double tolerance = tolerance_of_shapes(cell->vertex(0).norm(), size);
+  if (!constant_ || curved_ || !is_affine<dim>(shape, tolerance))
+  {
+    integrate(general_values_.reinit(cell));
     return matrix_;
-  shape_ = shape_of<dim>(cell);
-  const bool exact_with_few_points = constant_ && !curved_ && is_affine<dim>(shape_);
-  integrate((exact_with_few_points ? affine_values_ : general_values_).reinit(cell));
-  return matrix_;
+  }
+  const unsigned int element_number = space_.element_number(cell);
+  const Sample *const sample = find_sample(element_number, shape, tolerance);
+  if (sample != nullptr && (dim == 2 || std::abs(sample->size - size) < 1e-12 * size))
+    return sample->matrix;
+  integrate(affine_values_.reinit(cell));
+  constexpr std::size_t most_samples = 64;
+  if (sample != nullptr || samples_.size() == most_samples)
+    return matrix_;
+  for (dealii::Tensor<1, dim> &edge : shape)
+    edge /= size;
+  samples_.push_back({element_number, size, shape, matrix_});
+  return samples_.back().matrix;
 }
 
 template <int dim>
@@ -151,12 +181,15 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
 {
   CellStiffness<dim> stiffness(space, scene);
   InternalForces<dim> result = {space.make_vector(), space.make_vector()};
-  const unsigned int n = space.element().n_dofs_per_cell();
-  dealii::Vector<double> cell_U(n), forces(n), magnitudes(n);
-  std::vector<dealii::types::global_dof_index> indices(n);
+  dealii::Vector<double> cell_U, forces, magnitudes;
+  std::vector<dealii::types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->is_locally_owned())
     {
+      const unsigned int n = cell->get_fe().n_dofs_per_cell();
+      for (dealii::Vector<double> *const vector : {&cell_U, &forces, &magnitudes})
+        vector->reinit(n);
+      indices.resize(n);
       cell->get_dof_indices(indices);
       cell->get_dof_values(U, cell_U);
       const dealii::FullMatrix<double> &K = stiffness(cell);

@@ -8,6 +8,8 @@
 #include <deal.II/numerics/vector_tools_boundary.h>
 #include <deal.II/numerics/vector_tools_constraints.h>
 
+#include <algorithm>
+
 namespace Signorini
 {
 namespace
@@ -62,7 +64,7 @@ template <int dim>
 dealii::AffineConstraints<double> with_hanging_nodes(dealii::AffineConstraints<double> essential,
                                                      const dealii::DoFHandler<dim> &dofs)
 {
-  if (!dofs.get_triangulation().has_hanging_nodes())
+  if (!dofs.get_triangulation().has_hanging_nodes() && dofs.get_fe_collection().size() == 1)
     return essential;
   dealii::AffineConstraints<double> constraints;
   dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
@@ -79,11 +81,38 @@ DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
                                           const unsigned int degree)
   : mesh_(mesh)
   , strain_operator_(strain_operator)
-  , element_(dealii::FE_Q<dim>(degree), dim)
   , dofs_(mesh.triangulation())
 {
-  dofs_.distribute_dofs(element_);
-  auto essential = essential_conditions(mesh, dofs_, scene);
+  distribute(scene,
+             dealii::hp::FECollection<dim>(dealii::FESystem<dim>(dealii::FE_Q<dim>(degree), dim)));
+}
+
+template <int dim>
+DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
+                                          const Scene<dim> &scene,
+                                          const std::vector<unsigned int> &degrees)
+  : mesh_(mesh)
+  , strain_operator_(StrainOperator::symmetric_gradient)
+  , dofs_(mesh.triangulation())
+{
+  AssertDimension(degrees.size(), mesh.triangulation().n_active_cells());
+  constexpr unsigned int lowest = 2;
+  const unsigned int highest = *std::max_element(degrees.begin(), degrees.end());
+  dealii::hp::FECollection<dim> elements;
+  for (unsigned int degree = lowest; degree <= highest; ++degree)
+    elements.push_back(dealii::FESystem<dim>(dealii::FE_Q<dim>(degree), dim));
+  if (elements.size() > 1)
+    for (const auto &cell : dofs_.active_cell_iterators())
+      cell->set_active_fe_index(degrees[cell->active_cell_index()] - lowest);
+  distribute(scene, elements);
+}
+
+template <int dim>
+void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
+                                        const dealii::hp::FECollection<dim> &elements)
+{
+  dofs_.distribute_dofs(elements);
+  auto essential = essential_conditions(mesh_, dofs_, scene);
   supports_ = held_dofs(essential, dofs_.n_dofs());
   constraints_ = with_hanging_nodes(std::move(essential), dofs_);
 }
@@ -129,16 +158,16 @@ NodalVector DisplacementSpace<dim>::condense(const NodalVector &functional) cons
 
 template <int dim>
 typename dealii::DoFHandler<dim>::active_cell_iterator DisplacementSpace<dim>::dof_cell(
-  const typename dealii::Triangulation<dim>::active_cell_iterator &cell) const
+  const CellIterator &cell) const
 {
   return {&mesh_.triangulation(), cell->level(), cell->index(), &dofs_};
 }
 
 template <int dim>
-std::vector<dealii::types::global_dof_index> DisplacementSpace<dim>::cell_dofs(
-  const typename dealii::Triangulation<dim>::active_cell_iterator &cell) const
+std::vector<dealii::types::global_dof_index>
+DisplacementSpace<dim>::cell_dofs(const CellIterator &cell) const
 {
-  std::vector<dealii::types::global_dof_index> indices(element_.n_dofs_per_cell());
+  std::vector<dealii::types::global_dof_index> indices(element(cell).n_dofs_per_cell());
   dof_cell(cell)->get_dof_indices(indices);
   return indices;
 }

@@ -16,12 +16,13 @@ double energy_norm(const DisplacementSpace<dim> &space,
                    const NodalVector &U)
 {
   CellStiffness<dim> stiffness(space, scene);
-  const auto &element = space.element();
-  dealii::Vector<double> on_cell(element.n_dofs_per_cell());
+  dealii::Vector<double> on_cell;
   double energy = 0.;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->is_locally_owned())
     {
+      const auto &element = cell->get_fe();
+      on_cell.reinit(element.n_dofs_per_cell());
       cell->get_dof_values(U, on_cell);
       dealii::Tensor<1, dim> corner;
       for (unsigned int d = 0; d < dim; ++d)

@@ -24,8 +24,8 @@ public:
             const Scene<dim> &scene,
             const unsigned int n_points)
     : scene_(scene)
-    , cell_values_(space.mesh().mapping(), space.element(), scene.kinks, n_points, flags())
-    , face_values_(space.mesh().mapping(), space.element(), scene.kinks, n_points, flags())
+    , cell_values_(space.mesh().mapping(), space, scene.kinks, n_points, flags())
+    , face_values_(space.mesh().mapping(), space, scene.kinks, n_points, flags())
   {
   }
 
@@ -122,10 +122,11 @@ ChunkIntegrals<dim> integrate(const Cells<dim> &cells,
   ChunkIntegrals<dim> integrals;
   integrals.cells = &cells;
   integrals.stiffness.reserve(cells.size());
-  integrals.loads.assign(cells.size(), dealii::Vector<double>(space.element().n_dofs_per_cell()));
+  integrals.loads.reserve(cells.size());
   for (std::size_t k = 0; k < cells.size(); ++k)
   {
     integrals.stiffness.push_back(cell_stiffness(cells[k]));
+    integrals.loads.emplace_back(integrals.stiffness[k].m());
     cell_loads.add(cells[k], integrals.loads[k], integrals.resultant);
   }
   return integrals;
@@ -139,7 +140,7 @@ void add_cells(const DisplacementSpace<dim> &space,
                LinearSystem<dim> &system)
 {
   MatrixScatter<dim> scatter(space, system.matrix);
-  std::vector<dealii::types::global_dof_index> indices(space.element().n_dofs_per_cell());
+  std::vector<dealii::types::global_dof_index> indices;
   dealii::Vector<double> in_units;
   integrate_by_chunks<ChunkIntegrals<dim>, dim>(
     space,
@@ -147,6 +148,7 @@ void add_cells(const DisplacementSpace<dim> &space,
     [&](const ChunkIntegrals<dim> &integrals) {
       for (std::size_t k = 0; k < integrals.cells->size(); ++k)
       {
+        indices.resize(integrals.loads[k].size());
         (*integrals.cells)[k]->get_dof_indices(indices);
         system.loads.add(indices, integrals.loads[k]);
         in_units = integrals.loads[k];

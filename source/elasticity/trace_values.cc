@@ -16,11 +16,13 @@ const dealii::FEFaceValues<dim> &
 TraceValues<dim>::reinit(const ContactFace<dim> &face,
                          const std::vector<dealii::Point<dim - 1>> &on_face)
 {
-  if (values_ == nullptr || on_face != on_face_)
+  const unsigned int number = space_.element_number(face.cell);
+  if (values_ == nullptr || number != element_number_ || on_face != on_face_)
   {
     on_face_ = on_face;
+    element_number_ = number;
     values_ = std::make_unique<dealii::FEFaceValues<dim>>(space_.mesh().mapping(),
-                                                          space_.element(),
+                                                          space_.elements()[number],
                                                           dealii::Quadrature<dim - 1>(on_face),
                                                           dealii::update_values);
   }

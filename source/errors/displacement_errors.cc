@@ -88,7 +88,7 @@ public:
   explicit ErrorIntegrals(const Fields<dim> &fields)
     : fields_(fields)
     , cell_values_(fields.space.mesh().mapping(),
-                   fields.space.element(),
+                   fields.space,
                    fields.scene.kinks,
                    fields.n_points,
                    dealii::update_values | dealii::update_gradients |

@@ -66,21 +66,33 @@ ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
   , faces_(find_contact_faces(mesh, scene))
 {
   divide(partition);
-  place_points();
+  // phi.n dS has degree one per direction on a flat face, and degree two on a parabola.
+  place_points(std::vector<unsigned int>(mesh.triangulation().n_active_cells(), 2));
 }
 
 template <int dim>
-void ContactSurface<dim>::place_points()
+ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
+                                    const Scene<dim> &scene,
+                                    const std::vector<unsigned int> &n_points)
+  : mesh_(mesh)
+  , scene_(scene)
+  , faces_(find_contact_faces(mesh, scene))
 {
-  // phi.n dS has degree one per direction on a flat face, and degree two on a parabola.
-  const dealii::QGauss<dim - 1> gauss(2);
+  divide(Partition{1, 0});
+  place_points(n_points);
+}
+
+template <int dim>
+void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points)
+{
   const dealii::FE_Nothing<dim> no_functions;
   std::unique_ptr<dealii::FEFaceValues<dim>> values;
   std::vector<dealii::Point<dim - 1>> last_points;
   for (Piece<dim> &piece : pieces_)
   {
+    const unsigned int n = n_points[faces_[piece.face].cell->active_cell_index()];
     const dealii::Quadrature<dim - 1> rule =
-      on_box(gauss, piece.lower_on_face, piece.upper_on_face);
+      on_box<dim - 1>(dealii::QGauss<dim - 1>(n), piece.lower_on_face, piece.upper_on_face);
     // Nearly all pieces are whole faces or the same part of one.
     if (values == nullptr || rule.get_points() != last_points)
       values = std::make_unique<dealii::FEFaceValues<dim>>(mesh_.mapping(),

@@ -92,14 +92,15 @@ private:
   double size_;
 };
 
-/** The maps of degree two that curved bodies need, asked from the manifolds once per cell and not
+/** The maps that curved bodies need, of degree two on nested meshes, asked from the manifolds once per cell and not
  * in every integral. With bilinear maps, pi^{2h} would lose an order: the map of a cell of T^{2h}
  * must be that of its children up to higher order. */
 template <int dim>
 std::unique_ptr<const dealii::Mapping<dim>> cache(const dealii::Mapping<dim> &mapping,
+                                                  const unsigned int degree,
                                                   const dealii::Triangulation<dim> &triangulation)
 {
-  auto cached = std::make_unique<dealii::MappingQCache<dim>>(2);
+  auto cached = std::make_unique<dealii::MappingQCache<dim>>(degree);
   cached->initialize(mapping, triangulation);
   return cached;
 }
@@ -118,6 +119,7 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
   , lower_(geometry.lower)
   , size_(geometry.longest_extent())
   , n_nested_ancestors_(geometry.distortion == 0. ? level : level - std::min(coarsest_level, level))
+  , uniform_levels_(level)
 {
   const unsigned int first = std::min(coarsest_level, level);
   geometry.make_coarse_mesh(triangulation_);
@@ -127,16 +129,75 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
   triangulation_.refine_global(level - first);
   if (geometry.number_after_refinement)
     geometry.number_after_refinement(triangulation_);
+  make_mappings(2);
+}
+
+template <int dim>
+Mesh<dim>::Mesh(const Geometry<dim> &geometry,
+                const unsigned int base_level,
+                const std::array<std::vector<double>, dim> &lines,
+                const Splits &must_split,
+                const unsigned int mapping_degree)
+  : triangulation_(MPI_COMM_SELF,
+                   dealii::Triangulation<dim>::none,
+                   /*allow_artificial_cells=*/false,
+                   dealii::parallel::shared::Triangulation<dim>::partition_zorder)
+  , curved_(geometry.curved)
+  , lower_(geometry.lower)
+  , size_(geometry.longest_extent())
+  , n_nested_ancestors_(0)
+  , uniform_levels_(0)
+{
+  if (geometry.make_mesh_with_lines && geometry.distortion == 0.)
+    geometry.make_mesh_with_lines(triangulation_, base_level, lines);
+  else
+  {
+    geometry.make_coarse_mesh(triangulation_);
+    triangulation_.refine_global(base_level);
+    uniform_levels_ = base_level;
+    if (geometry.distortion > 0.)
+      distort(geometry, triangulation_);
+  }
+  if (geometry.number_after_refinement)
+    geometry.number_after_refinement(triangulation_);
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      if (must_split(cell, splits(cell)))
+      {
+        cell->set_refine_flag();
+        changed = true;
+      }
+    if (changed)
+      triangulation_.execute_coarsening_and_refinement();
+  }
+  make_mappings(mapping_degree);
+}
+
+template <int dim>
+void Mesh<dim>::make_mappings(const unsigned int degree)
+{
   if (curved_)
   {
-    mapping_ = cache(dealii::MappingQ<dim>(2), triangulation_);
-    unit_mapping_ = cache(UnitMapping<dim>(2, lower_, size_), triangulation_);
+    mapping_ = cache(dealii::MappingQ<dim>(degree), degree, triangulation_);
+    unit_mapping_ = cache(UnitMapping<dim>(degree, lower_, size_), degree, triangulation_);
   }
   else
   {
     mapping_ = std::make_unique<dealii::MappingQ1<dim>>();
     unit_mapping_ = std::make_unique<UnitMapping<dim>>(1, lower_, size_);
   }
+}
+
+template <int dim>
+double Mesh<dim>::shortest_edge() const
+{
+  double shortest = size_;
+  for (const auto &cell : triangulation_.active_cell_iterators())
+    for (const unsigned int line : cell->line_indices())
+      shortest = std::min(shortest, cell->line(line)->diameter());
+  return shortest;
 }
 
 template <int dim>

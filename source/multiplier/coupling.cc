@@ -75,7 +75,7 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
     const auto indices = space.cell_dofs(face.cell);
     const double measure = std::accumulate(rule.weights.begin(), rule.weights.end(), 0.);
     const unsigned int first = multipliers.first_of(piece.patch);
-    for (unsigned int k = first; k < first + multipliers.n_per_patch; ++k)
+    for (unsigned int k = first; k < first + multipliers.n_of(piece.patch); ++k)
       for (unsigned int j = 0; j < indices.size(); ++j)
       {
         double integral = 0.;

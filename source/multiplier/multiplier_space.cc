@@ -4,22 +4,93 @@
 #include <signorini/base/exceptions.h>
 #include <signorini/multiplier/multiplier_space.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 namespace Signorini
 {
+namespace
+{
+/** The Gauss points of every number from 1 on, between 0 and 1, with their weights. */
+const dealii::QGauss<1> &gauss_rule(const unsigned int n_points)
+{
+  static const std::vector<dealii::QGauss<1>> rules = []() {
+    constexpr unsigned int most = 24;
+    std::vector<dealii::QGauss<1>> all;
+    for (unsigned int n = 1; n <= most; ++n)
+      all.emplace_back(n);
+    return all;
+  }();
+  return rules.at(n_points - 1);
+}
+
+/** Where a point of the side lies on a patch, between 0 and 1. */
+template <int dim>
+double position(const Patch<dim> &patch, const dealii::Point<dim - 1> &s)
+{
+  return (s[0] - patch.lower[0]) / (patch.upper[0] - patch.lower[0]);
+}
+} // namespace
+
 template <int dim>
 MultiplierSpace<dim>::MultiplierSpace(const ContactSurface<dim> &surface)
-  : surface_(surface)
+  : MultiplierSpace(surface, std::vector<unsigned int>(surface.patches().size(), 1))
 {
 }
 
 template <int dim>
-double MultiplierSpace<dim>::shape_value(const unsigned int /*unknown*/,
-                                         const dealii::Point<dim - 1> & /*s*/) const
+MultiplierSpace<dim>::MultiplierSpace(const ContactSurface<dim> &surface,
+                                      const std::vector<unsigned int> &n_unknowns)
+  : surface_(surface)
+  , first_({0})
 {
-  return 1.;
+  AssertDimension(n_unknowns.size(), surface.patches().size());
+  for (unsigned int patch = 0; patch < n_unknowns.size(); ++patch)
+  {
+    Assert(dim == 2 || n_unknowns[patch] == 1, dealii::ExcNotImplemented());
+    patch_of_.insert(patch_of_.end(), n_unknowns[patch], patch);
+    first_.push_back(patch_of_.size());
+  }
+}
+
+template <int dim>
+unsigned int MultiplierSpace<dim>::largest_degree() const
+{
+  unsigned int largest = 0;
+  for (unsigned int patch = 0; patch + 1 < first_.size(); ++patch)
+    largest = std::max(largest, n_of(patch) - 1);
+  return largest;
+}
+
+template <int dim>
+dealii::Point<dim - 1> MultiplierSpace<dim>::node(const unsigned int unknown) const
+{
+  const Patch<dim> &patch = surface_.patches()[patch_of(unknown)];
+  const unsigned int n = n_of(patch_of(unknown));
+  if (n == 1)
+    return patch.centre();
+  const double t = gauss_rule(n).point(unknown - first_of(patch_of(unknown)))[0];
+  return patch.lower + t * (patch.upper - patch.lower);
+}
+
+template <int dim>
+double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
+                                         const dealii::Point<dim - 1> &s) const
+{
+  const unsigned int patch = patch_of(unknown), n = n_of(patch);
+  if (n == 1)
+    return 1.;
+  const auto &nodes = gauss_rule(n).get_points();
+  const unsigned int i = unknown - first_of(patch);
+  const double t = position(surface_.patches()[patch], s);
+  double value = 1.;
+  for (unsigned int j = 0; j < n; ++j)
+    if (j != i)
+      value *= (t - nodes[j][0]) / (nodes[i][0] - nodes[j][0]);
+  return value;
 }
 
 template <int dim>
@@ -28,7 +99,7 @@ double MultiplierSpace<dim>::value(const Vector &P,
                                    const dealii::Point<dim - 1> &s) const
 {
   double p = 0.;
-  for (unsigned int k = first_of(patch); k < first_of(patch) + n_per_patch; ++k)
+  for (unsigned int k = first_of(patch); k < first_of(patch + 1); ++k)
     p += P[k] * shape_value(k, s);
   return p;
 }
@@ -44,18 +115,23 @@ dealii::Vector<double> MultiplierSpace<dim>::integrals() const
 {
   Vector integrals(n_multipliers());
   for (unsigned int k = 0; k < n_multipliers(); ++k)
-    integrals[k] = surface_.patches()[patch_of(k)].measure;
+  {
+    const unsigned int patch = patch_of(k);
+    integrals[k] =
+      surface_.patches()[patch].measure * gauss_rule(n_of(patch)).weight(k - first_of(patch));
+  }
   return integrals;
 }
 
 template <int dim>
 dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) const
 {
-  Vector means = moments;
-  const Vector measures = integrals();
+  // int psi_j psi_k = delta_jk int psi_k: Gauss' rule integrates the product exactly.
+  Vector coefficients = moments;
+  const Vector squares = integrals();
   for (unsigned int k = 0; k < n_multipliers(); ++k)
-    means[k] /= measures[k];
-  return means;
+    coefficients[k] /= squares[k];
+  return coefficients;
 }
 
 template <int dim>

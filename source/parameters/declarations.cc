@@ -213,6 +213,12 @@ void Declarations::declare_data(Parameters &parameters)
 void Declarations::declare_discretization(DiscretizationParameters &discretization)
 {
   enter("Discretization");
+  add("Strategy",
+      discretization.strategy,
+      "nested: every cell is split from level to level, degree one, patches of length H. hp: the "
+      "mesh of every step is graded to the ends of contact and to other singularities that the step "
+      "before has shown, and the degree rises away from them; Finest level, Element, Patch ratio "
+      "and Patches have no meaning then. One process.");
   add("Coarsest level",
       discretization.coarsest_level,
       "Refinements of the coarse mesh on the first level.",
@@ -241,9 +247,23 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
   add("Target error",
       discretization.target_error,
       "If positive: stop refining when the relative error of u_h in the energy norm is below it: "
-      "its guaranteed bound, or, where there is no bound, its estimate.",
+      "its guaranteed bound, or, where there is no bound, its estimate. With hp 0 stands for 1e-4.",
       Patterns::Double(0., 1.),
       "a number from 0 to 1");
+  add("Maximum unknowns",
+      discretization.maximum_unknowns,
+      "hp: no mesh with more unknowns is solved.",
+      Patterns::Integer(100, 100000000),
+      "an integer from 100 to 100000000");
+  add("Maximum degree",
+      discretization.maximum_degree,
+      "hp: the highest degree of an element.",
+      Patterns::Integer(2, 12),
+      "an integer from 2 to 12");
+  add("Multipliers",
+      discretization.multipliers,
+      "hp: gauss (polynomials of degree p - 2 on every contact face, with the sign condition at "
+      "Gauss points) or nodal (no penetration at the nodes of the contact faces).");
   add("Quadrature points",
       discretization.quadrature_points,
       "Gauss points per direction for loads; errors take one more. Meshes of at most 16384 cells "

@@ -31,6 +31,21 @@ const OptionNames<PlaneState> &option_names()
 }
 
 template <>
+const OptionNames<Strategy> &option_names()
+{
+  static const OptionNames<Strategy> names = {{Strategy::nested, "nested"}, {Strategy::hp, "hp"}};
+  return names;
+}
+
+template <>
+const OptionNames<HpMultipliers> &option_names()
+{
+  static const OptionNames<HpMultipliers> names = {{HpMultipliers::gauss, "gauss"},
+                                                   {HpMultipliers::nodal, "nodal"}};
+  return names;
+}
+
+template <>
 const OptionNames<Element> &option_names()
 {
   static const OptionNames<Element> names = {{Element::q1, "Q1"}, {Element::q1_b_bar, "Q1 B-bar"}};

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The system (5) checked with integrals over the cells: nothing here uses A or its factors.
 
+#include <signorini/elasticity/node_positions.h>
 #include <signorini/postprocess/certificate.h>
-
-#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,24 +31,21 @@ template <int dim>
 std::map<dealii::types::global_dof_index, std::pair<dealii::Point<dim>, unsigned int>>
 support_points(const DisplacementSpace<dim> &space)
 {
-  const dealii::FESystem<dim> &element = space.element();
-  dealii::FEValues<dim> at_nodes(
-    space.mesh().mapping(),
-    element,
-    dealii::Quadrature<dim>(element.base_element(0).get_unit_support_points()),
-    dealii::update_quadrature_points);
+  NodePositions<dim> positions(space);
   std::map<dealii::types::global_dof_index, std::pair<dealii::Point<dim>, unsigned int>> points;
-  std::vector<dealii::types::global_dof_index> indices(element.n_dofs_per_cell());
+  std::vector<dealii::types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->at_boundary())
     {
+      const dealii::FiniteElement<dim> &element = cell->get_fe();
+      const std::vector<dealii::Point<dim>> &nodes = positions(cell);
+      indices.resize(element.n_dofs_per_cell());
       cell->get_dof_indices(indices);
-      at_nodes.reinit(cell);
       for (unsigned int i = 0; i < indices.size(); ++i)
         if (space.supports().is_element(indices[i]))
         {
           const auto [component, node] = element.system_to_component_index(i);
-          points[indices[i]] = {at_nodes.quadrature_point(node), component};
+          points[indices[i]] = {nodes[node], component};
         }
     }
   return points;
@@ -117,7 +113,7 @@ double support_error(const DisplacementSpace<dim> &space,
           scale = std::max(scale, prescribed.linfty_norm());
           dealii::Tensor<1, dim> rest;
           for (unsigned int d = 0; d < dim; ++d)
-            rest[d] = U[face->vertex_dof_index(v, d)] - prescribed[d];
+            rest[d] = U[face->vertex_dof_index(v, d, cell->active_fe_index())] - prescribed[d];
           const unsigned int vertex = face->vertex_index(v);
           if (rolls)
           {
@@ -150,6 +146,23 @@ struct Deformation
   double translation = 1.;
 };
 
+/** The component to which every degree of freedom belongs. */
+template <int dim>
+std::vector<unsigned int> components_of(const DisplacementSpace<dim> &space)
+{
+  std::vector<unsigned int> component(space.dofs().n_dofs());
+  std::vector<dealii::types::global_dof_index> indices;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    const dealii::FiniteElement<dim> &element = cell->get_fe();
+    indices.resize(element.n_dofs_per_cell());
+    cell->get_dof_indices(indices);
+    for (unsigned int i = 0; i < indices.size(); ++i)
+      component[indices[i]] = element.system_to_component_index(i).first;
+  }
+  return component;
+}
+
 /** The translation is the middle of the range of each component. */
 template <int dim>
 Deformation deformation(const DisplacementSpace<dim> &space, const NodalVector &U)
@@ -160,25 +173,18 @@ Deformation deformation(const DisplacementSpace<dim> &space, const NodalVector &
     low[d] = std::numeric_limits<double>::max();
     high[d] = -low[d];
   }
-  for (const auto &cell : space.dofs().active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-      for (unsigned int d = 0; d < dim; ++d)
-      {
-        const double u = U[cell->vertex_dof_index(v, d)];
-        low[d] = std::min(low[d], u);
-        high[d] = std::max(high[d], u);
-      }
+  const std::vector<unsigned int> component = components_of(space);
+  for (unsigned int i = 0; i < component.size(); ++i)
+  {
+    low[component[i]] = std::min(low[component[i]], U[i]);
+    high[component[i]] = std::max(high[component[i]], U[i]);
+  }
   double range = 0.;
   for (unsigned int d = 0; d < dim; ++d)
     range = std::max(range, 0.5 * (high[d] - low[d]));
   Deformation result = {U};
-  for (const auto &cell : space.dofs().active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-      for (unsigned int d = 0; d < dim; ++d)
-      {
-        const auto dof = cell->vertex_dof_index(v, d);
-        result.V[dof] = U[dof] - 0.5 * (low[d] + high[d]);
-      }
+  for (unsigned int i = 0; i < component.size(); ++i)
+    result.V[i] -= 0.5 * (low[component[i]] + high[component[i]]);
   const double size = U.linfty_norm();
   if (range < size)
     result.translation = size / std::max(range, std::numeric_limits<double>::epsilon() * size);

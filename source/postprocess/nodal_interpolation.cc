@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // I^h. (VectorTools::interpolate fills in the locally owned cells only.)
 
+#include <signorini/elasticity/node_positions.h>
 #include <signorini/postprocess/nodal_interpolation.h>
-
-#include <deal.II/fe/fe_values.h>
 
 namespace Signorini
 {
@@ -11,23 +10,22 @@ template <int dim>
 NodalVector interpolate_at_nodes(const DisplacementSpace<dim> &space,
                                  const dealii::Function<dim> &u)
 {
-  const dealii::FESystem<dim> &element = space.element();
-  const dealii::Quadrature<dim> nodes(element.base_element(0).get_unit_support_points());
-  dealii::FEValues<dim> at_nodes(
-    space.mesh().mapping(), element, nodes, dealii::update_quadrature_points);
+  NodePositions<dim> positions(space);
   NodalVector values(space.dofs().n_dofs());
   std::vector<bool> visited(values.size(), false);
-  std::vector<dealii::types::global_dof_index> indices(element.n_dofs_per_cell());
+  std::vector<dealii::types::global_dof_index> indices;
   dealii::Vector<double> u_at_node(dim);
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
-    at_nodes.reinit(cell);
+    const dealii::FiniteElement<dim> &element = cell->get_fe();
+    const std::vector<dealii::Point<dim>> &nodes = positions(cell);
+    indices.resize(element.n_dofs_per_cell());
     cell->get_dof_indices(indices);
     for (unsigned int node = 0; node < nodes.size(); ++node)
     {
       if (visited[indices[element.component_to_system_index(0, node)]])
         continue;
-      u.vector_value(at_nodes.quadrature_point(node), u_at_node);
+      u.vector_value(nodes[node], u_at_node);
       for (unsigned int d = 0; d < dim; ++d)
       {
         const auto index = indices[element.component_to_system_index(d, node)];

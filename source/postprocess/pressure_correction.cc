@@ -129,7 +129,7 @@ Coupling recovered_load(const DisplacementSpace<2> &space,
 PressureCorrection correct_pressure(const PressureData &data)
 {
   const ContactSurface<2> &surface = data.multipliers.surface();
-  const ContactSurface<2> finer(data.space.mesh(), data.scene, {recovery_ratio, 0});
+  const ContactSurface<2> finer(data.space.mesh(), data.scene, Partition{recovery_ratio, 0});
   if (surface.has_unstable_patch())
     return {};
   if (finer.patches().size() > surface.patches().size())

@@ -7,6 +7,7 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
@@ -44,6 +45,43 @@ void make_fan(const std::vector<dealii::Point<2>> &corners, dealii::Triangulatio
   for (unsigned int i = 0; i < n; ++i)
     cells[i].vertices = {i, n + i, n + (i + n - 1) % n, 2 * n};
   triangulation.create_triangulation(points, cells, dealii::SubCellData());
+}
+
+/** The steps between n + 1 equidistant positions, of which the nearest one has moved to each of the
+ * @p lines; where it is taken, a position is added. */
+std::vector<double> steps_with_lines(const double from,
+                                     const double to,
+                                     const unsigned int n,
+                                     const std::vector<double> &lines)
+{
+  const double h = (to - from) / n;
+  std::vector<double> positions;
+  for (unsigned int i = 0; i <= n; ++i)
+    positions.push_back(i == n ? to : from + i * h);
+  std::vector<bool> taken(positions.size(), false);
+  taken.front() = taken.back() = true;
+  std::vector<double> added;
+  for (const double line : lines)
+  {
+    if (!(line > from && line < to))
+      continue;
+    const auto i = static_cast<std::size_t>(std::lround((line - from) / h));
+    if (taken[i])
+      added.push_back(line);
+    else
+    {
+      positions[i] = line;
+      taken[i] = true;
+    }
+  }
+  positions.insert(positions.end(), added.begin(), added.end());
+  std::sort(positions.begin(), positions.end());
+  std::vector<double> steps;
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i)
+    // A line that is given twice, or that lies on a side, is one line.
+    if (positions[i + 1] - positions[i] > 1e-10 * (to - from))
+      steps.push_back(positions[i + 1] - positions[i]);
+  return steps;
 }
 
 /** Whether a face lies on a side, from end to end. */
@@ -154,6 +192,16 @@ Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
   geometry.make_coarse_mesh = [=](dealii::Triangulation<2> &triangulation) {
     dealii::GridGenerator::subdivided_hyper_rectangle(
       triangulation, cells, lower_left, upper_right, true);
+  };
+  geometry.make_mesh_with_lines = [=](dealii::Triangulation<2> &triangulation,
+                                      const unsigned int level,
+                                      const std::array<std::vector<double>, 2> &lines) {
+    std::vector<std::vector<double>> steps;
+    for (unsigned int d = 0; d < 2; ++d)
+      steps.push_back(
+        steps_with_lines(lower_left[d], upper_right[d], cells[d] << level, lines[d]));
+    dealii::GridGenerator::subdivided_hyper_rectangle(
+      triangulation, steps, lower_left, upper_right, true);
   };
   return geometry;
 }

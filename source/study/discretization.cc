@@ -62,6 +62,25 @@ void refuse_unstable_patches(const Parameters &parameters, const ContactSurface<
                      "stable, allowed: a Patch ratio of at least 2 and levels on which every side "
                      "has at least two faces per patch.");
 }
+
+/** Enough for a trace, a multiplier and a component of the normal of a curved face. */
+std::vector<unsigned int> points_on_contact_faces(const DisplacementSpace<2> &space)
+{
+  std::vector<unsigned int> n_points = degrees_of(space);
+  for (unsigned int &n : n_points)
+    n += space.mesh().is_curved() ? 3 : 0;
+  return n_points;
+}
+
+/** P_{p-2} on every face of degree p: p - 1 unknowns. */
+std::vector<unsigned int> unknowns_of_patches(const DisplacementSpace<2> &space,
+                                              const ContactSurface<2> &surface)
+{
+  std::vector<unsigned int> n_unknowns(surface.patches().size());
+  for (const Piece<2> &piece : surface.pieces())
+    n_unknowns[piece.patch] = space.element(surface.faces()[piece.face].cell).degree - 1;
+  return n_unknowns;
+}
 } // namespace
 
 template <int dim>
@@ -85,7 +104,9 @@ Discretization<dim>::Discretization(const Parameters &parameters,
       times.setup,
       [&]() {
         return ContactSurface<dim>(
-          mesh, scene, {parameters.discretization.patch_ratio, parameters.discretization.patches});
+          mesh,
+          scene,
+          Partition{parameters.discretization.patch_ratio, parameters.discretization.patches});
       }))
   , multipliers(surface)
   , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
@@ -95,6 +116,37 @@ Discretization<dim>::Discretization(const Parameters &parameters,
   refuse_blind_patches(parameters, condensed_D);
   refuse_needless_patches(parameters, level, surface);
   refuse_unstable_patches(parameters, surface);
+}
+
+template <>
+Discretization<2>::Discretization(const Parameters &parameters,
+                                  const Scene<2> &scene,
+                                  const MeshPlan &plan)
+  : mesh(timed(times.mesh, [&]() { return make_mesh(plan, scene); }))
+  , n_points(parameters.discretization.quadrature_points)
+  , space(timed(times.setup,
+                [&]() { return DisplacementSpace<2>(mesh, scene, plan_degrees(plan, mesh)); }))
+  , surface(timed(times.setup,
+                  [&]() {
+                    return ContactSurface<2>(mesh, scene, points_on_contact_faces(space));
+                  }))
+  , multipliers(timed(times.setup,
+                      [&]() {
+                        return MultiplierSpace<2>(surface, unknowns_of_patches(space, surface));
+                      }))
+  , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
+  , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
+  , G(timed(times.setup, [&]() { return assemble_gap(multipliers, n_points + 2); }))
+{
+  refuse_blind_patches(parameters, condensed_D);
+}
+
+std::vector<unsigned int> degrees_of(const DisplacementSpace<2> &space)
+{
+  std::vector<unsigned int> degrees;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    degrees.push_back(cell->get_fe().degree);
+  return degrees;
 }
 
 template struct Discretization<2>;

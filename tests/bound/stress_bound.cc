@@ -49,7 +49,7 @@ double energy_error(const OneLevel &level, const NodalVector &U)
 {
   const dealii::FEValuesExtractors::Vector displacement(0);
   CellValues<2> all_values(level.space().mesh().mapping(),
-                           level.space().element(),
+                           level.space(),
                            level.scene.kinks,
                            6,
                            dealii::update_gradients | dealii::update_quadrature_points |

@@ -31,7 +31,7 @@ Errors energy_errors(const OneLevel &level, const NodalVector &U)
   const DisplacementSpace<2> &space = level.space();
   const Scene<2> &scene = level.scene;
   CellValues<2> cell_values(space.mesh().mapping(),
-                            space.element(),
+                            space,
                             scene.kinks,
                             6,
                             dealii::update_gradients | dealii::update_quadrature_points |

@@ -12,8 +12,9 @@ namespace Signorini
  * a(phi_j, phi_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
  *
  * For elements of degree p, p + 1 Gauss points per direction are exact for a constant tensor on a
- * parallelogram or parallelepiped; p + 3 are taken otherwise. With a constant tensor, congruent
- * cells share one matrix: on a mesh of squares it is integrated once.
+ * parallelogram or parallelepiped; p + 3 are taken otherwise. With a constant tensor, similar
+ * parallelograms share one matrix, which in the plane does not depend on their size: on a mesh of
+ * squares it is integrated once per degree.
  */
 template <int dim>
 class CellStiffness
@@ -27,9 +28,22 @@ public:
   const dealii::FullMatrix<double> &operator()(const CellIterator &cell);
 
 private:
-  void integrate(const dealii::FEValues<dim> &values);
-  bool is_congruent(const CellIterator &cell) const;
+  /** A parallelogram's edges divided by its size, with its matrix for a body of size one. */
+  struct Sample
+  {
+    unsigned int element_number;
+    double size;
+    std::vector<dealii::Tensor<1, dim>> shape;
+    dealii::FullMatrix<double> matrix;
+  };
 
+  void integrate(const dealii::FEValues<dim> &values);
+  /** The sample of the same element and shape, if there is one. */
+  const Sample *find_sample(unsigned int element_number,
+                            const std::vector<dealii::Tensor<1, dim>> &shape,
+                            double tolerance) const;
+
+  const DisplacementSpace<dim> &space_;
   const Mesh<dim> &mesh_;
   const Material<dim> &material_;
   StrainOperator strain_operator_;
@@ -40,8 +54,9 @@ private:
   Kinks<dim> kinks_;
   CellValues<dim> affine_values_;
   CellValues<dim> general_values_;
-  dealii::FullMatrix<double> matrix_;
-  std::vector<dealii::Tensor<1, dim>> shape_;
+  dealii::FullMatrix<double> matrix_, strains_, stresses_;
+  /** Of a constant tensor; the first are the first that were asked for. */
+  std::vector<Sample> samples_;
 };
 
 /**

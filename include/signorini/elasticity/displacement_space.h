@@ -7,6 +7,7 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/hp/fe_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/trilinos_vector.h>
 #include <deal.II/lac/vector.h>
@@ -44,7 +45,8 @@ void replace_trace(dealii::SymmetricTensor<2, dim> &strain, const double dilatat
 
 /**
  * V^h: FE_Q for each component, with the essential conditions of clamped, prescribed and roller
- * sides.
+ * sides. Cells may have different degrees, and hanging nodes; u_h is continuous all the same. (On an
+ * edge between two degrees it has the lower one.)
  */
 template <int dim>
 class DisplacementSpace
@@ -56,6 +58,11 @@ public:
                     const Scene<dim> &scene,
                     StrainOperator strain_operator = StrainOperator::symmetric_gradient,
                     unsigned int degree = 1);
+  /** @param degrees of the active cells, in their order; all from 2 to the largest have an element.
+   */
+  DisplacementSpace(const Mesh<dim> &mesh,
+                    const Scene<dim> &scene,
+                    const std::vector<unsigned int> &degrees);
 
   const Mesh<dim> &mesh() const
   {
@@ -65,9 +72,37 @@ public:
   {
     return strain_operator_;
   }
-  const dealii::FESystem<dim> &element() const
+  using CellIterator = typename dealii::Triangulation<dim>::active_cell_iterator;
+
+  /** The elements that cells may have. */
+  const dealii::hp::FECollection<dim> &elements() const
   {
-    return element_;
+    return dofs_.get_fe_collection();
+  }
+  /** Whether cells have different elements. */
+  bool has_several_elements() const
+  {
+    return elements().size() > 1;
+  }
+  /** The number of the element of one of the mesh's cells. */
+  unsigned int element_number(const CellIterator &cell) const
+  {
+    return has_several_elements() ? dof_cell(cell)->active_fe_index() : 0;
+  }
+  const dealii::FiniteElement<dim> &element(const CellIterator &cell) const
+  {
+    return elements()[element_number(cell)];
+  }
+  /** The element of all cells. Where they have different ones, ask element(cell). */
+  const dealii::FiniteElement<dim> &element() const
+  {
+    Assert(!has_several_elements(), dealii::ExcInternalError());
+    return elements()[0];
+  }
+  /** The highest degree of an element. */
+  unsigned int largest_degree() const
+  {
+    return elements().max_degree();
   }
   const dealii::DoFHandler<dim> &dofs() const
   {
@@ -101,16 +136,17 @@ public:
    */
   NodalVector condense(const NodalVector &functional) const;
   /** One of the mesh's cells with its degrees of freedom. */
-  typename dealii::DoFHandler<dim>::active_cell_iterator
-  dof_cell(const typename dealii::Triangulation<dim>::active_cell_iterator &cell) const;
+  typename dealii::DoFHandler<dim>::active_cell_iterator dof_cell(const CellIterator &cell) const;
   /** The degrees of freedom of one of the mesh's cells. */
   std::vector<dealii::types::global_dof_index>
-  cell_dofs(const typename dealii::Triangulation<dim>::active_cell_iterator &cell) const;
+  cell_dofs(const CellIterator &cell) const;
 
 private:
+  /** After the elements are chosen. */
+  void distribute(const Scene<dim> &scene, const dealii::hp::FECollection<dim> &elements);
+
   const Mesh<dim> &mesh_;
   StrainOperator strain_operator_;
-  dealii::FESystem<dim> element_;
   dealii::DoFHandler<dim> dofs_;
   dealii::AffineConstraints<double> constraints_;
   dealii::IndexSet supports_;

@@ -36,6 +36,7 @@ public:
 private:
   const DisplacementSpace<dim> &space_;
   std::vector<dealii::Point<dim - 1>> on_face_;
+  unsigned int element_number_ = 0;
   std::unique_ptr<dealii::FEFaceValues<dim>> values_;
 };
 } // namespace Signorini

@@ -71,8 +71,8 @@ struct Piece
    * coordinates of the face. */
   dealii::Point<dim - 1> lower, upper;
   dealii::Point<dim - 1> lower_on_face, upper_on_face;
-  /** Gauss points on the face as the mesh has it. They integrate products of a trace of V^h and a
-   * component of the normal exactly. */
+  /** Gauss points on the face as the mesh has it. They integrate products of a trace of V^h, a
+   * multiplier and, on parabolas, a component of the normal exactly. */
   SurfaceRule<dim> on_mesh;
 };
 
@@ -109,6 +109,11 @@ public:
   /** Mesh and scene must outlive the object. @throws ComputationError in space for a partition that
    * is not made of cells of a coarser level. */
   ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &scene, const Partition &partition);
+  /** In the plane: every face is a patch. @param n_points Gauss points on every piece, by the active
+   * cell to which it belongs. */
+  ContactSurface(const Mesh<dim> &mesh,
+                 const Scene<dim> &scene,
+                 const std::vector<unsigned int> &n_points);
 
   const std::vector<ContactFace<dim>> &faces() const
   {
@@ -157,8 +162,8 @@ public:
 private:
   /** Sorts the faces and makes patches and pieces. */
   void divide(const Partition &partition);
-  /** Fills Piece::on_mesh. */
-  void place_points();
+  /** Fills Piece::on_mesh with so many points, by active cell. */
+  void place_points(const std::vector<unsigned int> &n_points);
 
   const Mesh<dim> &mesh_;
   const Scene<dim> &scene_;

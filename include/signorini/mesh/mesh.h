@@ -6,7 +6,10 @@
 #include <deal.II/distributed/shared_tria.h>
 #include <deal.II/fe/mapping.h>
 
+#include <array>
+#include <functional>
 #include <memory>
+#include <vector>
 
 namespace Signorini
 {
@@ -28,6 +31,22 @@ public:
        unsigned int coarsest_level,
        unsigned int level,
        MPI_Comm communicator);
+
+  /**
+   * A mesh that is refined where @p must_split asks for it, until no cell has to be split. It begins
+   * with @p base_level refinements of the coarse mesh; in a rectangle without distortion the @p lines
+   * x_d = lines[d][k] are lines of that mesh. Cells that share an edge differ by at most one
+   * refinement. The maps of curved cells have the degree @p mapping_degree. One rank.
+   * @param must_split also knows how often the cell was split since the first mesh.
+   */
+  using Splits =
+    std::function<bool(const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+                       unsigned int n_splits)>;
+  Mesh(const Geometry<dim> &geometry,
+       unsigned int base_level,
+       const std::array<std::vector<double>, dim> &lines,
+       const Splits &must_split,
+       unsigned int mapping_degree);
 
   const dealii::Triangulation<dim> &triangulation() const
   {
@@ -72,6 +91,14 @@ public:
   }
   /** h: the longest edge (length). */
   double longest_edge() const;
+  /** The shortest one. */
+  double shortest_edge() const;
+  /** How often a cell was split since the mesh was uniform. */
+  unsigned int
+  splits(const typename dealii::Triangulation<dim>::cell_iterator &cell) const
+  {
+    return cell->level() - uniform_levels_;
+  }
   /** How many levels before this one have cells that are unions of cells of this one: all of them,
    * or those from the level at which vertices were moved. */
   unsigned int n_nested_ancestors() const
@@ -85,11 +112,15 @@ public:
   }
 
 private:
+  /** The maps of the given degree, for curved bodies. */
+  void make_mappings(unsigned int degree);
+
   dealii::parallel::shared::Triangulation<dim> triangulation_;
   bool curved_;
   dealii::Point<dim> lower_;
   double size_;
   std::unique_ptr<const dealii::Mapping<dim>> mapping_, unit_mapping_;
   unsigned int n_nested_ancestors_;
+  unsigned int uniform_levels_;
 };
 } // namespace Signorini

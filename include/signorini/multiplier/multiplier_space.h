@@ -8,9 +8,14 @@
 namespace Signorini
 {
 /**
- * Q^H, the functions that are constant on every patch, with the basis psi_k = 1 on patch k and 0
- * elsewhere: p_H = sum P_k psi_k. Whoever needs unknowns, signs, values or integrals of multipliers
- * asks this space, so that another basis is a matter of this file.
+ * Q^H, the functions that are polynomials on every patch; on most meshes constants.
+ *
+ * With n unknowns a patch has polynomials of degree n - 1 in the coordinate of its side, and the
+ * Lagrange basis psi_k at the n Gauss points of the patch: p_H = sum P_k psi_k. For n = 1 that is
+ * psi = 1. With n - 1 = p - 2 on the faces of elements of degree p the pair is inf-sup stable. The
+ * basis is orthogonal in L2, and P_k is the value of p_H at a Gauss point, where N^H asks for its
+ * sign. Whoever needs unknowns, signs, values or integrals of multipliers asks this space, so that
+ * another basis is a matter of this file.
  */
 template <int dim>
 class MultiplierSpace
@@ -18,8 +23,10 @@ class MultiplierSpace
 public:
   using Vector = dealii::Vector<double>;
 
-  /** @param surface must outlive the object. */
+  /** Constants. @param surface must outlive the object. */
   explicit MultiplierSpace(const ContactSurface<dim> &surface);
+  /** @param n_unknowns of every patch, at least one. Only in the plane more than one. */
+  MultiplierSpace(const ContactSurface<dim> &surface, const std::vector<unsigned int> &n_unknowns);
 
   const ContactSurface<dim> &surface() const
   {
@@ -28,25 +35,37 @@ public:
   /** m, the number of unknowns. */
   unsigned int n_multipliers() const
   {
-    return surface_.patches().size() * n_per_patch;
+    return patch_of_.size();
   }
-  /** The unknowns of a patch are first_of(patch), ..., first_of(patch) + n_per_patch - 1. */
-  static constexpr unsigned int n_per_patch = 1;
-  static unsigned int first_of(const unsigned int patch)
+  /** The unknowns of a patch are first_of(patch), ..., first_of(patch + 1) - 1. */
+  unsigned int first_of(const unsigned int patch) const
   {
-    return patch * n_per_patch;
+    return first_[patch];
   }
-  static unsigned int patch_of(const unsigned int unknown)
+  unsigned int patch_of(const unsigned int unknown) const
   {
-    return unknown / n_per_patch;
+    return patch_of_[unknown];
   }
+  unsigned int n_of(const unsigned int patch) const
+  {
+    return first_[patch + 1] - first_[patch];
+  }
+  /** Whether every patch has one unknown. */
+  bool is_piecewise_constant() const
+  {
+    return n_multipliers() == surface_.patches().size();
+  }
+  /** Whether integrals of p_H against the basis need more than the midpoint: the highest degree. */
+  unsigned int largest_degree() const;
+  /** The point of the side at which the unknown is the value of p_H. */
+  dealii::Point<dim - 1> node(unsigned int unknown) const;
 
   /** psi_k at the point @p s of the side, on the patch to which the unknown belongs. */
   double shape_value(unsigned int unknown, const dealii::Point<dim - 1> &s) const;
   /** p_H at a point of a patch. */
   double value(const Vector &P, unsigned int patch, const dealii::Point<dim - 1> &s) const;
 
-  /** The largest P_k that N^H allows: p_H <= 0 on every patch. */
+  /** The largest P_k that N^H allows: p_H <= 0 at every node. */
   Vector upper_bounds() const;
   /** int psi_k for all k (length^{dim-1}). */
   Vector integrals() const;
@@ -55,10 +74,13 @@ public:
 
 private:
   const ContactSurface<dim> &surface_;
+  /** By patch, and the number of all. */
+  std::vector<unsigned int> first_;
+  std::vector<unsigned int> patch_of_;
 };
 
 /** int q psi_k for all k, where @p values_on (piece, rule) is a function q at the points
- * of a rule on a piece. */
+ * of a rule on a piece. @param n_points per direction, for constants; one more per degree. */
 template <int dim, typename Function>
 dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> &space,
                                                      const unsigned int n_points,
@@ -68,18 +90,20 @@ dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> 
   dealii::Vector<double> moments(space.n_multipliers());
   for (const Piece<dim> &piece : space.surface().pieces())
   {
-    const SurfaceRule<dim> rule = space.surface().rule(piece, n_points, grading);
+    const unsigned int n_unknowns = space.n_of(piece.patch);
+    const SurfaceRule<dim> rule = space.surface().rule(piece, n_points + n_unknowns - 1, grading);
     const std::vector<double> q = values_on(piece, rule);
     const unsigned int first = space.first_of(piece.patch);
-    for (unsigned int k = first; k < first + space.n_per_patch; ++k)
+    for (unsigned int k = first; k < first + n_unknowns; ++k)
       for (std::size_t i = 0; i < rule.size(); ++i)
         moments[k] += q[i] * space.shape_value(k, rule.on_side[i]) * rule.weights[i];
   }
   return moments;
 }
 
-/** G_k = int g psi_k (length^dim), with @p n_points Gauss points per direction and part of a piece,
- * and rules that are refined towards kinks. @throws InputError where g has no value. */
+/** G_k = int g psi_k (length^dim), with @p n_points Gauss points per direction and part of a piece
+ * for constants, and rules that are refined towards kinks. @throws InputError where g has no value.
+ */
 template <int dim>
 dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space, unsigned int n_points);
 } // namespace Signorini

@@ -25,6 +25,25 @@ enum class MaterialLaw
   general
 };
 
+/** How the meshes of a study follow one another. */
+enum class Strategy
+{
+  /** Each is the one before with every cell split: the paper's. */
+  nested,
+  /** Each is graded to what is singular in the solution of the one before, with degrees that rise
+   * away from there. */
+  hp
+};
+
+/** The multipliers on graded meshes. */
+enum class HpMultipliers
+{
+  /** Polynomials of degree p - 2 on every face, with the sign condition at their Gauss points. */
+  gauss,
+  /** u_n <= g at the nodes of the trace of V^h. */
+  nodal
+};
+
 /** The displacement element. */
 enum class Element
 {
@@ -63,6 +82,10 @@ template <>
 const OptionNames<MaterialLaw> &option_names();
 template <>
 const OptionNames<PlaneState> &option_names();
+template <>
+const OptionNames<Strategy> &option_names();
+template <>
+const OptionNames<HpMultipliers> &option_names();
 template <>
 const OptionNames<Element> &option_names();
 template <>

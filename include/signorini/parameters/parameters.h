@@ -81,12 +81,16 @@ struct ExactSolutionParameters
 /** Subsection Discretization. */
 struct DiscretizationParameters
 {
+  Given<Strategy> strategy{Strategy::nested};
   Given<unsigned int> coarsest_level{2};
   Given<unsigned int> finest_level{6};
   Given<Element> element{Element::q1};
   Given<unsigned int> patch_ratio{2};
   Given<unsigned int> patches{0};
   Given<double> target_error{0.};
+  Given<unsigned int> maximum_unknowns{200000};
+  Given<unsigned int> maximum_degree{9};
+  Given<HpMultipliers> multipliers{HpMultipliers::gauss};
   Given<unsigned int> quadrature_points{3};
   /** Positions of kinks. */
   Given<std::vector<double>> kinks_at_x;

@@ -5,6 +5,7 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -21,6 +22,15 @@ struct Geometry
   double n_coarse_cells = 1.;
   /** Makes the coarse mesh (level 0), with the manifolds of a curved body. */
   std::function<void(dealii::Triangulation<dim> &)> make_coarse_mesh;
+  /**
+   * Makes a mesh of a rectangle with 2^level times the coarse cells in each direction, in which
+   * the lines x_d = lines[d][k] are lines of the mesh: the nearest one moves there, or one is added.
+   * Empty for other bodies.
+   */
+  std::function<void(dealii::Triangulation<dim> &,
+                     unsigned int level,
+                     const std::array<std::vector<double>, dim> &lines)>
+    make_mesh_with_lines;
   /** Whether cells are curved. */
   bool curved = false;
   /** Numbers the boundary faces of a refined mesh, where sides end inside coarse faces; else empty.

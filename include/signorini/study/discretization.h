@@ -5,6 +5,7 @@
 #include <signorini/multiplier/multiplier_space.h>
 #include <signorini/parameters/parameters.h>
 #include <signorini/record/costs.h>
+#include <signorini/refinement/mesh_plan.h>
 
 namespace Signorini
 {
@@ -12,19 +13,23 @@ namespace Signorini
 template <int dim>
 struct Discretization
 {
-  /** Parameters and scene must outlive the object. @throws InputError for a partition that makes no
-   * sense on this level. */
+  /** A nested level. Parameters and scene must outlive the object. @throws InputError for a
+   * partition that makes no sense on this level. */
   Discretization(const Parameters &parameters,
                  const Scene<dim> &scene,
                  unsigned int level,
                  MPI_Comm communicator);
+  /** A graded mesh: multipliers of degree p - 2 on every contact face of degree p. In the plane, on
+   * one rank. @throws ComputationError for more unknowns than Maximum unknowns. */
+  Discretization(const Parameters &parameters, const Scene<dim> &scene, const MeshPlan &plan);
   Discretization(const Discretization &) = delete;
   Discretization &operator=(const Discretization &) = delete;
 
   /** Of the mesh and the setup. */
   StageTimes times;
   Mesh<dim> mesh;
-  /** Gauss points per direction for loads; errors take one more. */
+  /** Gauss points per direction for loads; errors take one more. For degree one; higher degrees take
+   * more. */
   unsigned int n_points;
   DisplacementSpace<dim> space;
   ContactSurface<dim> surface;
@@ -34,4 +39,7 @@ struct Discretization
   Coupling condensed_D;
   dealii::Vector<double> G;
 };
+
+/** The degree of every active cell. */
+std::vector<unsigned int> degrees_of(const DisplacementSpace<2> &space);
 } // namespace Signorini

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/refinement/singularity.h>
+
+#include <deal.II/grid/cell_id.h>
+
+#include <map>
+#include <vector>
+
+namespace Signorini
+{
+/** What the solution on earlier meshes asks of a cell. */
+struct CellDemand
+{
+  bool split = false;
+  /** The lowest degree of the cell, or of its children. */
+  unsigned int degree = 0;
+};
+
+/**
+ * A mesh and its degrees before they are made: the mesh of the first step, split towards the
+ * singularities and where demands say so.
+ *
+ * A cell that touches a singularity is split until it was split as often as there are layers. The
+ * degree falls linearly with the layers, from 2 + rise away from all singularities to 2 next to one.
+ */
+struct MeshPlan
+{
+  /** The mesh of the first step. */
+  unsigned int base_level = 0;
+  std::array<std::vector<double>, 2> lines;
+  /** The size of its cells (length). */
+  double base_size = 1.;
+  std::vector<Singularity> singularities;
+  std::map<dealii::CellId, CellDemand> demands;
+  double rise = 0.;
+  unsigned int largest_degree = 9;
+
+  /** Whether a cell must be split. */
+  bool must_split(const Scene<2> &scene,
+                  const dealii::Triangulation<2>::active_cell_iterator &cell,
+                  unsigned int n_splits) const;
+};
+
+/** The mesh of a plan. */
+Mesh<2> make_mesh(const MeshPlan &plan, const Scene<2> &scene);
+
+/** The degrees of its active cells; those of neighbours differ by one at most. */
+std::vector<unsigned int> plan_degrees(const MeshPlan &plan, const Mesh<2> &mesh);
+
+/** The degree that a plan gives to a cell of a mesh, before neighbours are looked at. */
+unsigned int planned_degree(const MeshPlan &plan,
+                            const Mesh<2> &mesh,
+                            const dealii::Triangulation<2>::active_cell_iterator &cell);
+} // namespace Signorini

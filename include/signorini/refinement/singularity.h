@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/mesh/mesh.h>
+#include <signorini/scene/scene.h>
+
+#include <optional>
+#include <vector>
+
+namespace Signorini
+{
+/**
+ * A place on the boundary next to which u ~ r^lambda: a corner, or an end of contact, which is known
+ * to lie between two points of a side.
+ */
+struct Singularity
+{
+  enum class Kind
+  {
+    corner,
+    /** Where a line of kinks meets a contact side. */
+    kink,
+    end_of_contact
+  };
+  Kind kind;
+  /** The corner, the kink, or the middle of the bracket. */
+  dealii::Point<2> point;
+  /** lambda, as far as it is known. */
+  double exponent;
+  /** Of kinks and ends of contact: the side, and the bracket in its arc length (length). */
+  unsigned int side = 0;
+  double from = 0., to = 0.;
+  /** How often the cells at the place are split. */
+  double layers = 0.;
+
+  /** Whether the place lies in the closure of a cell, or a part of the bracket does. */
+  bool touches(const Scene<2> &scene,
+               const dealii::Triangulation<2>::active_cell_iterator &cell) const;
+};
+
+/** The singularity that is closest to a point, if there is any. */
+const Singularity *nearest(const std::vector<Singularity> &singularities,
+                           const dealii::Point<2> &x);
+} // namespace Signorini

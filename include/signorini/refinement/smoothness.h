@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/elasticity/displacement_space.h>
+#include <signorini/scene/scene.h>
+
+#include <vector>
+
+namespace Signorini
+{
+/** What the coefficients of u_h tell about a cell. */
+struct CellIndicator
+{
+  /** About the energy norm of the error on the cell, (force length)^{1/2}. */
+  double error = 0.;
+  /** By which factor it falls when the degree grows by one: near 0 where u is analytic, near 1 where
+   * it is singular. */
+  double decay = 0.;
+};
+
+/**
+ * The indicator of every active cell, in their order.
+ *
+ * On a cell of degree p let s_i be the part of the derivative of u_h along a reference coordinate
+ * that has Legendre's degree i in that coordinate, i = 0, ..., p - 1, measured in the energy norm.
+ * A line through the last log s_i gives the decay rho and the first part that is missing, s_p. The
+ * missing parts amount to s_p (1 + rho^2 + rho^4 + ...)^{1/2}. It steers; it is not a bound.
+ * (Decay of Legendre coefficients as a measure of smoothness: C. Mavriplis, Comput. Methods Appl.
+ * Mech. Eng. 116 (1994) 77-86; P. Houston, E. Suli, ibid. 194 (2005) 229-243.)
+ */
+std::vector<CellIndicator>
+indicate(const DisplacementSpace<2> &space, const Scene<2> &scene, const NodalVector &U);
+} // namespace Signorini

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The decay of Legendre coefficients, cell by cell.
+
+#include <signorini/refinement/cell_field.h>
+#include <signorini/refinement/smoothness.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace Signorini
+{
+namespace
+{
+/** Legendre's polynomial of degree n on [0, 1]. */
+double legendre(const unsigned int n, const double x)
+{
+  const double t = 2. * x - 1.;
+  double before = 0., value = 1.;
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    const double next = ((2. * k + 1.) * t * value - k * before) / (k + 1.);
+    before = value;
+    value = next;
+  }
+  return value;
+}
+
+/** From values at the nodes of an edge to the orthonormal Legendre coefficients 0, ..., p - 1 of the
+ * derivative, and the weights of Gauss and Lobatto at the nodes. */
+struct Analysis
+{
+  explicit Analysis(const unsigned int degree)
+    : coefficients(degree, degree + 1)
+    , weights(dealii::QGaussLobatto<1>(degree + 1).get_weights())
+  {
+    const dealii::QGauss<1> gauss(degree + 1);
+    std::vector<double> points;
+    for (const dealii::Point<1> &x : gauss.get_points())
+      points.push_back(x[0]);
+    const LineTable table = make_line_table(degree, points);
+    for (unsigned int i = 0; i < degree; ++i)
+      for (unsigned int k = 0; k <= degree; ++k)
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          coefficients(i, k) += std::sqrt(2. * i + 1.) * legendre(i, points[q]) *
+                                table.derivatives(q, k) * gauss.weight(q);
+  }
+
+  dealii::FullMatrix<double> coefficients;
+  std::vector<double> weights;
+};
+
+/** ‖s_i‖ of the reference cell along coordinate d. */
+std::vector<double> parts_along(const unsigned int d, const CellField &u, const Analysis &analysis)
+{
+  const unsigned int p = u.degree();
+  std::vector<double> squares(p, 0.);
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int across = 0; across <= p; ++across)
+      for (unsigned int i = 0; i < p; ++i)
+      {
+        double coefficient = 0.;
+        for (unsigned int k = 0; k <= p; ++k)
+          coefficient +=
+            analysis.coefficients(i, k) * (d == 0 ? u(c, k, across) : u(c, across, k));
+        squares[i] += analysis.weights[across] * coefficient * coefficient;
+      }
+  for (double &square : squares)
+    square = std::sqrt(square);
+  return squares;
+}
+
+/** The missing parts, from a line through the logarithms of the last ones. */
+CellIndicator extrapolate(const std::vector<double> &parts)
+{
+  constexpr unsigned int most_parts = 4;
+  constexpr double slowest = 0.9, fastest = 0.02;
+  const unsigned int p = parts.size();
+  const unsigned int first = p > most_parts ? p - most_parts : 0;
+  // What is rounding against the largest part carries no slope.
+  const double negligible = 1e-13 * *std::max_element(parts.begin(), parts.end());
+  double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
+  for (unsigned int i = first; i < p; ++i)
+  {
+    const double logarithm = std::log(std::max(parts[i], negligible + 1e-300));
+    n += 1.;
+    x += i;
+    y += logarithm;
+    xx += static_cast<double>(i) * i;
+    xy += i * logarithm;
+  }
+  const double slope = (n * xy - x * y) / (n * xx - x * x);
+  const double rho = std::min(slowest, std::max(fastest, std::exp(slope)));
+  const double by_line = std::exp((y - slope * x) / n + slope * p);
+  // A line through two parts of an odd or even function may be steeper than both.
+  const double next = std::max({std::min(by_line, parts[p - 1]), rho * parts[p - 1]});
+  return {next / std::sqrt(1. - rho * rho), rho};
+}
+
+/** A modulus for the energy of all strains but those that incompressible bodies avoid. */
+double modulus_at(const Scene<2> &scene, const dealii::Point<2> &x)
+{
+  const dealii::SymmetricTensor<4, 2> E = scene.material->hooke(x);
+  return std::min(std::max(E[0][0][0][0], E[1][1][1][1]), 4. * E[0][1][0][1]);
+}
+} // namespace
+
+std::vector<CellIndicator>
+indicate(const DisplacementSpace<2> &space, const Scene<2> &scene, const NodalVector &U)
+{
+  std::map<unsigned int, Analysis> analyses;
+  std::vector<CellIndicator> indicators;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    const CellField u(cell, U);
+    const Analysis &analysis = analyses.try_emplace(u.degree(), u.degree()).first->second;
+    const double lengths[] = {
+      0.5 * (cell->face(2)->diameter() + cell->face(3)->diameter()),
+      0.5 * (cell->face(0)->diameter() + cell->face(1)->diameter())};
+    const double modulus = modulus_at(scene, cell->center());
+    CellIndicator indicator;
+    double square = 0.;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      const CellIndicator along = extrapolate(parts_along(d, u, analysis));
+      const double size = modulus * cell->measure() / (lengths[d] * lengths[d]);
+      square += size * along.error * along.error;
+      // The direction that the error comes from decides.
+      indicator.decay += along.decay * size * along.error * along.error;
+    }
+    indicator.decay = square > 0. ? indicator.decay / square : 0.;
+    indicator.error = std::sqrt(square);
+    indicators.push_back(indicator);
+  }
+  return indicators;
+}
+} // namespace Signorini
