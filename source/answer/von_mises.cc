@@ -9,6 +9,8 @@
 #include <signorini/postprocess/stress.h>
 
 #include <cmath>
+#include <map>
+#include <memory>
 
 namespace Signorini
 {
@@ -36,6 +38,50 @@ void take_larger(const VonMises &candidate, VonMises &largest)
     largest = candidate;
 }
 
+/** The stress at a point; nothing where the material's data has no value. */
+void compare(const Material<2> &material,
+             const dealii::Point<2> &x,
+             const dealii::SymmetricTensor<2, 2> &strain,
+             VonMises &largest)
+{
+  try
+  {
+    take_larger({von_mises(stress_in_space(material, x, strain)), x}, largest);
+  }
+  catch (const InputError &)
+  {
+  }
+}
+
+/** The largest of a chunk of cells of several degrees, at the nodes of each. */
+VonMises largest_at_nodes(const Cells<2> &cells,
+                          const DisplacementSpace<2> &space,
+                          const Material<2> &material,
+                          const NodalVector &U)
+{
+  const dealii::FEValuesExtractors::Vector displacement(0);
+  VonMises largest;
+  std::map<unsigned int, std::unique_ptr<dealii::FEValues<2>>> values_by_degree;
+  std::vector<dealii::SymmetricTensor<2, 2>> strains;
+  for (const auto &cell : cells)
+  {
+    const dealii::FiniteElement<2> &element = cell->get_fe();
+    std::unique_ptr<dealii::FEValues<2>> &values = values_by_degree[element.degree];
+    if (values == nullptr)
+      values = std::make_unique<dealii::FEValues<2>>(
+        space.mesh().mapping(),
+        element,
+        dealii::Quadrature<2>(element.base_element(0).get_unit_support_points()),
+        dealii::update_gradients | dealii::update_quadrature_points);
+    values->reinit(cell);
+    strains.resize(values->n_quadrature_points);
+    (*values)[displacement].get_function_symmetric_gradients(U, strains);
+    for (const unsigned int q : values->quadrature_point_indices())
+      compare(material, values->quadrature_point(q), strains[q], largest);
+  }
+  return largest;
+}
+
 /** The largest of a chunk of cells. */
 VonMises largest_of(const Cells<2> &cells,
                     const DisplacementSpace<2> &space,
@@ -43,6 +89,8 @@ VonMises largest_of(const Cells<2> &cells,
                     const NodalVector &U,
                     const std::vector<double> &dilatation)
 {
+  if (space.has_several_elements())
+    return largest_at_nodes(cells, space, material, U);
   dealii::FEValues<2> values(space.mesh().mapping(),
                              space.element(),
                              corners_and_middle(),
@@ -59,15 +107,7 @@ VonMises largest_of(const Cells<2> &cells,
       dealii::SymmetricTensor<2, 2> strain = symmetrize(u.gradients[q]);
       if (!dilatation.empty())
         replace_trace(strain, dilatation[cell->active_cell_index()]);
-      const dealii::Point<2> &x = values.quadrature_point(q);
-      try
-      {
-        take_larger({von_mises(stress_in_space(material, x, strain)), x}, largest);
-      }
-      catch (const InputError &)
-      {
-        continue;
-      }
+      compare(material, values.quadrature_point(q), strain, largest);
     }
   }
   return largest;

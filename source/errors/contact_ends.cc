@@ -3,6 +3,7 @@
 
 #include <signorini/errors/contact_ends.h>
 #include <signorini/postprocess/contact_pressure.h>
+#include <signorini/refinement/contact_brackets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,13 +30,22 @@ std::vector<double> exact_ends(const Scene<2> &scene, const unsigned int number)
   return ends;
 }
 
-/** Arc lengths between a pressing patch and one that does not press. */
-std::vector<double> discrete_ends(const std::vector<Patch<2>> &patches,
+/** Arc lengths between a pressing patch and one that does not press; where patches have several
+ * nodes, the middle between a pressing node and one that does not. */
+std::vector<double> discrete_ends(const MultiplierSpace<2> &space,
                                   const unsigned int number,
                                   const dealii::Vector<double> &P)
 {
+  const std::vector<Patch<2>> &patches = space.surface().patches();
   const double threshold = pressing_threshold(P);
   std::vector<double> ends;
+  if (!space.is_piecewise_constant())
+  {
+    for (const ContactBracket &bracket : contact_brackets(space, P))
+      if (bracket.side == number)
+        ends.push_back(0.5 * (bracket.from + bracket.to));
+    return ends;
+  }
   for (std::size_t tau = 0; tau + 1 < patches.size(); ++tau)
     if (patches[tau].side == number && patches[tau + 1].side == number &&
         (P[tau] < threshold) != (P[tau + 1] < threshold))
@@ -66,7 +76,7 @@ std::optional<double> contact_end_error(const MultiplierSpace<2> &space,
   for (const unsigned int number : scene.contact_sides())
   {
     const std::vector<double> exact = exact_ends(scene, number);
-    const std::vector<double> discrete = discrete_ends(space.surface().patches(), number, P);
+    const std::vector<double> discrete = discrete_ends(space, number, P);
     if (exact.empty() != discrete.empty())
       return {};
     if (!exact.empty())

@@ -38,7 +38,9 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const dealii
 
 RecoveredPressure::RecoveredPressure(const MultiplierSpace<2> &space,
                                      const dealii::Vector<double> &P)
-  : surface_(space.surface())
+  : space_(space)
+  , surface_(space.surface())
+  , P_(P)
 {
   for (unsigned int tau = 0; tau < surface_.patches().size(); ++tau)
     means_.push_back(space.value(P, tau, surface_.patches()[tau].centre()));
@@ -65,6 +67,8 @@ RecoveredPressure::Neighbour RecoveredPressure::neighbour(const unsigned int pat
 
 double RecoveredPressure::operator()(const unsigned int patch, const dealii::Point<1> &s) const
 {
+  if (!space_.is_piecewise_constant())
+    return std::min(0., space_.value(P_, patch, s));
   const double middle = surface_.patches()[patch].centre()[0];
   const int step = s[0] < middle ? -1 : 1;
   Neighbour next = neighbour(patch, step);

@@ -12,6 +12,8 @@ Columns<LevelSizes> LevelSizes::columns()
           {"dofs", &LevelSizes::dofs},
           {"multipliers", &LevelSizes::multipliers},
           {"h", &LevelSizes::h},
-          {"H", &LevelSizes::H}};
+          {"H", &LevelSizes::H},
+          {"max_degree", &LevelSizes::max_degree},
+          {"min_h", &LevelSizes::min_h}};
 }
 } // namespace Signorini

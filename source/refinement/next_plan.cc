@@ -39,7 +39,9 @@ double error_at(const Singularity &singularity,
   return std::sqrt(square);
 }
 
-Singularity end_of_contact(const ContactBracket &bracket, const Scene<2> &scene, const double layers)
+Singularity end_of_contact(const ContactBracket &bracket,
+                           const Scene<2> &scene,
+                           const double layers)
 {
   return {Singularity::Kind::end_of_contact,
           scene.geometry.sides[bracket.side].point(0.5 * (bracket.from + bracket.to)),
@@ -119,8 +121,9 @@ void demand(const Scene<2> &scene,
 }
 } // namespace
 
-MeshPlan
-first_plan(const Scene<2> &scene, const unsigned int base_level, const unsigned int largest_degree)
+MeshPlan first_plan(const Scene<2> &scene,
+                    const unsigned int base_level,
+                    const unsigned int largest_degree)
 {
   MeshPlan plan;
   plan.base_level = base_level;
@@ -149,14 +152,10 @@ MeshPlan next_plan(const MeshPlan &plan,
         next.demands[cell->id()].split = true;
     return next;
   }
-  double total = 0.;
-  for (const CellIndicator &indicator : findings.indicators)
-    total += indicator.error * indicator.error;
-  total = std::sqrt(total);
   const double aim = std::max(0.6 * findings.target, findings.error / reduction);
   Goal goal = {};
   goal.length = step_length(findings.error, aim);
-  goal.error = findings.error > 0. ? total * aim / findings.error : 0.;
+  goal.error = findings.error > 0. ? total(findings.indicators) * aim / findings.error : 0.;
   goal.per_cell = goal.error / std::sqrt(static_cast<double>(n_cells));
   next.rise += goal.length * rise_per_step;
   grade(plan, scene, mesh, findings, goal, next);

@@ -28,8 +28,8 @@ double legendre(const unsigned int n, const double x)
   return value;
 }
 
-/** From values at the nodes of an edge to the orthonormal Legendre coefficients 0, ..., p - 1 of the
- * derivative, and the weights of Gauss and Lobatto at the nodes. */
+/** From values at the nodes of an edge to the orthonormal Legendre coefficients 0, ..., p - 1 of
+ * the derivative, and the weights of Gauss and Lobatto at the nodes. */
 struct Analysis
 {
   explicit Analysis(const unsigned int degree)
@@ -63,8 +63,7 @@ std::vector<double> parts_along(const unsigned int d, const CellField &u, const 
       {
         double coefficient = 0.;
         for (unsigned int k = 0; k <= p; ++k)
-          coefficient +=
-            analysis.coefficients(i, k) * (d == 0 ? u(c, k, across) : u(c, across, k));
+          coefficient += analysis.coefficients(i, k) * (d == 0 ? u(c, k, across) : u(c, across, k));
         squares[i] += analysis.weights[across] * coefficient * coefficient;
       }
   for (double &square : squares)
@@ -107,8 +106,9 @@ double modulus_at(const Scene<2> &scene, const dealii::Point<2> &x)
 }
 } // namespace
 
-std::vector<CellIndicator>
-indicate(const DisplacementSpace<2> &space, const Scene<2> &scene, const NodalVector &U)
+std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
+                                    const Scene<2> &scene,
+                                    const NodalVector &U)
 {
   std::map<unsigned int, Analysis> analyses;
   std::vector<CellIndicator> indicators;
@@ -116,9 +116,8 @@ indicate(const DisplacementSpace<2> &space, const Scene<2> &scene, const NodalVe
   {
     const CellField u(cell, U);
     const Analysis &analysis = analyses.try_emplace(u.degree(), u.degree()).first->second;
-    const double lengths[] = {
-      0.5 * (cell->face(2)->diameter() + cell->face(3)->diameter()),
-      0.5 * (cell->face(0)->diameter() + cell->face(1)->diameter())};
+    const double lengths[] = {0.5 * (cell->face(2)->diameter() + cell->face(3)->diameter()),
+                              0.5 * (cell->face(0)->diameter() + cell->face(1)->diameter())};
     const double modulus = modulus_at(scene, cell->center());
     CellIndicator indicator;
     double square = 0.;
@@ -135,5 +134,13 @@ indicate(const DisplacementSpace<2> &space, const Scene<2> &scene, const NodalVe
     indicators.push_back(indicator);
   }
   return indicators;
+}
+
+double total(const std::vector<CellIndicator> &indicators)
+{
+  double square = 0.;
+  for (const CellIndicator &indicator : indicators)
+    square += indicator.error * indicator.error;
+  return std::sqrt(square);
 }
 } // namespace Signorini

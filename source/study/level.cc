@@ -20,7 +20,9 @@ LevelSizes sizes_of(const Discretization<dim> &discretization)
           discretization.multipliers.n_multipliers(),
           discretization.mesh.longest_edge(),
           discretization.surface.longest_patch(),
-          discretization.surface.has_unstable_patch()};
+          is_unstable(discretization),
+          discretization.space.largest_degree(),
+          discretization.mesh.shortest_edge()};
 }
 } // namespace
 
@@ -28,7 +30,7 @@ template <int dim>
 LevelSolution<dim> solve_level(const Parameters &parameters,
                                const Scene<dim> &scene,
                                const Discretization<dim> &discretization,
-                               const PatchPressure &start,
+                               const dealii::Vector<double> &start,
                                const Progress &progress)
 {
   const DisplacementSpace<dim> &space = discretization.space;
@@ -82,6 +84,6 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
 template LevelSolution<2> solve_level(const Parameters &,
                                       const Scene<2> &,
                                       const Discretization<2> &,
-                                      const PatchPressure &,
+                                      const dealii::Vector<double> &,
                                       const Progress &);
 } // namespace Signorini

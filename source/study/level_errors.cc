@@ -23,12 +23,13 @@ void add_errors(const Parameters &parameters,
   if (scene.exact_displacement != nullptr)
     record.displacement_errors =
       compute_displacement_errors(discretization.space, scene, solution.U, n_points);
-  if (pressure != nullptr)
+  if (scene.has_exact_pressure())
   {
     record.pressure_errors = compute_pressure_errors(multipliers, solution.P, n_points);
-    record.dual_norm_errors = pressure->errors(multipliers, solution.P);
     record.endpoint_error = contact_end_error(multipliers, scene, solution.P);
   }
+  if (pressure != nullptr)
+    record.dual_norm_errors = pressure->errors(multipliers, solution.P);
   if (parameters.output.lemmas && scene.exact_displacement != nullptr && pressure != nullptr)
     record.lemmas = compute_lemma_numbers(discretization.space,
                                           scene,

@@ -26,6 +26,8 @@ bool wants_inf_sup(const Choice choice, const unsigned long long n_dofs)
 /** The bound is asked for where the study may stop. */
 bool wants_bound(const DiscretizationParameters &given, const unsigned int level)
 {
+  if (given.strategy == Strategy::hp)
+    return false;
   return level == given.finest_level || given.target_error > 0.;
 }
 
@@ -122,7 +124,8 @@ void examine(const Parameters &parameters,
   LevelRecord &record = solution.record;
   const StageTimer timer(record.times.postprocess);
   const DisplacementSpace<dim> &space = discretization.space;
-  if (wants_inf_sup(parameters.output.inf_sup_constant, space.dofs().n_dofs()))
+  if (parameters.discretization.strategy == Strategy::nested &&
+      wants_inf_sup(parameters.output.inf_sup_constant, space.dofs().n_dofs()))
   {
     progress("inf-sup constant");
     record.inf_sup = measure_inf_sup(space,

@@ -53,7 +53,7 @@ QPResult solve_contact(const std::shared_ptr<const ComplianceOperator> &C,
                              solver.relaxation,
                              solver.tolerance,
                              solver.maximum_iterations,
-                             discretization.surface.has_unstable_patch()});
+                             is_unstable(discretization)});
 }
 } // namespace
 
@@ -61,7 +61,7 @@ template <int dim>
 Pressure find_pressure(const Parameters &parameters,
                        const Discretization<dim> &discretization,
                        const StiffnessInverse &inverse,
-                       const PatchPressure &start,
+                       const dealii::Vector<double> &start,
                        const Progress &progress,
                        LevelSolution<dim> &solution)
 {
@@ -72,10 +72,7 @@ Pressure find_pressure(const Parameters &parameters,
     solution.C = C->dense();
   progress("dual problem");
   const StageTimer timer(solution.record.times.qp);
-  dealii::Vector<double> P_start;
-  if (!start.patches.empty())
-    P_start = transfer_pressure(start, discretization.surface.patches());
-  const QPResult result = solve_contact(C, solution.F, P_start, parameters, discretization);
+  const QPResult result = solve_contact(C, solution.F, start, parameters, discretization);
   solution.record.dual = summary_of(result, parameters.solver.contact_solver);
   return {result.P, C->apply(result.P), diagonal_times(*C, result.P), C, {}};
 }
@@ -116,7 +113,7 @@ void correct_rounding(const Parameters &parameters,
 template Pressure find_pressure(const Parameters &,
                                 const Discretization<2> &,
                                 const StiffnessInverse &,
-                                const PatchPressure &,
+                                const dealii::Vector<double> &,
                                 const Progress &,
                                 LevelSolution<2> &);
 template void correct_rounding(const Parameters &,

@@ -24,7 +24,7 @@ template <int dim>
 Pressure find_pressure(const Parameters &parameters,
                        const Discretization<dim> &discretization,
                        const StiffnessInverse &inverse,
-                       const PatchPressure &start,
+                       const dealii::Vector<double> &start,
                        const Progress &progress,
                        LevelSolution<dim> &solution);
 

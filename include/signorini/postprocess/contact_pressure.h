@@ -34,7 +34,8 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space,
 /**
  * A continuous pressure of second order from the means of p_H over the patches: piecewise linear
  * through the middles of the patches of a side, continued to its ends (around a closed side), and
- * nowhere positive. For a plane body, where a patch has two neighbours.
+ * nowhere positive. For a plane body, where a patch has two neighbours. Where patches have
+ * polynomials, it is p_H itself, cut off at zero.
  */
 class RecoveredPressure
 {
@@ -56,7 +57,9 @@ private:
    */
   Neighbour neighbour(unsigned int patch, int step) const;
 
+  const MultiplierSpace<2> &space_;
   const ContactSurface<2> &surface_;
+  dealii::Vector<double> P_;
   /** By patch. */
   std::vector<double> means_;
 };

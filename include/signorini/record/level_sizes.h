@@ -18,6 +18,10 @@ struct LevelSizes
   double H = 0.;
   /** Whether a patch is no longer than a face (H = h). */
   bool unstable = false;
+  /** The highest degree of an element. */
+  unsigned int max_degree = 1;
+  /** The shortest edge (length). */
+  double min_h = 0.;
 
   static Columns<LevelSizes> columns();
 };

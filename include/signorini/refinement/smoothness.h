@@ -13,8 +13,8 @@ struct CellIndicator
 {
   /** About the energy norm of the error on the cell, (force length)^{1/2}. */
   double error = 0.;
-  /** By which factor it falls when the degree grows by one: near 0 where u is analytic, near 1 where
-   * it is singular. */
+  /** By which factor it falls when the degree grows by one: near 0 where u is analytic, near 1
+   * where it is singular. */
   double decay = 0.;
 };
 
@@ -28,6 +28,10 @@ struct CellIndicator
  * (Decay of Legendre coefficients as a measure of smoothness: C. Mavriplis, Comput. Methods Appl.
  * Mech. Eng. 116 (1994) 77-86; P. Houston, E. Suli, ibid. 194 (2005) 229-243.)
  */
-std::vector<CellIndicator>
-indicate(const DisplacementSpace<2> &space, const Scene<2> &scene, const NodalVector &U);
+std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
+                                    const Scene<2> &scene,
+                                    const NodalVector &U);
+
+/** The root of the sum of the squares of the errors. */
+double total(const std::vector<CellIndicator> &indicators);
 } // namespace Signorini

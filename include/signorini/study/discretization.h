@@ -28,8 +28,8 @@ struct Discretization
   /** Of the mesh and the setup. */
   StageTimes times;
   Mesh<dim> mesh;
-  /** Gauss points per direction for loads; errors take one more. For degree one; higher degrees take
-   * more. */
+  /** Gauss points per direction for loads; errors take one more. For degree one; higher degrees
+   * take more. */
   unsigned int n_points;
   DisplacementSpace<dim> space;
   ContactSurface<dim> surface;
@@ -39,6 +39,14 @@ struct Discretization
   Coupling condensed_D;
   dealii::Vector<double> G;
 };
+
+/** Whether patches of a single face have multipliers of a degree that is not inf-sup stable. */
+template <int dim>
+bool is_unstable(const Discretization<dim> &discretization)
+{
+  return !discretization.space.has_several_elements() &&
+         discretization.space.element().degree == 1 && discretization.surface.has_unstable_patch();
+}
 
 /** The degree of every active cell. */
 std::vector<unsigned int> degrees_of(const DisplacementSpace<2> &space);

@@ -40,18 +40,19 @@ using Progress = std::function<void(const std::string &)>;
  * Solves (5) on one level: A and f, the factorisation, F, where something touches C and P, then U,
  * the certificate, and the error estimate. Collective.
  *
- * @param start pressure of the level before; without patches: none.
+ * @param start a pressure on the patches of this level to start from; empty: none.
  */
 template <int dim>
 LevelSolution<dim> solve_level(const Parameters &parameters,
                                const Scene<dim> &scene,
                                const Discretization<dim> &discretization,
-                               const PatchPressure &start,
+                               const dealii::Vector<double> &start,
                                const Progress &progress);
 
 /**
  * Adds the errors against the exact solution, as far as it is known. Collective.
- * @param pressure the exact pressure; null if it is not known.
+ * @param pressure the exact pressure for the dual norms; null if it is not known, or if they are
+ * not wanted.
  */
 template <int dim>
 void add_errors(const Parameters &parameters,

@@ -74,6 +74,10 @@ public:
   {
     return demands_.tolerated_error;
   }
+  double target_error() const
+  {
+    return demands_.target_error;
+  }
   bool has_target() const
   {
     return demands_.target_error > 0.;

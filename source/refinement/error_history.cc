@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What steps predict for the next one.
+
+#include <signorini/refinement/error_history.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+double ErrorHistory::add(const double indicator, const std::optional<double> &difference)
+{
+  double estimate = indicator;
+  if (difference && last_indicator_)
+  {
+    double ratio = *last_indicator_ > 0. ? indicator / *last_indicator_ : 1.;
+    if (last_difference_ && *last_difference_ > 0.)
+      ratio = std::max(ratio, *difference / *last_difference_);
+    estimate = std::max(estimate, *difference * std::min(1., ratio));
+  }
+  last_indicator_ = indicator;
+  last_difference_ = difference;
+  return estimate;
+}
+} // namespace Signorini

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Graded meshes: solve, find the ends of contact, estimate, plan the next mesh.
+
+#include <signorini/base/exceptions.h>
+#include <signorini/base/stage_timer.h>
+#include <signorini/elasticity/energy_norm.h>
+#include <signorini/refinement/error_history.h>
+#include <signorini/refinement/next_plan.h>
+#include <signorini/refinement/pressure_transfer.h>
+#include <signorini/refinement/step_difference.h>
+#include <signorini/refinement/unseen_contact.h>
+
+#include "sequence.h"
+
+namespace Signorini
+{
+namespace
+{
+/** A mesh with the solution on it. */
+struct HpStep
+{
+  std::unique_ptr<const Discretization<2>> discretization;
+  NodalVector U;
+  dealii::Vector<double> P;
+};
+
+class HpSequence final : public Sequence
+{
+public:
+  explicit HpSequence(const StudyContext<2> &context)
+    : context_(context)
+    , plan_(first_plan(context.scene,
+                       context.parameters.discretization.coarsest_level,
+                       context.parameters.discretization.maximum_degree))
+    , next_(make_discretization())
+  {
+    const auto &most = context.parameters.discretization.maximum_unknowns;
+    if (next_->space.dofs().n_dofs() > most)
+      throw InputError(most.where() + ": found '" + std::to_string(most.value) +
+                       "', but the first mesh has " + std::to_string(next_->space.dofs().n_dofs()) +
+                       " unknowns, allowed: that many, or a smaller Coarsest level.");
+  }
+
+  std::string name_of_next() const override
+  {
+    return "step " + std::to_string(n_steps_);
+  }
+
+  LevelRecord solve_next(const Progress &progress, ResultsWriter &writer) override
+  {
+    const Parameters &parameters = context_.parameters;
+    const Discretization<2> &discretization = *next_;
+    dealii::Vector<double> start;
+    if (parameters.solver.warm_start && last_.discretization != nullptr)
+      start =
+        transfer_pressure(last_.discretization->multipliers, last_.P, discretization.multipliers);
+    LevelSolution<2> solution =
+      solve_level(parameters, context_.scene, discretization, start, progress);
+    LevelRecord &record = solution.record;
+    record.sizes.level = n_steps_;
+    progress("estimate");
+    const StepFindings findings = examine_step(solution);
+    progress("errors");
+    add_errors(parameters, context_.scene, discretization, nullptr, solution);
+    last_ = {std::move(next_), solution.U, solution.P};
+    finished_ = context_.judge.reaches_target(record);
+    if (!finished_)
+      plan_next(findings);
+    progress("output");
+    {
+      const StageTimer timer(record.times.output);
+      writer.write_fields(*last_.discretization, context_.scene, solution, finished_);
+    }
+    record.resources = measure_resources();
+    ++n_steps_;
+    return record;
+  }
+
+  bool is_finished() const override
+  {
+    return finished_;
+  }
+
+  PatchPressure pressure() const override
+  {
+    return {last_.discretization->surface.patches(), last_.P};
+  }
+
+private:
+  std::unique_ptr<const Discretization<2>> make_discretization() const
+  {
+    return std::make_unique<const Discretization<2>>(context_.parameters, context_.scene, plan_);
+  }
+
+  /** The estimate of the error, and what the next mesh is made from. */
+  StepFindings examine_step(LevelSolution<2> &solution)
+  {
+    const StageTimer timer(solution.record.times.postprocess);
+    const Scene<2> &scene = context_.scene;
+    const DisplacementSpace<2> &space = next_->space;
+    const MultiplierSpace<2> &multipliers = next_->multipliers;
+    StepFindings findings;
+    findings.indicators = indicate(space, scene, solution.U);
+    findings.brackets = contact_brackets(multipliers, solution.P);
+    findings.unseen_contact = unseen_contact(space, multipliers, solution.U, solution.P);
+    const double scale = energy_scale(space, scene, solution.U);
+    std::optional<double> difference;
+    if (last_.discretization != nullptr)
+      difference =
+        energy_distance({space, solution.U}, {last_.discretization->space, last_.U}, scene);
+    findings.error = history_.add(total(findings.indicators), difference);
+    findings.target = context_.judge.target_error() * scale;
+    if (findings.unseen_contact.empty())
+      solution.record.estimate = ErrorEstimate{0., findings.error, findings.error / scale, 0., 0.};
+    return findings;
+  }
+
+  /** Makes the next mesh; without one the sequence is finished. */
+  void plan_next(const StepFindings &findings)
+  {
+    const Discretization<2> &discretization = *last_.discretization;
+    plan_ = next_plan(
+      plan_, context_.scene, discretization.mesh, degrees_of(discretization.space), findings);
+    next_ = make_discretization();
+    finished_ = next_->space.dofs().n_dofs() > context_.parameters.discretization.maximum_unknowns;
+  }
+
+  StudyContext<2> context_;
+  MeshPlan plan_;
+  ErrorHistory history_;
+  /** The next mesh; empty while a step is examined. */
+  std::unique_ptr<const Discretization<2>> next_;
+  HpStep last_;
+  unsigned int n_steps_ = 0;
+  bool finished_ = false;
+};
+} // namespace
+
+std::unique_ptr<Sequence> make_hp_sequence(const StudyContext<2> &context)
+{
+  return std::make_unique<HpSequence>(context);
+}
+
+double target_error(const DiscretizationParameters &given)
+{
+  constexpr double usual = 1e-4;
+  return given.strategy == Strategy::hp && given.target_error == 0. ? usual
+                                                                    : given.target_error.value;
+}
+} // namespace Signorini

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Nested levels, coarsest to finest, each started from the one before.
+
+#include <signorini/base/stage_timer.h>
+#include <signorini/postprocess/locking.h>
+
+#include "memory_limit.h"
+#include "sequence.h"
+
+namespace Signorini
+{
+namespace
+{
+template <int dim>
+class NestedSequence final : public Sequence
+{
+public:
+  explicit NestedSequence(const StudyContext<dim> &context)
+    : context_(context)
+    , memory_(context.parameters, context.scene, context.communicator)
+    , next_level_(context.parameters.discretization.coarsest_level)
+  {
+    if (context.parameters.output.errors && context.scene.has_exact_pressure())
+      exact_pressure_ = std::make_unique<const ExactPressure>(context.scene);
+  }
+
+  std::string name_of_next() const override
+  {
+    return "level " + std::to_string(next_level_);
+  }
+
+  /** The level's large objects live no longer than this call. */
+  LevelRecord solve_next(const Progress &progress, ResultsWriter &writer) override
+  {
+    const Parameters &parameters = context_.parameters;
+    memory_.check(next_level_);
+    progress("mesh");
+    const Discretization<dim> discretization(
+      parameters, context_.scene, next_level_, context_.communicator);
+    dealii::Vector<double> start;
+    if (parameters.solver.warm_start && !pressure_.patches.empty())
+      start = transfer_pressure(pressure_, discretization.surface.patches());
+    LevelSolution<dim> solution =
+      solve_level(parameters, context_.scene, discretization, start, progress);
+    progress("errors");
+    add_errors(parameters, context_.scene, discretization, exact_pressure_.get(), solution);
+    finished_ = next_level_ == parameters.discretization.finest_level ||
+                context_.judge.reaches_target(solution.record);
+    if (finished_ && discretization.space.strain_operator() == StrainOperator::symmetric_gradient)
+      solution.record.locking_number =
+        locking_number(discretization.mesh, *context_.scene.material);
+    progress("output");
+    {
+      const StageTimer timer(solution.record.times.output);
+      writer.write_fields(discretization, context_.scene, solution, finished_);
+    }
+    solution.record.resources = measure_resources();
+    pressure_ = {discretization.surface.patches(), solution.P};
+    ++next_level_;
+    return solution.record;
+  }
+
+  bool is_finished() const override
+  {
+    return finished_;
+  }
+
+  PatchPressure pressure() const override
+  {
+    return pressure_;
+  }
+
+private:
+  StudyContext<dim> context_;
+  MemoryLimit<dim> memory_;
+  /** Null if it is not known. */
+  std::unique_ptr<const ExactPressure> exact_pressure_;
+  unsigned int next_level_;
+  bool finished_ = false;
+  PatchPressure pressure_;
+};
+} // namespace
+
+template <int dim>
+std::unique_ptr<Sequence> make_nested_sequence(const StudyContext<dim> &context)
+{
+  return std::make_unique<NestedSequence<dim>>(context);
+}
+
+template std::unique_ptr<Sequence> make_nested_sequence(const StudyContext<2> &);
+} // namespace Signorini
