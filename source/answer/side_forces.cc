@@ -60,8 +60,8 @@ void add_holder(const unsigned int side, const Role role, const Vector2 &normal,
 
 /** By the first degree of freedom. */
 std::map<dealii::types::global_dof_index, HeldNode> held_nodes(const DisplacementSpace<2> &space,
-                                            const Scene<2> &scene,
-                                            const NodalForces &forces)
+                                                               const Scene<2> &scene,
+                                                               const NodalForces &forces)
 {
   std::map<dealii::types::global_dof_index, HeldNode> nodes;
   NodePositions<2> positions(space);
@@ -85,8 +85,7 @@ std::map<dealii::types::global_dof_index, HeldNode> held_nodes(const Displacemen
           HeldNode &node = nodes[indices[first]];
           node.point = points[k];
           for (unsigned int c = 0; c < 2; ++c)
-            node.reaction[c] =
-              forces.residual[indices[element.component_to_system_index(c, k)]];
+            node.reaction[c] = forces.residual[indices[element.component_to_system_index(c, k)]];
           add_holder(face->boundary_id(),
                      scene.boundary[face->boundary_id()].role,
                      face_normal(cell, f),

@@ -63,7 +63,8 @@ bool is_affine(const std::vector<dealii::Tensor<1, dim>> &shape, const double to
  * shape less accurately. */
 double tolerance_of_shapes(const double distance_from_origin, const double size)
 {
-  return std::max(1e-12, 16. * std::numeric_limits<double>::epsilon() * distance_from_origin / size);
+  return std::max(1e-12,
+                  16. * std::numeric_limits<double>::epsilon() * distance_from_origin / size);
 }
 
 /** magnitudes_i = sum_j |K_ij x_j|. */

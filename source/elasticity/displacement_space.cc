@@ -59,15 +59,24 @@ dealii::IndexSet held_dofs(const dealii::AffineConstraints<double> &conditions,
   return held;
 }
 
-/** Adds to the essential conditions what keeps u_h continuous at hanging nodes. */
+/** What keeps u_h continuous at hanging nodes and between different degrees. */
 template <int dim>
-dealii::AffineConstraints<double> with_hanging_nodes(dealii::AffineConstraints<double> essential,
-                                                     const dealii::DoFHandler<dim> &dofs)
+dealii::AffineConstraints<double> continuity_conditions(const dealii::DoFHandler<dim> &dofs)
 {
-  if (!dofs.get_triangulation().has_hanging_nodes() && dofs.get_fe_collection().size() == 1)
+  dealii::AffineConstraints<double> conditions;
+  if (dofs.get_triangulation().has_hanging_nodes() || dofs.get_fe_collection().size() > 1)
+    dealii::DoFTools::make_hanging_node_constraints(dofs, conditions);
+  conditions.close();
+  return conditions;
+}
+
+/** Both; where a degree of freedom has both, the essential condition. */
+dealii::AffineConstraints<double> merge(dealii::AffineConstraints<double> essential,
+                                        const dealii::AffineConstraints<double> &continuity)
+{
+  if (continuity.n_constraints() == 0)
     return essential;
-  dealii::AffineConstraints<double> constraints;
-  dealii::DoFTools::make_hanging_node_constraints(dofs, constraints);
+  dealii::AffineConstraints<double> constraints(continuity);
   constraints.merge(essential, dealii::AffineConstraints<double>::right_object_wins);
   constraints.close();
   return constraints;
@@ -114,7 +123,8 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
   dofs_.distribute_dofs(elements);
   auto essential = essential_conditions(mesh_, dofs_, scene);
   supports_ = held_dofs(essential, dofs_.n_dofs());
-  constraints_ = with_hanging_nodes(std::move(essential), dofs_);
+  continuity_ = continuity_conditions(dofs_);
+  constraints_ = merge(std::move(essential), continuity_);
 }
 
 template <int dim>
@@ -157,8 +167,19 @@ NodalVector DisplacementSpace<dim>::condense(const NodalVector &functional) cons
 }
 
 template <int dim>
-typename dealii::DoFHandler<dim>::active_cell_iterator DisplacementSpace<dim>::dof_cell(
-  const CellIterator &cell) const
+void DisplacementSpace<dim>::carry_to_masters(NodalVector &functional) const
+{
+  for (const auto &line : continuity_.get_lines())
+  {
+    for (const auto &entry : line.entries)
+      functional[entry.first] += entry.second * functional[line.index];
+    functional[line.index] = 0.;
+  }
+}
+
+template <int dim>
+typename dealii::DoFHandler<dim>::active_cell_iterator
+DisplacementSpace<dim>::dof_cell(const CellIterator &cell) const
 {
   return {&mesh_.triangulation(), cell->level(), cell->index(), &dofs_};
 }

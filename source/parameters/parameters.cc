@@ -72,7 +72,8 @@ std::vector<Assignment> add_overrides(std::vector<Assignment> assignments,
 void check(const Parameters &parameters)
 {
   const DiscretizationParameters &discretization = parameters.discretization;
-  if (discretization.finest_level < discretization.coarsest_level)
+  if (discretization.strategy == Strategy::nested &&
+      discretization.finest_level < discretization.coarsest_level)
     throw InputError(discretization.finest_level.where() + ": found '" +
                      std::to_string(discretization.finest_level) +
                      "', allowed: an integer not below " + discretization.coarsest_level.name +

@@ -38,6 +38,7 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
   forces.residual = forces.internal;
   forces.residual -= forces.loads;
   forces.residual -= forces.contact;
+  space.carry_to_masters(forces.residual);
   forces.magnitude = internal.magnitudes.l2_norm();
   return forces;
 }

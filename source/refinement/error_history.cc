@@ -7,14 +7,17 @@
 
 namespace Signorini
 {
-double ErrorHistory::add(const double indicator, const std::optional<double> &difference)
+double ErrorHistory::add(const double indicator,
+                         const std::optional<double> &difference,
+                         const double planned)
 {
   double estimate = indicator;
   if (difference && last_indicator_)
   {
-    double ratio = *last_indicator_ > 0. ? indicator / *last_indicator_ : 1.;
+    const double of_indicators = *last_indicator_ > 0. ? indicator / *last_indicator_ : 1.;
+    double ratio = std::max(of_indicators, planned);
     if (last_difference_ && *last_difference_ > 0.)
-      ratio = std::max(ratio, *difference / *last_difference_);
+      ratio = std::max(ratio, std::min(*difference / *last_difference_, 4. * of_indicators));
     estimate = std::max(estimate, *difference * std::min(1., ratio));
   }
   last_indicator_ = indicator;

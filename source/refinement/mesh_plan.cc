@@ -87,15 +87,14 @@ unsigned int planned_degree(const MeshPlan &plan,
 {
   double share = 1.;
   if (const Singularity *const singularity = nearest(plan.singularities, cell->center()))
-    if (singularity->layers > 0.)
-    {
-      // The layers that a graded mesh has at this distance; demands may have split the cell further.
-      const double distance = cell->center().distance(singularity->point);
-      const double by_distance =
-        std::max(0., 1. + std::log2(plan.base_size / std::max(distance, 1e-30 * plan.base_size)));
-      const double layer = std::min<double>(mesh.splits(cell), by_distance);
-      share = std::max(0., 1. - layer / singularity->layers);
-    }
+  {
+    // The layers that a graded mesh has at this distance; demands may have split the cell further.
+    const double distance = cell->center().distance(singularity->point);
+    const double by_distance =
+      std::max(0., 1. + std::log2(plan.base_size / std::max(distance, 1e-30 * plan.base_size)));
+    const double layer = std::min<double>(mesh.splits(cell), by_distance);
+    share = std::max(0., 1. - layer / singularity->layers);
+  }
   const auto degree = 2 + static_cast<unsigned int>(plan.rise * share + 1e-9);
   return std::min(plan.largest_degree, std::max(degree, demanded_degree(plan, cell)));
 }

@@ -2,6 +2,8 @@
 // From the findings of a step to the mesh of the next one.
 
 #include <signorini/refinement/next_plan.h>
+#include <signorini/scene/corner_exponent.h>
+#include <signorini/scene/corners.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +21,9 @@ constexpr double exponent_at_ends = 1.5;
 
 /** How much the degree rises far away from singularities in a full step. */
 constexpr double rise_per_step = 1.5;
+
+/** Above this decay a cell is split, below it gets a higher degree. */
+constexpr double slow_decay = 0.4;
 
 /** The share of a full step that leads to the goal. */
 double step_length(const double error, const double goal)
@@ -62,6 +67,80 @@ struct Goal
   double length;
 };
 
+/** lambda as the error at the place shows it: 2^{-lambda} per layer. */
+double observed_exponent(const Singularity &known, const double error)
+{
+  constexpr double smallest = 0.2;
+  const double more_layers = known.layers - known.last_layers;
+  if (known.last_error <= 0. || more_layers < 1. || error <= 0.)
+    return known.exponent;
+  const double observed = std::log2(known.last_error / error) / more_layers;
+  return std::max(smallest, std::min(known.exponent, observed));
+}
+
+/** Whether u_h does not look analytic in the cells at a place. */
+bool is_rough(const Singularity &place,
+              const Scene<2> &scene,
+              const Mesh<2> &mesh,
+              const std::vector<CellIndicator> &indicators)
+{
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    if (place.touches(scene, cell) && indicators[cell->active_cell_index()].decay > slow_decay)
+      return true;
+  return false;
+}
+
+/** Corners and kinks with the layers of the next mesh. */
+std::vector<Singularity> grade_places(const MeshPlan &plan,
+                                      const Scene<2> &scene,
+                                      const Mesh<2> &mesh,
+                                      const StepFindings &findings,
+                                      const Goal &goal)
+{
+  std::vector<Singularity> places;
+  for (const Singularity &known : plan.singularities)
+  {
+    if (known.kind == Singularity::Kind::end_of_contact)
+      continue;
+    Singularity place = known;
+    const double error = error_at(known, scene, mesh, findings.indicators);
+    place.exponent = observed_exponent(known, error);
+    const bool needs_first_layers =
+      known.is_certain || (plan.rise > 0. && is_rough(known, scene, mesh, findings.indicators));
+    if (known.layers > 0. ? error > 0.25 * goal.error
+                          : needs_first_layers && error > 0.1 * goal.error)
+    {
+      place.last_error = error;
+      place.last_layers = known.layers;
+      place.layers += goal.length * layers_per_step * exponent_at_ends / place.exponent;
+    }
+    places.push_back(place);
+  }
+  return places;
+}
+
+/** The kink at which contact ends, if there is one in the bracket or next to it. */
+Singularity *kink_in(const ContactBracket &bracket, std::vector<Singularity> &places)
+{
+  const double width = bracket.to - bracket.from;
+  for (Singularity &place : places)
+    if (place.kind == Singularity::Kind::kink && place.side == bracket.side &&
+        place.from > bracket.from - 0.5 * width && place.to < bracket.to + 0.5 * width)
+      return &place;
+  return nullptr;
+}
+
+/** The end of contact of the mesh before that is nearest on the same side. */
+const Singularity *end_before(const Singularity &end, const MeshPlan &plan)
+{
+  const Singularity *found = nullptr;
+  for (const Singularity &known : plan.singularities)
+    if (known.kind == Singularity::Kind::end_of_contact && known.side == end.side &&
+        (found == nullptr || known.point.distance(end.point) < found->point.distance(end.point)))
+      found = &known;
+  return found;
+}
+
 void grade(const MeshPlan &plan,
            const Scene<2> &scene,
            const Mesh<2> &mesh,
@@ -69,24 +148,23 @@ void grade(const MeshPlan &plan,
            const Goal &goal,
            MeshPlan &next)
 {
-  next.singularities.clear();
-  double end_layers = 0.;
-  for (const Singularity &known : plan.singularities)
-  {
-    if (known.kind == Singularity::Kind::end_of_contact)
-    {
-      end_layers = std::max(end_layers, known.layers);
-      continue;
-    }
-    Singularity singularity = known;
-    if (error_at(known, scene, mesh, findings.indicators) > 0.25 * goal.error)
-      singularity.layers += goal.length * layers_per_step * exponent_at_ends / known.exponent;
-    next.singularities.push_back(singularity);
-  }
-  end_layers = std::max(end_layers, layers_per_step * plan.rise / rise_per_step);
+  next.singularities = grade_places(plan, scene, mesh, findings, goal);
+  // An end that moves takes its layers along; a new one has as many as an old one of this age.
+  const double usual = layers_per_step * plan.rise / rise_per_step;
+  std::vector<Singularity> ends;
   for (const ContactBracket &bracket : findings.brackets)
-    next.singularities.push_back(
-      end_of_contact(bracket, scene, end_layers + goal.length * layers_per_step));
+  {
+    Singularity end = end_of_contact(bracket, scene, usual);
+    if (const Singularity *const before = end_before(end, plan))
+      end.layers = before->layers;
+    if (end.layers == 0. || error_at(end, scene, mesh, findings.indicators) > 0.2 * goal.error)
+      end.layers += goal.length * layers_per_step;
+    if (Singularity *const kink = kink_in(bracket, next.singularities))
+      kink->layers = std::max(kink->layers, end.layers);
+    else
+      ends.push_back(end);
+  }
+  next.singularities.insert(next.singularities.end(), ends.begin(), ends.end());
 }
 
 void demand(const Scene<2> &scene,
@@ -96,7 +174,7 @@ void demand(const Scene<2> &scene,
             const Goal &goal,
             MeshPlan &next)
 {
-  constexpr double slow_decay = 0.4, margin = 2.;
+  constexpr double margin = 2.;
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
   {
     const CellIndicator &indicator = findings.indicators[cell->active_cell_index()];
@@ -119,6 +197,38 @@ void demand(const Scene<2> &scene,
     }
   }
 }
+/** A corner at which u may be singular. */
+void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan)
+{
+  constexpr double smallest = 0.2, of_logarithm = 1.;
+  const auto is_homogeneous = [&](const unsigned int side) {
+    const Role role = scene.boundary[side].role;
+    return role == Role::free || role == Role::clamped || role == Role::roller;
+  };
+  double exponent = corner_exponent(scene, corner);
+  Singularity place = {Singularity::Kind::corner, corner.position};
+  if (is_homogeneous(corner.sides[0]) && is_homogeneous(corner.sides[1]))
+    place.is_certain = exponent < 1.;
+  else
+    // Data that does not fit together gives r log r; data of a smooth solution gives nothing.
+    exponent = std::min(exponent, of_logarithm);
+  place.exponent = std::max(exponent, smallest);
+  if (exponent < largest_corner_exponent)
+    plan.singularities.push_back(place);
+}
+
+/** A point of a contact side at which data has a kink. */
+void add_kink(const dealii::Point<2> &point, const Scene<2> &scene, MeshPlan &plan)
+{
+  for (const unsigned int side : scene.contact_sides())
+  {
+    const Side<2> &curve = scene.geometry.sides[side];
+    const double s = curve.arc_length(point);
+    const double margin = 1e-8 * curve.length();
+    if (curve.point(s).distance(point) < margin && s > margin && s < curve.length() - margin)
+      plan.singularities.push_back({Singularity::Kind::kink, point, exponent_at_ends, side, s, s});
+  }
+}
 } // namespace
 
 MeshPlan first_plan(const Scene<2> &scene,
@@ -128,10 +238,17 @@ MeshPlan first_plan(const Scene<2> &scene,
   MeshPlan plan;
   plan.base_level = base_level;
   plan.largest_degree = largest_degree;
+  const dealii::Tensor<1, 2> box = scene.geometry.upper - scene.geometry.lower;
+  plan.base_size =
+    std::sqrt(box[0] * box[1] / scene.geometry.n_coarse_cells) / std::pow(2., base_level);
   for (const KinkLine<2> &line : scene.kinks.lines())
     for (unsigned int d = 0; d < 2; ++d)
       if (std::abs(line.normal[1 - d]) < 1e-12)
         plan.lines[d].push_back(line.position / line.normal[d]);
+  for (const Corner &corner : corners(scene.geometry))
+    add_corner(corner, scene, plan);
+  for (const dealii::Point<2> &end : scene.kinks.ends())
+    add_kink(end, scene, plan);
   return plan;
 }
 
@@ -158,6 +275,7 @@ MeshPlan next_plan(const MeshPlan &plan,
   goal.error = findings.error > 0. ? total(findings.indicators) * aim / findings.error : 0.;
   goal.per_cell = goal.error / std::sqrt(static_cast<double>(n_cells));
   next.rise += goal.length * rise_per_step;
+  next.aim = findings.error > 0. ? aim / findings.error : 1.;
   grade(plan, scene, mesh, findings, goal, next);
   if (plan.rise > 0.)
     demand(scene, mesh, degrees, findings, goal, next);

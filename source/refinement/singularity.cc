@@ -54,7 +54,10 @@ const Singularity *nearest(const std::vector<Singularity> &singularities, const 
   const auto closer = [&x](const Singularity &a, const Singularity &b) {
     return a.point.distance_square(x) < b.point.distance_square(x);
   };
-  const auto found = std::min_element(singularities.begin(), singularities.end(), closer);
-  return found == singularities.end() ? nullptr : &*found;
+  const Singularity *found = nullptr;
+  for (const Singularity &singularity : singularities)
+    if (singularity.layers > 0. && (found == nullptr || closer(singularity, *found)))
+      found = &singularity;
+  return found;
 }
 } // namespace Signorini

@@ -28,8 +28,9 @@ struct Window
   /** The quarter of this part that is the given child. */
   Window quarter(const unsigned int child) const
   {
-    return {{{corner[0] + 0.5 * edge * (child & 1U), corner[1] + 0.5 * edge * ((child >> 1U) & 1U)}},
-            0.5 * edge};
+    return {
+      {{corner[0] + 0.5 * edge * (child & 1U), corner[1] + 0.5 * edge * ((child >> 1U) & 1U)}},
+      0.5 * edge};
   }
 };
 
@@ -110,10 +111,9 @@ private:
       points.push_back(from + edge * x[0]);
     return points;
   }
-  const dealii::FEValues<2> &
-  values_on(const Mesh<2> &mesh,
-            const unsigned int n,
-            const dealii::Triangulation<2>::active_cell_iterator &cell)
+  const dealii::FEValues<2> &values_on(const Mesh<2> &mesh,
+                                       const unsigned int n,
+                                       const dealii::Triangulation<2>::active_cell_iterator &cell)
   {
     auto &values = values_[{&mesh, n}];
     if (values == nullptr)

@@ -198,8 +198,7 @@ Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
                                       const std::array<std::vector<double>, 2> &lines) {
     std::vector<std::vector<double>> steps;
     for (unsigned int d = 0; d < 2; ++d)
-      steps.push_back(
-        steps_with_lines(lower_left[d], upper_right[d], cells[d] << level, lines[d]));
+      steps.push_back(steps_with_lines(lower_left[d], upper_right[d], cells[d] << level, lines[d]));
     dealii::GridGenerator::subdivided_hyper_rectangle(
       triangulation, steps, lower_left, upper_right, true);
   };

@@ -100,14 +100,13 @@ Discretization<dim>::Discretization(const Parameters &parameters,
                   return DisplacementSpace<dim>(
                     mesh, scene, strain_operator(parameters.discretization.element));
                 }))
-  , surface(timed(
-      times.setup,
-      [&]() {
-        return ContactSurface<dim>(
-          mesh,
-          scene,
-          Partition{parameters.discretization.patch_ratio, parameters.discretization.patches});
-      }))
+  , surface(timed(times.setup,
+                  [&]() {
+                    return ContactSurface<dim>(mesh,
+                                               scene,
+                                               Partition{parameters.discretization.patch_ratio,
+                                                         parameters.discretization.patches});
+                  }))
   , multipliers(surface)
   , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
   , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
@@ -127,13 +126,10 @@ Discretization<2>::Discretization(const Parameters &parameters,
   , space(timed(times.setup,
                 [&]() { return DisplacementSpace<2>(mesh, scene, plan_degrees(plan, mesh)); }))
   , surface(timed(times.setup,
-                  [&]() {
-                    return ContactSurface<2>(mesh, scene, points_on_contact_faces(space));
-                  }))
-  , multipliers(timed(times.setup,
-                      [&]() {
-                        return MultiplierSpace<2>(surface, unknowns_of_patches(space, surface));
-                      }))
+                  [&]() { return ContactSurface<2>(mesh, scene, points_on_contact_faces(space)); }))
+  , multipliers(
+      timed(times.setup,
+            [&]() { return MultiplierSpace<2>(surface, unknowns_of_patches(space, surface)); }))
   , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
   , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
   , G(timed(times.setup, [&]() { return assemble_gap(multipliers, n_points + 2); }))

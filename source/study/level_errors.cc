@@ -30,7 +30,8 @@ void add_errors(const Parameters &parameters,
   }
   if (pressure != nullptr)
     record.dual_norm_errors = pressure->errors(multipliers, solution.P);
-  if (parameters.output.lemmas && scene.exact_displacement != nullptr && pressure != nullptr)
+  if (parameters.output.lemmas && parameters.discretization.strategy == Strategy::nested &&
+      scene.exact_displacement != nullptr && pressure != nullptr)
     record.lemmas = compute_lemma_numbers(discretization.space,
                                           scene,
                                           multipliers,

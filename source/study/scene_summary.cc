@@ -6,6 +6,9 @@
 #include <signorini/base/text.h>
 
 #include <algorithm>
+#include <sstream>
+
+#include "sequence.h"
 
 namespace Signorini
 {
@@ -40,20 +43,36 @@ std::string describe_partition(const DiscretizationParameters &given)
     return std::to_string(given.patches) + " equal patches per contact side";
   return "H = " + std::to_string(given.patch_ratio) + " h";
 }
+/** Which meshes follow one another. */
+std::string describe_meshes(const Parameters &parameters)
+{
+  const DiscretizationParameters &given = parameters.discretization;
+  std::ostringstream text;
+  if (given.strategy == Strategy::nested)
+  {
+    text << "Levels    " << given.coarsest_level << " to " << given.finest_level << ", "
+         << describe_partition(given) << "\n";
+    return text.str();
+  }
+  text << "Steps     graded meshes from level " << given.coarsest_level << " on, degrees 2 to "
+       << given.maximum_degree << ", to the error " << target_error(given) << " or "
+       << given.maximum_unknowns << " unknowns\n"
+       << "Ignored   Finest level, Element, Patch ratio, Patches"
+       << (parameters.output.lemmas ? ", Lemmas" : "") << " (Strategy = hp)\n";
+  return text.str();
+}
 } // namespace
 
 template <int dim>
 void print_scene(const Parameters &parameters, const Scene<dim> &scene, std::ostream &screen)
 {
-  const DiscretizationParameters &given = parameters.discretization;
   const SolverParameters &solver = parameters.solver;
   screen << "Scene     " << scene.name << ": " << scene.title << "\n"
          << "Body      from (" << scene.geometry.lower << ") to (" << scene.geometry.upper << ")\n"
          << "Boundary  " << describe_boundary(scene) << "\n"
-         << "Levels    " << given.coarsest_level << " to " << given.finest_level << ", "
-         << describe_partition(given) << "\n"
-         << "Solver    " << to_text(solver.contact_solver.value) << ", tolerance "
-         << solver.tolerance << ", linear solver " << to_text(solver.linear_solver.value) << "\n\n";
+         << describe_meshes(parameters) << "Solver    " << to_text(solver.contact_solver.value)
+         << ", tolerance " << solver.tolerance << ", linear solver "
+         << to_text(solver.linear_solver.value) << "\n\n";
 }
 
 template <int dim>
@@ -108,9 +127,10 @@ void print_verdict(const std::vector<LevelRecord> &levels,
     screen << "NOT certified: not all KKT residuals are below " << judge.tolerance()
            << " or not all balances below " << verdict.residual_bound << ".\n";
   else
-    screen << (verdict.outcome == Outcome::certified ? "Certified"
-               : verdict.outcome == Outcome::equations_certified
-                 ? "Equations certified"
+    screen << (verdict.outcome == Outcome::certified             ? "Certified"
+               : verdict.outcome == Outcome::equations_certified ? "Equations certified"
+               : verdict.outcome == Outcome::accuracy_estimated
+                 ? "Equations certified, accuracy estimated"
                  : "NOT resolved, equations certified")
            << ": KKT residuals below " << judge.tolerance() << " and balances below "
            << verdict.residual_bound << ".\n";

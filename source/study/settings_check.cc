@@ -23,6 +23,14 @@ void check_linear_solver(const Given<LinearSolver> &solver, const unsigned int n
                    std::to_string(n_ranks) + " processes, allowed on several: " + allowed + ".");
 }
 
+void check_strategy(const Given<Strategy> &strategy, const unsigned int n_ranks)
+{
+  if (strategy == Strategy::hp && n_ranks > 1)
+    throw InputError(strategy.where() + ": found '" + to_text(strategy.value) + "' on " +
+                     std::to_string(n_ranks) +
+                     " processes, allowed on several: " + to_text(Strategy::nested) + ".");
+}
+
 /** Other scenes number their boundary on level 0. */
 template <int dim>
 void check_coarsest_level(const Given<unsigned int> &coarsest_level, const Geometry<dim> &geometry)
@@ -42,8 +50,9 @@ void check_coarsest_level(const Given<unsigned int> &coarsest_level, const Geome
 template <int dim>
 void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator)
 {
-  check_linear_solver(parameters.solver.linear_solver,
-                      dealii::Utilities::MPI::n_mpi_processes(communicator));
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  check_linear_solver(parameters.solver.linear_solver, n_ranks);
+  check_strategy(parameters.discretization.strategy, n_ranks);
   check_coarsest_level(parameters.discretization.coarsest_level, scene.geometry);
 }
 

@@ -31,6 +31,11 @@ std::optional<double> bound_of(const LevelRecord &level)
   return level.bound ? level.bound->relative : std::nullopt;
 }
 
+bool is_graded(const LevelRecord &level)
+{
+  return level.sizes.max_degree > 1;
+}
+
 bool is_guaranteed(const LevelRecord &level)
 {
   return bound_of(level) && level.bound->guaranteed;
@@ -47,6 +52,16 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels)
 {
   const LevelRecord &finest = levels.back();
   std::ostringstream text;
+  if (is_graded(finest))
+  {
+    if (!finest.estimate)
+      return "nothing is known about the error: contact was not seen before this step";
+    text << "the error is about " << percent(finest.estimate->relative)
+         << " (energy norm, estimated from u_h and "
+         << (levels.size() > 1 ? "from its change over the steps" : "not checked by another step")
+         << ")";
+    return text.str();
+  }
   if (const std::optional<double> bound = bound_of(finest))
   {
     if (is_guaranteed(finest))

@@ -52,6 +52,8 @@ const char *word_for(const Outcome outcome)
     return "certified";
   case Outcome::equations_certified:
     return "equations certified";
+  case Outcome::accuracy_estimated:
+    return "equations certified, accuracy estimated";
   case Outcome::not_resolved:
     return "not resolved";
   default:
@@ -102,6 +104,7 @@ StudyVerdict Judge::verdict(const std::vector<LevelRecord> &levels) const
   const std::string doubt = first_objection(accuracy_checks, levels, *this);
   const Outcome outcome = !doubt.empty()                 ? Outcome::not_resolved
                           : is_guaranteed(levels.back()) ? Outcome::certified
+                          : is_graded(levels.back())     ? Outcome::accuracy_estimated
                                                          : Outcome::equations_certified;
   return {outcome, doubt, describe_accuracy(levels), largest_residual_bound(levels)};
 }

@@ -45,8 +45,8 @@ void replace_trace(dealii::SymmetricTensor<2, dim> &strain, const double dilatat
 
 /**
  * V^h: FE_Q for each component, with the essential conditions of clamped, prescribed and roller
- * sides. Cells may have different degrees, and hanging nodes; u_h is continuous all the same. (On an
- * edge between two degrees it has the lower one.)
+ * sides. Cells may have different degrees, and hanging nodes; u_h is continuous all the same. (On
+ * an edge between two degrees it has the lower one.)
  */
 template <int dim>
 class DisplacementSpace
@@ -135,11 +135,15 @@ public:
    * all j; zero at constrained degrees of freedom, whatever is prescribed there.
    */
   NodalVector condense(const NodalVector &functional) const;
+  /**
+   * Carries r_j of degrees of freedom that only keep u_h continuous over to those that they follow:
+   * the same functional on continuous functions. Reactions are then at supports and nowhere else.
+   */
+  void carry_to_masters(NodalVector &functional) const;
   /** One of the mesh's cells with its degrees of freedom. */
   typename dealii::DoFHandler<dim>::active_cell_iterator dof_cell(const CellIterator &cell) const;
   /** The degrees of freedom of one of the mesh's cells. */
-  std::vector<dealii::types::global_dof_index>
-  cell_dofs(const CellIterator &cell) const;
+  std::vector<dealii::types::global_dof_index> cell_dofs(const CellIterator &cell) const;
 
 private:
   /** After the elements are chosen. */
@@ -149,6 +153,8 @@ private:
   StrainOperator strain_operator_;
   dealii::DoFHandler<dim> dofs_;
   dealii::AffineConstraints<double> constraints_;
+  /** Those that keep u_h continuous; empty where no node hangs and all degrees are equal. */
+  dealii::AffineConstraints<double> continuity_;
   dealii::IndexSet supports_;
 };
 } // namespace Signorini

@@ -33,10 +33,10 @@ public:
        MPI_Comm communicator);
 
   /**
-   * A mesh that is refined where @p must_split asks for it, until no cell has to be split. It begins
-   * with @p base_level refinements of the coarse mesh; in a rectangle without distortion the @p lines
-   * x_d = lines[d][k] are lines of that mesh. Cells that share an edge differ by at most one
-   * refinement. The maps of curved cells have the degree @p mapping_degree. One rank.
+   * A mesh that is refined where @p must_split asks for it, until no cell has to be split. It
+   * begins with @p base_level refinements of the coarse mesh; in a rectangle without distortion the
+   * @p lines x_d = lines[d][k] are lines of that mesh. Cells that share an edge differ by at most
+   * one refinement. The maps of curved cells have the degree @p mapping_degree. One rank.
    * @param must_split also knows how often the cell was split since the first mesh.
    */
   using Splits =
@@ -94,8 +94,7 @@ public:
   /** The shortest one. */
   double shortest_edge() const;
   /** How often a cell was split since the mesh was uniform. */
-  unsigned int
-  splits(const typename dealii::Triangulation<dim>::cell_iterator &cell) const
+  unsigned int splits(const typename dealii::Triangulation<dim>::cell_iterator &cell) const
   {
     return cell->level() - uniform_levels_;
   }

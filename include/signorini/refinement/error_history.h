@@ -9,18 +9,24 @@ namespace Signorini
  * The estimated error of one step after the other, (force length)^{1/2}.
  *
  * The distance d_k between the solutions of steps k and k - 1 is about the error of step k - 1,
- * which is many times that of step k. By how much, the indicators eta and the distances tell:
+ * which is many times that of step k. By how much, three numbers tell: the ratio of the indicators,
+ * r = eta_k/eta_{k-1}; what the mesh was planned for, q; and how much the error fell in the step
+ * before, d_k/d_{k-1}, as far as the indicators do not contradict:
  *
- *     estimate_k = max(eta_k, d_k max(eta_k/eta_{k-1}, d_k/d_{k-1})),
+ *     estimate_k = max(eta_k, d_k min(1, max(r, q, min(d_k/d_{k-1}, 4 r)))).
  *
- * with ratios of at most one. It is reliable as long as the error falls in step k as it fell
- * before, or as the indicator says.
+ * It is reliable as long as the error falls in step k as the indicator says, or as planned.
  */
 class ErrorHistory
 {
 public:
-  /** @param difference d_k; empty for the first step. @return the estimate of the step. */
-  double add(double indicator, const std::optional<double> &difference);
+  /**
+   * @param indicator eta_k.
+   * @param difference d_k; empty for the first step.
+   * @param planned q.
+   * @return the estimate of the step.
+   */
+  double add(double indicator, const std::optional<double> &difference, double planned);
 
 private:
   std::optional<double> last_indicator_, last_difference_;

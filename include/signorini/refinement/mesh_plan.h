@@ -23,7 +23,8 @@ struct CellDemand
  * singularities and where demands say so.
  *
  * A cell that touches a singularity is split until it was split as often as there are layers. The
- * degree falls linearly with the layers, from 2 + rise away from all singularities to 2 next to one.
+ * degree falls linearly with the layers, from 2 + rise away from all singularities to 2 next to
+ * one.
  */
 struct MeshPlan
 {
@@ -35,6 +36,8 @@ struct MeshPlan
   std::vector<Singularity> singularities;
   std::map<dealii::CellId, CellDemand> demands;
   double rise = 0.;
+  /** The part of the error of the mesh before that shall be left. */
+  double aim = 1.;
   unsigned int largest_degree = 9;
 
   /** Whether a cell must be split. */

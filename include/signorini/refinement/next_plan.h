@@ -21,9 +21,7 @@ struct StepFindings
 };
 
 /** The plan of the first step: a uniform mesh with degree 2, and what is singular by the data. */
-MeshPlan first_plan(const Scene<2> &scene,
-                    unsigned int base_level,
-                    unsigned int largest_degree);
+MeshPlan first_plan(const Scene<2> &scene, unsigned int base_level, unsigned int largest_degree);
 
 /**
  * The plan of the next step, for an error that is smaller by a factor of about twelve, or for the

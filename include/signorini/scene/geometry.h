@@ -24,8 +24,8 @@ struct Geometry
   std::function<void(dealii::Triangulation<dim> &)> make_coarse_mesh;
   /**
    * Makes a mesh of a rectangle with 2^level times the coarse cells in each direction, in which
-   * the lines x_d = lines[d][k] are lines of the mesh: the nearest one moves there, or one is added.
-   * Empty for other bodies.
+   * the lines x_d = lines[d][k] are lines of the mesh: the nearest one moves there, or one is
+   * added. Empty for other bodies.
    */
   std::function<void(dealii::Triangulation<dim> &,
                      unsigned int level,

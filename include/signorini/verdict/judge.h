@@ -16,6 +16,8 @@ enum class Outcome
   certified,
   /** The equations are solved; there is no guaranteed bound for such a scene. */
   equations_certified,
+  /** The equations are solved on a graded mesh, and the estimated error is below the target. */
+  accuracy_estimated,
   /** The equations are solved, but the error may be larger than what is tolerated. */
   not_resolved,
   /** The equations are not solved. */
@@ -44,7 +46,8 @@ struct StudyVerdict
   /** Whether the program ends with the exit code 0. */
   bool is_certified() const
   {
-    return outcome == Outcome::certified || outcome == Outcome::equations_certified;
+    return outcome == Outcome::certified || outcome == Outcome::equations_certified ||
+           outcome == Outcome::accuracy_estimated;
   }
 };
 
