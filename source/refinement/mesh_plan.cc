@@ -10,8 +10,9 @@ namespace Signorini
 {
 namespace
 {
-/** Beyond that, coordinates in double precision do not tell vertices apart. */
-constexpr unsigned int most_splits = 32;
+/** The numbers of cells (dealii::CellId) end at level 30; coordinates in double precision hardly tell
+ * more vertices apart. */
+constexpr int deepest_level = 29;
 
 /** The lowest degree that demands ask of a cell, or of a cell that it is a part of. */
 unsigned int demanded_degree(const MeshPlan &plan,
@@ -56,7 +57,7 @@ bool MeshPlan::must_split(const Scene<2> &scene,
                           const dealii::Triangulation<2>::active_cell_iterator &cell,
                           const unsigned int n_splits) const
 {
-  if (n_splits >= most_splits)
+  if (cell->level() >= deepest_level)
     return false;
   for (const Singularity &singularity : singularities)
     if (n_splits + 0.5 < singularity.layers && singularity.touches(scene, cell))

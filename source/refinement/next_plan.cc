@@ -217,17 +217,18 @@ void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan)
     plan.singularities.push_back(place);
 }
 
-/** A point of a contact side at which data has a kink. */
-void add_kink(const dealii::Point<2> &point, const Scene<2> &scene, MeshPlan &plan)
+/** The points of a side at which data has a kink: an end of contact, or the end of an interface. */
+void add_kinks(const unsigned int side, const Scene<2> &scene, MeshPlan &plan)
 {
-  for (const unsigned int side : scene.contact_sides())
-  {
-    const Side<2> &curve = scene.geometry.sides[side];
-    const double s = curve.arc_length(point);
-    const double margin = 1e-8 * curve.length();
-    if (curve.point(s).distance(point) < margin && s > margin && s < curve.length() - margin)
-      plan.singularities.push_back({Singularity::Kind::kink, point, exponent_at_ends, side, s, s});
-  }
+  const Side<2> &curve = scene.geometry.sides[side];
+  const std::vector<double> cuts = scene.kinks.cut(curve, 0., curve.length());
+  for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
+    plan.singularities.push_back({Singularity::Kind::kink,
+                                  curve.point(cuts[i]),
+                                  exponent_at_ends,
+                                  side,
+                                  cuts[i],
+                                  cuts[i]});
 }
 } // namespace
 
@@ -247,8 +248,9 @@ MeshPlan first_plan(const Scene<2> &scene,
         plan.lines[d].push_back(line.position / line.normal[d]);
   for (const Corner &corner : corners(scene.geometry))
     add_corner(corner, scene, plan);
-  for (const dealii::Point<2> &end : scene.kinks.ends())
-    add_kink(end, scene, plan);
+  for (unsigned int side = 0; side < scene.boundary.size(); ++side)
+    if (scene.boundary[side].role == Role::contact || !scene.material->is_constant())
+      add_kinks(side, scene, plan);
   return plan;
 }
 

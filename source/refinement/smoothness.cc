@@ -98,6 +98,15 @@ CellIndicator extrapolate(const std::vector<double> &parts)
   return {next / std::sqrt(1. - rho * rho), rho};
 }
 
+/** The area of the quadrilateral of the vertices. From differences only: cells may be 1e-9 of their
+ * distance from the origin. */
+double area_of(const dealii::Triangulation<2>::active_cell_iterator &cell)
+{
+  const dealii::Tensor<1, 2> first = cell->vertex(3) - cell->vertex(0);
+  const dealii::Tensor<1, 2> second = cell->vertex(2) - cell->vertex(1);
+  return 0.5 * std::abs(first[0] * second[1] - first[1] * second[0]);
+}
+
 /** A modulus for the energy of all strains but those that incompressible bodies avoid. */
 double modulus_at(const Scene<2> &scene, const dealii::Point<2> &x)
 {
@@ -124,7 +133,7 @@ std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
     for (unsigned int d = 0; d < 2; ++d)
     {
       const CellIndicator along = extrapolate(parts_along(d, u, analysis));
-      const double size = modulus * cell->measure() / (lengths[d] * lengths[d]);
+      const double size = modulus * area_of(cell) / (lengths[d] * lengths[d]);
       square += size * along.error * along.error;
       // The direction that the error comes from decides.
       indicator.decay += along.decay * size * along.error * along.error;

@@ -29,13 +29,13 @@ std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
   std::vector<PatchState> states(surface.patches().size());
   TraceValues<2> traces(space);
   std::vector<double> g;
+  constexpr unsigned int n_intervals = 32;
+  std::vector<dealii::Point<1>> positions;
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+    positions.emplace_back(static_cast<double>(i) / n_intervals);
   for (const Piece<2> &piece : surface.pieces())
   {
     const ContactFace<2> &face = surface.faces()[piece.face];
-    const unsigned int n_intervals = 2 * space.element(face.cell).degree;
-    std::vector<dealii::Point<1>> positions;
-    for (unsigned int i = 0; i <= n_intervals; ++i)
-      positions.emplace_back(static_cast<double>(i) / n_intervals);
     const SurfaceRule<2> rule = surface.at(piece, positions);
     const std::vector<double> u_n = traces.normal_displacement(face, rule, U);
     g.resize(rule.size());
