@@ -171,10 +171,10 @@ void refusals(Checks &checks)
   const Scene<3> scene = make_box_scene(scalar([](const auto &) { return 0.; }), nothing);
   const Mesh<3> mesh(scene.geometry, 0, 2, MPI_COMM_WORLD);
   checks.throws<std::runtime_error>("H = 3 h", "power of two", [&]() {
-    const ContactSurface<3> refused(mesh, scene, {3, 0});
+    const ContactSurface<3> refused(mesh, scene, Partition{3, 0});
   });
   checks.throws<std::runtime_error>("patches aligned with nothing", "power of two", [&]() {
-    const ContactSurface<3> refused(mesh, scene, {2, 5});
+    const ContactSurface<3> refused(mesh, scene, Partition{2, 5});
   });
 }
 
