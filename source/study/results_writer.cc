@@ -134,7 +134,7 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
   const unsigned int level = solution.record.sizes.level;
   const auto body = level_file("solution", level, ".vtu");
   const auto contact = level_file("contact", level, ".vtu");
-  write_solution_vtu(body, discretization.space, scene, solution.U, solution.bound_fields);
+  write_solution_vtu(body, discretization.space, scene, solution.U, solution.bound_fields, level);
   solution_files_.emplace_back(level, body.filename().string());
   contact_files_.emplace_back(level, contact.filename().string());
   write_on_first_rank([&]() {
