@@ -34,7 +34,7 @@ struct OneLevel
   Signorini::LevelSolution<2> solve() const
   {
     return Signorini::solve_level(
-      parameters, scene, discretization, Signorini::PatchPressure(), [](const std::string &) {});
+      parameters, scene, discretization, dealii::Vector<double>(), [](const std::string &) {});
   }
 
   Signorini::Parameters parameters;

@@ -124,8 +124,8 @@ inline Measured measure(const std::string &text, const std::vector<std::string> 
   const Scene<2> scene = make_scene(parameters);
   const Discretization<2> discretization(
     parameters, scene, measured.finest().sizes.level, MPI_COMM_WORLD);
-  const LevelSolution<2> level =
-    solve_level(parameters, scene, discretization, PatchPressure(), [](const std::string &) {});
+  const LevelSolution<2> level = solve_level(
+    parameters, scene, discretization, dealii::Vector<double>(), [](const std::string &) {});
   if (level.C.m() == 0)
     return measured;
   const BoundConstrainedQP qp(level.C, level.F);
