@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polynomial_answer.h"
+
 namespace Signorini
 {
 namespace
@@ -176,6 +178,8 @@ void add_zones(const SidePatches &patches, std::vector<ContactZone> &zones)
 std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
                                        const dealii::Vector<double> &P)
 {
+  if (!multipliers.is_piecewise_constant())
+    return zones_of_polynomial(multipliers, P);
   std::vector<ContactZone> zones;
   const std::size_t n_patches = multipliers.surface().patches().size();
   for (std::size_t first = 0; first < n_patches;)

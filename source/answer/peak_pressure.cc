@@ -6,6 +6,8 @@
 
 #include <array>
 
+#include "polynomial_answer.h"
+
 namespace Signorini
 {
 namespace
@@ -59,6 +61,8 @@ private:
 std::optional<PeakPressure> peak_pressure(const MultiplierSpace<2> &multipliers,
                                           const dealii::Vector<double> &P)
 {
+  if (!multipliers.is_piecewise_constant())
+    return peak_of_polynomial(multipliers, P);
   const ContactSurface<2> &surface = multipliers.surface();
   const std::vector<Patch<2>> &patches = surface.patches();
   const double threshold = pressing_threshold(P);

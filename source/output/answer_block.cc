@@ -133,8 +133,12 @@ public:
     if (rounded(deepest.value, answer_.size) == 0.)
       lines_.add("Penetration", {"none"});
     else if (deepest.value > 0.)
-      lines_.add("Penetration",
-                 {"at most", digits(deepest.value), at(deepest.place), "(between the means)"});
+    {
+      std::vector<std::string> parts = {"at most", digits(deepest.value), at(deepest.place)};
+      if (!level_.sizes.is_graded())
+        parts.emplace_back("(between the means)");
+      lines_.add("Penetration", parts);
+    }
     else
       lines_.add("Smallest opening", {digits(-deepest.value), at(deepest.place)});
   }
@@ -204,11 +208,13 @@ private:
     text << std::showpos << std::setprecision(2) << 100. * rounded(share, 1.) << " %";
     return text.str();
   }
-  static std::string trend_text(const std::vector<std::optional<double>> &values)
+  std::string trend_text(const std::vector<std::optional<double>> &values) const
   {
     const Trend trend = trend_of(values);
     const std::string word = word_for(trend.kind);
-    return trend.change ? word + " (" + percent(*trend.change) + " from the level before)" : word;
+    return trend.change ? word + " (" + percent(*trend.change) + " from the " +
+                            level_.sizes.word() + " before)"
+                        : word;
   }
 
   Lines lines_;
@@ -222,7 +228,7 @@ void print_answer(std::ostream &stream,
                   const std::vector<LevelRecord> &levels,
                   const std::filesystem::path &directory)
 {
-  stream << "Answer of level " << levels.back().sizes.level
+  stream << "Answer of " << levels.back().sizes.word() << " " << levels.back().sizes.level
          << ", per unit of thickness (pressure: positive in compression)\n";
   AnswerBlock block(stream, levels);
   block.print_forces();

@@ -7,7 +7,9 @@
 
 #include <deal.II/base/data_out_base.h>
 
+#include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <tuple>
 
 namespace Signorini
@@ -19,6 +21,100 @@ double positive_in_compression(const double p)
 {
   return p == 0. ? 0. : -p;
 }
+
+/** What curves show at a point, in the order of the names in write_contact_vtu(). */
+std::vector<float> curve_values(const ContactSegment &segment,
+                                const ContactPoint &point,
+                                const double bound)
+{
+  const double values[] = {point.u[0],
+                           point.u[1],
+                           positive_in_compression(point.p_H),
+                           positive_in_compression(point.p_recovered),
+                           point.u_n,
+                           point.g,
+                           point.g - point.u_n,
+                           static_cast<double>(segment.patch),
+                           static_cast<double>(segment.side_number),
+                           bound};
+  return {std::begin(values), std::end(values)};
+}
+
+using Positions = std::vector<dealii::Point<1>>;
+
+/** Between 0 and 1 on a piece: its ends, the nodes of its multipliers, and the middles between all
+ * of these. */
+Positions positions_of_polynomial(const Piece<2> &piece, const MultiplierSpace<2> &multipliers)
+{
+  std::vector<double> corners = {0.};
+  for (unsigned int k = multipliers.first_of(piece.patch);
+       k < multipliers.first_of(piece.patch + 1);
+       ++k)
+  {
+    const double t = (multipliers.node(k)[0] - piece.lower[0]) / (piece.upper[0] - piece.lower[0]);
+    if (t > 0. && t < 1.)
+      corners.push_back(t);
+  }
+  corners.push_back(1.);
+  Positions positions;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+  {
+    positions.emplace_back(corners[i]);
+    positions.emplace_back(0.5 * (corners[i] + corners[i + 1]));
+  }
+  positions.emplace_back(1.);
+  return positions;
+}
+
+/** Computes what is known at points of the contact boundary. */
+class ContactTracer
+{
+public:
+  ContactTracer(const DisplacementSpace<2> &space,
+                const MultiplierSpace<2> &multipliers,
+                const NodalVector &U,
+                const dealii::Vector<double> &P)
+    : multipliers_(multipliers)
+    , surface_(multipliers.surface())
+    , U_(U)
+    , P_(P)
+    , recovered_(multipliers, P)
+    , traces_(space)
+  {
+  }
+
+  std::vector<ContactPoint> trace(const Piece<2> &piece, const Positions &positions)
+  {
+    const BoundaryCondition<2> &condition = surface_.condition(piece);
+    const SurfaceRule<2> rule = surface_.at(piece, positions);
+    const std::vector<dealii::Tensor<1, 2>> u =
+      traces_.displacement(surface_.faces()[piece.face], rule, U_);
+    std::vector<ContactPoint> points(rule.size());
+    for (std::size_t q = 0; q < rule.size(); ++q)
+    {
+      ContactPoint &point = points[q];
+      const dealii::Point<1> &s = rule.on_side[q];
+      point.s = s[0];
+      point.x = rule.points[q];
+      point.p_H = multipliers_.value(P_, piece.patch, s);
+      point.p_recovered = recovered_(piece.patch, s);
+      point.u = u[q];
+      point.u_n = u[q] * rule.normals[q];
+      point.g = condition.data->value(point.x);
+      if (condition.exact_pressure != nullptr)
+        point.p_exact = condition.exact_pressure->value(point.x);
+    }
+    return points;
+  }
+
+private:
+  const MultiplierSpace<2> &multipliers_;
+  const ContactSurface<2> &surface_;
+  const NodalVector &U_;
+  const dealii::Vector<double> &P_;
+  const RecoveredPressure recovered_;
+  TraceValues<2> traces_;
+};
 } // namespace
 
 std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
@@ -27,39 +123,22 @@ std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space
                                                const dealii::Vector<double> &P)
 {
   const ContactSurface<2> &surface = multipliers.surface();
-  const RecoveredPressure recovered(multipliers, P);
-  TraceValues<2> traces(space);
+  ContactTracer tracer(space, multipliers, U, P);
   std::vector<ContactSegment> line;
   for (const Piece<2> &piece : surface.pieces())
   {
-    const BoundaryCondition<2> &condition = surface.condition(piece);
-    const SurfaceRule<2> ends_and_middle =
-      surface.at(piece, {dealii::Point<1>(0.), dealii::Point<1>(0.5), dealii::Point<1>(1.)});
-    const std::vector<dealii::Tensor<1, 2>> u =
-      traces.displacement(surface.faces()[piece.face], ends_and_middle, U);
     const Patch<2> &patch = surface.patches()[piece.patch];
-    const auto point = [&](const std::size_t q) {
-      const dealii::Point<1> &s = ends_and_middle.on_side[q];
-      ContactPoint point;
-      point.s = s[0];
-      point.x = ends_and_middle.points[q];
-      point.p_H = multipliers.value(P, piece.patch, s);
-      point.p_recovered = recovered(piece.patch, s);
-      point.u = u[q];
-      point.u_n = u[q] * ends_and_middle.normals[q];
-      point.g = condition.data->value(point.x);
-      if (condition.exact_pressure != nullptr)
-        point.p_exact = condition.exact_pressure->value(point.x);
-      return point;
-    };
-    line.push_back({surface.side(patch).name(),
-                    patch.side,
-                    piece.face,
-                    piece.patch,
-                    patch.measure,
-                    point(0),
-                    point(1),
-                    point(2)});
+    ContactSegment segment = {
+      surface.side(patch).name(), patch.side, piece.face, piece.patch, patch.measure, {}, {}};
+    if (multipliers.is_piecewise_constant())
+    {
+      segment.rows = tracer.trace(piece, {dealii::Point<1>(0.5)});
+      segment.curve = tracer.trace(piece, {dealii::Point<1>(0.), dealii::Point<1>(1.)});
+    }
+    else
+      segment.rows = segment.curve =
+        tracer.trace(piece, positions_of_polynomial(piece, multipliers));
+    line.push_back(segment);
   }
   return line;
 }
@@ -69,17 +148,18 @@ void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment> &
   stream << "side,s,x,y,p_H,p_recovered,u_n,g,p_exact,patch,patch_length\n"
          << std::setprecision(16);
   for (const ContactSegment &segment : line)
-  {
-    const ContactPoint &point = segment.middle;
-    stream << segment.side << "," << point.s;
-    for (unsigned int d = 0; d < 2; ++d)
-      stream << "," << point.x[d];
-    stream << "," << point.p_H << "," << point.p_recovered << "," << point.u_n << "," << point.g
-           << ",";
-    if (point.p_exact)
-      stream << *point.p_exact;
-    stream << "," << segment.patch << "," << segment.patch_length << "\n";
-  }
+    for (const ContactPoint &point : segment.rows)
+    {
+      stream << segment.side << "," << point.s;
+      for (unsigned int d = 0; d < 2; ++d)
+        stream << "," << point.x[d];
+      stream << "," << point.p_H << "," << point.p_recovered << "," << point.u_n << "," << point.g
+             << ",";
+      // At an edge of a punch it is infinite.
+      if (point.p_exact && std::isfinite(*point.p_exact))
+        stream << *point.p_exact;
+      stream << "," << segment.patch << "," << segment.patch_length << "\n";
+    }
 }
 
 void write_contact_vtu(std::ostream &stream,
@@ -97,31 +177,26 @@ void write_contact_vtu(std::ostream &stream,
                                     "side"};
   if (!bound.empty())
     names.emplace_back("bound_contact");
-  std::vector<dealii::DataOutBase::Patch<1, 2>> patches(line.size());
-  for (std::size_t k = 0; k < line.size(); ++k)
-  {
-    patches[k].patch_index = k;
-    patches[k].reference_cell = dealii::ReferenceCells::get_hypercube<1>();
-    patches[k].n_subdivisions = 1;
-    patches[k].data.reinit(names.size(), 2);
-    for (unsigned int v = 0; v < 2; ++v)
+  std::vector<dealii::DataOutBase::Patch<1, 2>> intervals;
+  for (const ContactSegment &segment : line)
+    for (std::size_t i = 0; i + 1 < segment.curve.size(); ++i)
     {
-      const ContactPoint &point = v == 0 ? line[k].start : line[k].end;
-      patches[k].vertices[v] = point.x;
-      const double values[] = {point.u[0],
-                               point.u[1],
-                               positive_in_compression(point.p_H),
-                               positive_in_compression(point.p_recovered),
-                               point.u_n,
-                               point.g,
-                               point.g - point.u_n,
-                               static_cast<double>(line[k].patch),
-                               static_cast<double>(line[k].side_number),
-                               bound.empty() ? 0. : bound[line[k].face]};
-      for (unsigned int n = 0; n < names.size(); ++n)
-        patches[k].data(n, v) = static_cast<float>(values[n]);
+      dealii::DataOutBase::Patch<1, 2> interval;
+      interval.patch_index = intervals.size();
+      interval.reference_cell = dealii::ReferenceCells::get_hypercube<1>();
+      interval.n_subdivisions = 1;
+      interval.data.reinit(names.size(), 2);
+      for (unsigned int v = 0; v < 2; ++v)
+      {
+        const ContactPoint &point = segment.curve[i + v];
+        interval.vertices[v] = point.x;
+        const std::vector<float> values =
+          curve_values(segment, point, bound.empty() ? 0. : bound[segment.face]);
+        for (unsigned int n = 0; n < names.size(); ++n)
+          interval.data(n, v) = values[n];
+      }
+      intervals.push_back(interval);
     }
-  }
   using Range = std::tuple<unsigned int,
                            unsigned int,
                            std::string,
@@ -131,6 +206,6 @@ void write_contact_vtu(std::ostream &stream,
   dealii::DataOutBase::VtkFlags flags;
   // The same run gives the same file.
   flags.print_date_and_time = false;
-  dealii::DataOutBase::write_vtu(patches, names, vectors, flags, stream);
+  dealii::DataOutBase::write_vtu(intervals, names, vectors, flags, stream);
 }
 } // namespace Signorini

@@ -70,6 +70,7 @@ std::string printed_order(const LevelRecord *before, const LevelRecord &now, con
 TextTable collect(const std::vector<LevelRecord> &levels, const bool latex)
 {
   TextTable table;
+  const bool graded = !levels.empty() && levels.back().sizes.is_graded();
   table.rows.resize(levels.size());
   for (const PrintedColumn &column : printed_columns)
   {
@@ -77,13 +78,17 @@ TextTable collect(const std::vector<LevelRecord> &levels, const bool latex)
           return value(level, column.name).has_value();
         }))
       continue;
-    table.header.emplace_back(latex ? column.latex : column.markdown);
-    if (column.has_order)
+    const bool has_order = column.has_order && !graded;
+    if (graded && std::string(column.name) == "level")
+      table.header.emplace_back("step");
+    else
+      table.header.emplace_back(latex ? column.latex : column.markdown);
+    if (has_order)
       table.header.emplace_back("order");
     for (std::size_t i = 0; i < levels.size(); ++i)
     {
       table.rows[i].push_back(printed(value(levels[i], column.name), column.is_count));
-      if (column.has_order)
+      if (has_order)
         table.rows[i].push_back(
           printed_order(i == 0 ? nullptr : &levels[i - 1], levels[i], column.name));
     }

@@ -59,7 +59,7 @@ std::optional<double> order(const LevelRecord &level,
                             const LevelRecord *before,
                             const std::string &name)
 {
-  if (before == nullptr || !(before->sizes.h > level.sizes.h))
+  if (before == nullptr || level.sizes.is_graded() || !(before->sizes.h > level.sizes.h))
     return {};
   const std::optional<double> now = value(level, name), then = value(*before, name);
   if (!now || !then || *now <= smallest_error || *then <= smallest_error)
@@ -90,12 +90,13 @@ std::optional<double> slope(const std::vector<LevelRecord> &levels, const std::s
 }
 } // namespace
 
-std::string screen_header()
+std::string screen_header(const bool graded)
 {
   std::ostringstream line;
-  line << "level" << std::setw(9) << "dofs" << std::setw(6) << "m" << std::setw(7) << "active"
-       << std::setw(5) << "its" << std::setw(number_width) << "force" << std::setw(number_width)
-       << "peak p" << std::setw(number_width) << "estimate" << std::setw(order_width) << "order";
+  line << (graded ? " step" : "level") << std::setw(9) << "dofs" << std::setw(6) << "m"
+       << std::setw(7) << "active" << std::setw(5) << "its" << std::setw(number_width) << "force"
+       << std::setw(number_width) << "peak p" << std::setw(number_width) << "estimate"
+       << std::setw(order_width) << "order";
   return line.str();
 }
 
@@ -115,9 +116,10 @@ std::string screen_row(const LevelRecord &level, const LevelRecord *before)
   return line.str();
 }
 
-std::string screen_legend()
+std::string screen_legend(const bool graded)
 {
-  return "m: patches; active: those that press; its: iterations of the dual problem;\n"
+  return std::string(graded ? "m: multipliers" : "m: patches") +
+         "; active: those that press; its: iterations of the dual problem;\n"
          "force: contact force; peak p: largest contact pressure (both positive in\n"
          "compression); estimate: of the error of u_h, relative, in the energy norm\n";
 }
@@ -132,7 +134,8 @@ std::string error_table(const std::vector<LevelRecord> &levels)
   if (columns.empty())
     return "";
   std::ostringstream text;
-  text << "level";
+  const bool graded = levels.back().sizes.is_graded();
+  text << std::setw(5) << levels.back().sizes.word();
   for (const ErrorColumn &column : columns)
     text << std::setw(error_width) << column.title << std::setw(error_order_width) << "ord";
   const LevelRecord *before = nullptr;
@@ -147,6 +150,9 @@ std::string error_table(const std::vector<LevelRecord> &levels)
     }
     before = &level;
   }
+  if (graded)
+    return text.str() + "\nErrors against the exact solution (1: norm of H1, 0: of L2; Iu: nodal\n"
+                        "interpolant).\n";
   text << "\nslope";
   for (const ErrorColumn &column : columns)
     print_order(text, error_width + error_order_width, slope(levels, column.name));

@@ -18,6 +18,7 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <tuple>
 
 namespace Signorini
 {
@@ -108,41 +109,45 @@ private:
   std::vector<double> dilatation_;
 };
 
-/** Fields of which every rank writes the piece on its own cells. */
+/** The cells of this rank with their fields, as a piece of a file. Cells may have different numbers
+ * of subdivisions. */
 template <int dim>
-class FieldPieces : public dealii::DataOut<dim>
+struct FieldPiece
 {
-public:
-  std::string piece(const dealii::DataOutBase::VtkFlags &flags) const
+  using VectorRange = std::tuple<unsigned int,
+                                 unsigned int,
+                                 std::string,
+                                 dealii::DataComponentInterpretation::DataComponentInterpretation>;
+
+  std::string text(const dealii::DataOutBase::VtkFlags &flags) const
   {
     std::ostringstream stream;
-    dealii::DataOutBase::write_vtu_main(this->get_patches(),
-                                        this->get_dataset_names(),
-                                        this->get_nonscalar_data_ranges(),
-                                        flags,
-                                        stream);
+    dealii::DataOutBase::write_vtu_main(cells, names, vectors, flags, stream);
     std::string text = stream.str();
     // A rank may have no cells, and then has no point data.
-    if (!this->get_patches().empty())
+    if (!cells.empty())
       add_to_point_data(text, vtu_array("stress", 9, stress_tensors()));
     return text;
   }
+
+  std::vector<dealii::DataOutBase::Patch<dim, dim>> cells;
+  std::vector<std::string> names;
+  std::vector<VectorRange> vectors;
 
 private:
   /** The tensor in space, point by point: deal.II's tensors of plane bodies have sigma_zz = 0. */
   std::vector<float> stress_tensors() const
   {
-    const std::vector<std::string> names = this->get_dataset_names();
     const auto row = [&](const char *name) {
       return static_cast<unsigned int>(std::find(names.begin(), names.end(), name) - names.begin());
     };
     const unsigned int xx = row("stress_xx"), yy = row("stress_yy"), zz = row("stress_zz"),
                        xy = row("stress_xy");
     std::vector<float> tensors;
-    for (const auto &patch : this->get_patches())
-      for (unsigned int v = 0; v < patch.data.n_cols(); ++v)
+    for (const auto &cell : cells)
+      for (unsigned int v = 0; v < cell.data.n_cols(); ++v)
       {
-        const auto value = [&](const unsigned int n) { return patch.data(n, v); };
+        const auto value = [&](const unsigned int n) { return cell.data(n, v); };
         tensors.insert(tensors.end(),
                        {value(xx), value(xy), 0.F, value(xy), value(yy), 0.F, 0.F, 0.F, value(zz)});
       }
@@ -150,9 +155,105 @@ private:
   }
 };
 
+/** The fields on some of the cells, every one of which is divided in the same way. */
+template <int dim>
+class FieldsOnCells : public dealii::DataOut<dim>
+{
+public:
+  /** Adds the cells of this rank that were built to a piece. */
+  void append_to(FieldPiece<dim> &piece) const
+  {
+    piece.names = this->get_dataset_names();
+    piece.vectors = this->get_nonscalar_data_ranges();
+    const auto &built = this->get_patches();
+    piece.cells.insert(piece.cells.end(), built.begin(), built.end());
+  }
+};
+
 dealii::Vector<double> to_vector(const std::vector<double> &values)
 {
   return {values.begin(), values.end()};
+}
+
+/** How deal.II draws the edges of cells. */
+template <int dim>
+typename dealii::DataOut<dim>::CurvedCellRegion curved_region(const Mesh<dim> &mesh)
+{
+  return mesh.is_curved() ? dealii::DataOut<dim>::curved_inner_cells
+                          : dealii::DataOut<dim>::no_curved_cells;
+}
+
+template <int dim>
+void add_displacement(const dealii::DoFHandler<dim> &dofs,
+                      const NodalVector &U,
+                      const std::string &name,
+                      FieldsOnCells<dim> &fields)
+{
+  using namespace dealii::DataComponentInterpretation;
+  fields.add_data_vector(
+    dofs,
+    U,
+    std::vector<std::string>(dim, name),
+    std::vector<DataComponentInterpretation>(dim, component_is_part_of_vector));
+}
+
+/** Cells of degree one: as four where there is T^{2h}, whose interpolation gives the stress. */
+template <int dim>
+FieldPiece<dim> fields_of_bilinear_cells(const DisplacementSpace<dim> &space,
+                                         const NodalVector &U,
+                                         const StressPostprocessor<dim> &stress,
+                                         const BoundFields &bound)
+{
+  const std::array<std::pair<const char *, dealii::Vector<double>>, 3> cell_fields = {
+    {{"bound_mesh", to_vector(bound.mesh)},
+     {"bound_oscillation", to_vector(bound.oscillation)},
+     {"bound_lift", to_vector(bound.lift)}}};
+  FieldsOnCells<dim> fields;
+  add_displacement(space.dofs(), U, "displacement", fields);
+  std::optional<RecoveredDisplacement<dim>> recovered;
+  if (space.mesh().has_parents())
+  {
+    recovered.emplace(space, U);
+    add_displacement(recovered->dofs(), recovered->values(), "recovered_displacement", fields);
+    fields.add_data_vector(recovered->dofs(), recovered->values(), stress);
+  }
+  else
+    fields.add_data_vector(space.dofs(), U, stress);
+  for (const auto &[name, values] : cell_fields)
+    if (values.size() > 0)
+      fields.add_data_vector(values, name, dealii::DataOut<dim>::type_cell_data);
+  fields.build_patches(
+    space.mesh().mapping(), space.mesh().has_parents() ? 2 : 1, curved_region(space.mesh()));
+  FieldPiece<dim> piece;
+  fields.append_to(piece);
+  return piece;
+}
+
+/** Cells of degree p as p x p, those of lower degrees first. */
+template <int dim>
+FieldPiece<dim> fields_by_degree(const DisplacementSpace<dim> &space,
+                                 const NodalVector &U,
+                                 const StressPostprocessor<dim> &stress)
+{
+  dealii::Vector<double> degrees(space.mesh().triangulation().n_active_cells());
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    degrees[cell->active_cell_index()] = cell->get_fe().degree;
+  FieldPiece<dim> piece;
+  for (unsigned int degree = 1; degree <= space.largest_degree(); ++degree)
+  {
+    if (std::find(degrees.begin(), degrees.end(), degree) == degrees.end())
+      continue;
+    FieldsOnCells<dim> fields;
+    add_displacement(space.dofs(), U, "displacement", fields);
+    fields.add_data_vector(space.dofs(), U, stress);
+    fields.add_data_vector(degrees, "degree", dealii::DataOut<dim>::type_cell_data);
+    fields.set_cell_selection([&](const typename dealii::DataOut<dim>::cell_iterator &cell) {
+      return cell->is_active() && degrees[cell->active_cell_index()] == degree;
+    });
+    fields.build_patches(space.mesh().mapping(), degree, curved_region(space.mesh()));
+    fields.append_to(piece);
+  }
+  return piece;
 }
 
 /** Rank 0 writes the pieces of all: when the disk is full, all hear of it. */
@@ -180,42 +281,19 @@ void write_solution_vtu(const std::filesystem::path &path,
                         const DisplacementSpace<dim> &space,
                         const Scene<dim> &scene,
                         const NodalVector &U,
-                        const BoundFields &bound)
+                        const BoundFields &bound,
+                        const unsigned int number)
 {
-  using namespace dealii::DataComponentInterpretation;
-  const std::vector<DataComponentInterpretation> vector(dim, component_is_part_of_vector);
+  const dealii::DataOutBase::VtkFlags flags(
+    number, number, false, dealii::DataOutBase::VtkFlags::best_speed);
   const StressPostprocessor<dim> stress(*scene.material,
                                         space.strain_operator() == StrainOperator::mean_dilatation
                                           ? mean_dilatations(space, U)
                                           : std::vector<double>());
-  const dealii::DataOutBase::VtkFlags flags(
-    space.mesh().level(), space.mesh().level(), false, dealii::DataOutBase::VtkFlags::best_speed);
-  const std::array<std::pair<const char *, dealii::Vector<double>>, 3> cell_fields = {
-    {{"bound_mesh", to_vector(bound.mesh)},
-     {"bound_oscillation", to_vector(bound.oscillation)},
-     {"bound_lift", to_vector(bound.lift)}}};
-  FieldPieces<dim> data_out;
-  data_out.add_data_vector(space.dofs(), U, std::vector<std::string>(dim, "displacement"), vector);
-  std::optional<RecoveredDisplacement<dim>> recovered;
-  if (space.mesh().has_parents())
-  {
-    recovered.emplace(space, U);
-    data_out.add_data_vector(recovered->dofs(),
-                             recovered->values(),
-                             std::vector<std::string>(dim, "recovered_displacement"),
-                             vector);
-    data_out.add_data_vector(recovered->dofs(), recovered->values(), stress);
-  }
-  else
-    data_out.add_data_vector(space.dofs(), U, stress);
-  for (const auto &[name, values] : cell_fields)
-    if (values.size() > 0)
-      data_out.add_data_vector(values, name, dealii::DataOut<dim>::type_cell_data);
-  data_out.build_patches(space.mesh().mapping(),
-                         space.mesh().has_parents() ? 2 : 1,
-                         space.mesh().is_curved() ? dealii::DataOut<dim>::curved_inner_cells
-                                                  : dealii::DataOut<dim>::no_curved_cells);
-  write_pieces(path, data_out.piece(flags), flags, space.mesh().communicator());
+  const FieldPiece<dim> piece = space.largest_degree() > 1
+                                  ? fields_by_degree(space, U, stress)
+                                  : fields_of_bilinear_cells(space, U, stress, bound);
+  write_pieces(path, piece.text(flags), flags, space.mesh().communicator());
 }
 
 void write_pvd(const std::filesystem::path &path,
@@ -235,5 +313,6 @@ template void write_solution_vtu(const std::filesystem::path &,
                                  const DisplacementSpace<2> &,
                                  const Scene<2> &,
                                  const NodalVector &,
-                                 const BoundFields &);
+                                 const BoundFields &,
+                                 unsigned int);
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // p_H: resultants, recovery, transfer between partitions.
 
 #include <signorini/postprocess/contact_pressure.h>
+#include <signorini/postprocess/pressed_intervals.h>
 
 #include <algorithm>
 
@@ -18,21 +19,20 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const dealii
   ContactSummary summary;
   const double threshold = pressing_threshold(P);
   const dealii::Vector<double> integrals = space.integrals();
-  const std::vector<Patch<dim>> &patches = space.surface().patches();
-  std::vector<bool> presses(patches.size(), false);
   for (unsigned int k = 0; k < P.size(); ++k)
   {
-    if (P[k] < threshold)
-      presses[space.patch_of(k)] = true;
     summary.normal_force -= P[k] * integrals[k];
     summary.max_pressure = std::max(summary.max_pressure, -P[k]);
+    if (!(P[k] < threshold))
+      continue;
+    ++summary.active;
+    if (space.is_piecewise_constant())
+      summary.length += integrals[k];
   }
-  for (unsigned int tau = 0; tau < patches.size(); ++tau)
-    if (presses[tau])
-    {
-      ++summary.active;
-      summary.length += patches[tau].measure;
-    }
+  if constexpr (dim == 2)
+    if (!space.is_piecewise_constant())
+      for (const PressedInterval &interval : pressed_intervals(space, P))
+        summary.length += interval.length();
   return summary;
 }
 

@@ -9,6 +9,7 @@
 #include <signorini/output/answer_output.h>
 #include <signorini/output/contact_line.h>
 #include <signorini/output/matrix_market.h>
+#include <signorini/output/mesh_svg.h>
 #include <signorini/output/solution_vtu.h>
 #include <signorini/output/tables.h>
 
@@ -134,13 +135,17 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
   const unsigned int level = solution.record.sizes.level;
   const auto body = level_file("solution", level, ".vtu");
   const auto contact = level_file("contact", level, ".vtu");
-  write_solution_vtu(body, discretization.space, scene, solution.U, solution.bound_fields);
+  write_solution_vtu(body, discretization.space, scene, solution.U, solution.bound_fields, level);
   solution_files_.emplace_back(level, body.filename().string());
   contact_files_.emplace_back(level, contact.filename().string());
   write_on_first_rank([&]() {
     write_file(contact, [&](std::ostream &stream) {
       write_contact_vtu(stream, line, solution.bound_fields.contact);
     });
+    if (discretization.space.largest_degree() > 1)
+      write_file(level_file("mesh", level, ".svg"), [&](std::ostream &stream) {
+        write_mesh_svg(stream, discretization.space, scene, level);
+      });
     write_pvd(directory_ / "solution.pvd", solution_files_);
     write_pvd(directory_ / "contact.pvd", contact_files_);
   });

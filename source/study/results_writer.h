@@ -30,7 +30,8 @@ public:
                 std::filesystem::path directory,
                 MPI_Comm communicator);
 
-  /** contact-LL.csv, and as far as asked for the VTU files and the dual problem. */
+  /** contact-LL.csv, and as far as asked for the VTU files (of graded meshes also mesh-LL.svg) and
+   * the dual problem. */
   template <int dim>
   void write_fields(const Discretization<dim> &discretization,
                     const Scene<dim> &scene,

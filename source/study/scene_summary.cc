@@ -96,16 +96,18 @@ void print_scene_warnings(const Scene<dim> &scene, std::ostream &screen)
 
 void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &screen)
 {
+  const std::string name =
+    std::string(level.sizes.word()) + " " + std::to_string(level.sizes.level);
   if (level.sizes.unstable)
-    screen << "Warning: on level " << level.sizes.level
+    screen << "Warning: on " << name
            << " a contact patch is no longer than a face (H = h), which is not inf-sup stable: "
               "the pressure may oscillate. Take a patch ratio of 2 or more.\n";
   if (level.dual.active_set_failure)
-    screen << "Warning: on level " << level.sizes.level << " the active set method failed ("
+    screen << "Warning: on " << name << " the active set method failed ("
            << *level.dual.active_set_failure << "); projected SOR answered instead.\n";
   const std::string doubt = judge.doubt(level);
   if (!doubt.empty())
-    screen << "Warning: level " << level.sizes.level << " is not certified: " << doubt << "\n";
+    screen << "Warning: " << name << " is not certified: " << doubt << "\n";
 }
 
 void print_verdict(const std::vector<LevelRecord> &levels,

@@ -50,7 +50,8 @@ StudyResult run_study(const Parameters &parameters,
   StudyResult result;
   print_scene(parameters, scene, report.screen);
   print_scene_warnings(scene, report.screen);
-  report.screen << screen_legend() << "\n" << screen_header() << std::endl;
+  const bool graded = parameters.discretization.strategy == Strategy::hp;
+  report.screen << screen_legend(graded) << "\n" << screen_header(graded) << std::endl;
   try
   {
     for (bool last = false; !last;)

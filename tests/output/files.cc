@@ -159,7 +159,8 @@ void contact_line(Checks &checks)
   }
   checks.near("contact line: values at the middles", largest, 0., 1e-14);
   checks.that("contact line: side", rows[0].at("side") == "bottom");
-  checks.near("contact line: ends", line[0].start.x[0] + line[7].end.x[0], 1., 1e-15);
+  checks.near(
+    "contact line: ends", line[0].curve.front().x[0] + line[7].curve.back().x[0], 1., 1e-15);
 
   const OneLevel unknown("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n", 1);
   std::ostringstream without;
@@ -270,7 +271,7 @@ void vtu(Checks &checks, const fs::path &directory)
   {
     const OneLevel level(entry("Scene", "Name", "D1"), number);
     const fs::path file = directory / "solution.vtu";
-    write_solution_vtu(file, level.space(), level.scene, level.solve().U, BoundFields());
+    write_solution_vtu(file, level.space(), level.scene, level.solve().U, BoundFields(), number);
     const std::string text = read(file);
     const auto has = [&](const std::string &name) {
       return text.find("Name=\"" + name + "\"") != std::string::npos;

@@ -88,7 +88,7 @@ std::string read(const std::string &path)
 std::string body_vtu(const OneLevel &level, const NodalVector &U, const BoundFields &bound)
 {
   const std::string file = "vtu_fields_solution.vtu";
-  write_solution_vtu(file, level.space(), level.scene, U, bound);
+  write_solution_vtu(file, level.space(), level.scene, U, bound, 7);
   const std::string text = read(file);
   std::filesystem::remove(file);
   return text;

@@ -12,12 +12,13 @@ namespace Signorini
 struct ZoneEnd
 {
   BoundaryPlace place;
-  /** The length of the patch in which it lies: how far the exact end may be away, in order of
-   * magnitude. Zero where the zone ends with its side. */
+  /** How far the exact end may be away, in order of magnitude: the length of the patch in which it
+   * lies, or with polynomials half of the distance between the nodes around it. Zero where the zone
+   * ends with its side. */
   double uncertainty = 0.;
 };
 
-/** A part of a side that is pressed: a run of pressing patches. */
+/** A part of a side that is pressed: a run of pressing patches, or with polynomials of nodes. */
 struct ContactZone
 {
   ZoneEnd start, end;
@@ -33,6 +34,8 @@ struct ContactZone
  * of c (s_0 - s)_+^{1/2} with the means of p_H over the last two pressing patches, at most in the
  * middle of the patch after them. Where the pressure does not fall, as under a sharp edge, or where
  * a single patch presses, the zone ends with its last patch.
+ *
+ * Where patches have polynomials, zones are pressed_intervals().
  */
 std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
                                        const dealii::Vector<double> &P);

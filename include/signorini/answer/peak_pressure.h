@@ -13,14 +13,15 @@ struct PeakPressure
 {
   double value = 0.;
   BoundaryPlace place;
-  /** -p_H on the patch on which the peak lies. */
+  /** The mean of -p_H over the patch on which the peak lies. */
   double mean = 0.;
 };
 
 /**
  * The maximum of a pressure that is recovered from the means over patches; empty if nothing
  * presses. Where both neighbours of a patch press, it is the parabola with the means of the three
- * patches, elsewhere RecoveredPressure. Both are of second order.
+ * patches, elsewhere RecoveredPressure. Both are of second order. Where patches have polynomials,
+ * it is the largest value of -p_H on the patches that press.
  */
 std::optional<PeakPressure> peak_pressure(const MultiplierSpace<2> &multipliers,
                                           const dealii::Vector<double> &P);

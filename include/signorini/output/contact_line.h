@@ -26,7 +26,7 @@ struct ContactPoint
   std::optional<double> p_exact;
 };
 
-/** A piece face ∩ patch: its ends and its middle. */
+/** A piece face ∩ patch with some of its points. */
 struct ContactSegment
 {
   std::string side;
@@ -34,7 +34,11 @@ struct ContactSegment
   unsigned int side_number, face, patch;
   /** |tau| (length). */
   double patch_length;
-  ContactPoint start, middle, end;
+  /** What tables show, in the order of arc length. Of constants the middle. Of polynomials the
+   * ends, the nodes of the multipliers, and the middles between all of these. */
+  std::vector<ContactPoint> rows;
+  /** What curves join: of constants the ends, of polynomials the same points as in tables. */
+  std::vector<ContactPoint> curve;
 };
 
 /** The contact boundary piece by piece, side after side, in the order of arc length. */
@@ -43,7 +47,7 @@ std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space
                                                const NodalVector &U,
                                                const dealii::Vector<double> &P);
 
-/** contact-LL.csv: one row per middle of a piece. */
+/** contact-LL.csv. */
 void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment> &line);
 
 /**

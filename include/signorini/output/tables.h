@@ -9,18 +9,21 @@
 
 namespace Signorini
 {
-/** The line of column names of the table that grows as levels finish. */
-std::string screen_header();
+/** The line of column names of the table that grows as levels finish. @param graded whether levels
+ * are steps of a graded sequence (LevelSizes::is_graded). */
+std::string screen_header(bool graded = false);
 
-/** The line of a level; the order of the estimate is taken against @p before, which may be null. */
+/** The line of a level; the order of the estimate is taken against @p before, which may be null.
+ * Steps of a graded sequence have no orders. */
 std::string screen_row(const LevelRecord &level, const LevelRecord *before);
 
 /** What the columns mean. */
-std::string screen_legend();
+std::string screen_legend(bool graded = false);
 
 /**
  * The errors that are known with their orders from level to level, and below them the slopes of
- * log(error) over log(h), least squares over the last four levels. Empty if nothing is known.
+ * log(error) over log(h), least squares over the last four levels; without orders and slopes for a
+ * graded sequence. Empty if nothing is known.
  */
 std::string error_table(const std::vector<LevelRecord> &levels);
 
@@ -28,7 +31,7 @@ std::string error_table(const std::vector<LevelRecord> &levels);
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels);
 
 /** convergence.md: sizes, errors with their orders, or estimates, bound and contact force, as far
- * as they are known. */
+ * as they are known. A graded sequence has no orders. */
 void write_convergence_markdown(std::ostream &stream, const std::vector<LevelRecord> &levels);
 
 /** convergence.tex: the same as a LaTeX tabular. */

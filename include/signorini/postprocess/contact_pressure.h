@@ -15,13 +15,14 @@ double pressing_threshold(const dealii::Vector<double> &P);
 /** What the contact pressure amounts to. */
 struct ContactSummary
 {
-  /** Number of patches that press: a multiplier of theirs is below pressing_threshold(P). */
+  /** Number of multipliers that press, P_k < pressing_threshold(P): with constants of patches. */
   unsigned int active = 0;
-  /** Their total length, in space their area (length^{dim-1}). */
+  /** Of constants the total length of the patches that press, in space their area; of polynomials
+   * that of the pressed_intervals() (length^{dim-1}). */
   double length = 0.;
   /** -int p_H, positive in compression (force). */
   double normal_force = 0.;
-  /** max(-p_H), positive in compression (force/area). */
+  /** max(-P_k), positive in compression (force/area). */
   double max_pressure = 0.;
 
   static Columns<ContactSummary> columns();

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/answer/contact_zones.h>
+#include <signorini/answer/peak_pressure.h>
+
+namespace Signorini
+{
+/** contact_zones() and peak_pressure() where patches have polynomials. */
+std::vector<ContactZone> zones_of_polynomial(const MultiplierSpace<2> &multipliers,
+                                             const dealii::Vector<double> &P);
+std::optional<PeakPressure> peak_of_polynomial(const MultiplierSpace<2> &multipliers,
+                                               const dealii::Vector<double> &P);
+} // namespace Signorini
