@@ -113,7 +113,8 @@ CellStiffness<dim>::find_sample(const unsigned int element_number,
 }
 
 template <int dim>
-void CellStiffness<dim>::integrate(const dealii::FEValues<dim> &values)
+typename CellStiffness<dim>::Matrix
+CellStiffness<dim>::integrate(const dealii::FEValues<dim> &values)
 {
   const dealii::FEValuesExtractors::Vector displacement(0);
   constexpr unsigned int n_strains = dealii::SymmetricTensor<2, dim>::n_independent_components;
@@ -146,33 +147,31 @@ void CellStiffness<dim>::integrate(const dealii::FEValues<dim> &values)
       }
     }
   }
-  matrix_.reinit(n, n);
-  strains_.Tmmult(matrix_, stresses_);
+  const auto matrix = std::make_shared<dealii::FullMatrix<double>>(n, n);
+  strains_.Tmmult(*matrix, stresses_);
+  return matrix;
 }
 
 template <int dim>
-const dealii::FullMatrix<double> &CellStiffness<dim>::operator()(const CellIterator &cell)
+typename CellStiffness<dim>::Matrix CellStiffness<dim>::share(const CellIterator &cell)
 {
   std::vector<dealii::Tensor<1, dim>> shape = shape_of<dim>(cell);
   const double size = shape.back().norm();
   const double tolerance = tolerance_of_shapes(cell->vertex(0).norm(), size);
   if (!constant_ || curved_ || !is_affine<dim>(shape, tolerance))
-  {
-    integrate(general_values_.reinit(cell));
-    return matrix_;
-  }
+    return integrate(general_values_.reinit(cell));
   const unsigned int element_number = space_.element_number(cell);
   const Sample *const sample = find_sample(element_number, shape, tolerance);
   if (sample != nullptr && (dim == 2 || std::abs(sample->size - size) < 1e-12 * size))
     return sample->matrix;
-  integrate(affine_values_.reinit(cell));
+  const Matrix matrix = integrate(affine_values_.reinit(cell));
   constexpr std::size_t most_samples = 64;
   if (sample != nullptr || samples_.size() == most_samples)
-    return matrix_;
+    return matrix;
   for (dealii::Tensor<1, dim> &edge : shape)
     edge /= size;
-  samples_.push_back({element_number, size, shape, matrix_});
-  return samples_.back().matrix;
+  samples_.push_back({element_number, size, shape, matrix});
+  return matrix;
 }
 
 template <int dim>

@@ -106,7 +106,7 @@ template <int dim>
 struct ChunkIntegrals
 {
   const Cells<dim> *cells;
-  std::vector<dealii::FullMatrix<double>> stiffness;
+  std::vector<typename CellStiffness<dim>::Matrix> stiffness;
   std::vector<dealii::Vector<double>> loads;
   Resultant<dim> resultant;
 };
@@ -125,8 +125,8 @@ ChunkIntegrals<dim> integrate(const Cells<dim> &cells,
   integrals.loads.reserve(cells.size());
   for (std::size_t k = 0; k < cells.size(); ++k)
   {
-    integrals.stiffness.push_back(cell_stiffness(cells[k]));
-    integrals.loads.emplace_back(integrals.stiffness[k].m());
+    integrals.stiffness.push_back(cell_stiffness.share(cells[k]));
+    integrals.loads.emplace_back(integrals.stiffness[k]->m());
     cell_loads.add(cells[k], integrals.loads[k], integrals.resultant);
   }
   return integrals;
@@ -153,7 +153,7 @@ void add_cells(const DisplacementSpace<dim> &space,
         system.loads.add(indices, integrals.loads[k]);
         in_units = integrals.loads[k];
         in_units /= system.unit;
-        scatter.add(integrals.stiffness[k], in_units, indices, system.f);
+        scatter.add(*integrals.stiffness[k], in_units, indices, system.f);
       }
       system.applied += integrals.resultant;
     });

@@ -135,7 +135,9 @@ dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) cons
 }
 
 template <int dim>
-dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space, const unsigned int n_points)
+dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
+                                    const unsigned int n_points,
+                                    const Grading grading)
 {
   const auto gap_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
     std::vector<double> g(rule.size());
@@ -151,11 +153,11 @@ dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space, const uns
     return g;
   };
   // g contains u_n, which may have a fractional power at an end of contact.
-  return integrate_against_multipliers(space, n_points, Grading::towards_kinks, gap_on);
+  return integrate_against_multipliers(space, n_points, grading, gap_on);
 }
 
 template class MultiplierSpace<2>;
 template class MultiplierSpace<3>;
-template dealii::Vector<double> assemble_gap(const MultiplierSpace<2> &, unsigned int);
-template dealii::Vector<double> assemble_gap(const MultiplierSpace<3> &, unsigned int);
+template dealii::Vector<double> assemble_gap(const MultiplierSpace<2> &, unsigned int, Grading);
+template dealii::Vector<double> assemble_gap(const MultiplierSpace<3> &, unsigned int, Grading);
 } // namespace Signorini

@@ -11,6 +11,7 @@ double ErrorHistory::add(const double indicator,
                          const std::optional<double> &difference,
                          const double planned)
 {
+  constexpr double safety = 4. / 3.;
   double estimate = indicator;
   if (difference && last_indicator_)
   {
@@ -22,6 +23,6 @@ double ErrorHistory::add(const double indicator,
   }
   last_indicator_ = indicator;
   last_difference_ = difference;
-  return estimate;
+  return safety * estimate;
 }
 } // namespace Signorini

@@ -10,8 +10,8 @@ namespace Signorini
 {
 namespace
 {
-/** The numbers of cells (dealii::CellId) end at level 30; coordinates in double precision hardly tell
- * more vertices apart. */
+/** The numbers of cells (dealii::CellId) end at level 30; coordinates in double precision hardly
+ * tell more vertices apart. */
 constexpr int deepest_level = 29;
 
 /** The lowest degree that demands ask of a cell, or of a cell that it is a part of. */

@@ -223,12 +223,8 @@ void add_kinks(const unsigned int side, const Scene<2> &scene, MeshPlan &plan)
   const Side<2> &curve = scene.geometry.sides[side];
   const std::vector<double> cuts = scene.kinks.cut(curve, 0., curve.length());
   for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
-    plan.singularities.push_back({Singularity::Kind::kink,
-                                  curve.point(cuts[i]),
-                                  exponent_at_ends,
-                                  side,
-                                  cuts[i],
-                                  cuts[i]});
+    plan.singularities.push_back(
+      {Singularity::Kind::kink, curve.point(cuts[i]), exponent_at_ends, side, cuts[i], cuts[i]});
 }
 } // namespace
 

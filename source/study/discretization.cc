@@ -132,7 +132,7 @@ Discretization<2>::Discretization(const Parameters &parameters,
             [&]() { return MultiplierSpace<2>(surface, unknowns_of_patches(space, surface)); }))
   , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
   , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
-  , G(timed(times.setup, [&]() { return assemble_gap(multipliers, n_points + 2); }))
+  , G(timed(times.setup, [&]() { return assemble_gap(multipliers, n_points + 2, Grading::none); }))
 {
   refuse_blind_patches(parameters, condensed_D);
 }

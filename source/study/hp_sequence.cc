@@ -24,12 +24,20 @@ struct HpStep
   dealii::Vector<double> P;
 };
 
+/** The mesh is graded to the places where data is singular, so that rules need not be. */
+Scene<2> without_graded_rules(Scene<2> scene)
+{
+  scene.kinks = scene.kinks.without_ends();
+  return scene;
+}
+
 class HpSequence final : public Sequence
 {
 public:
   explicit HpSequence(const StudyContext<2> &context)
     : context_(context)
-    , plan_(first_plan(context.scene,
+    , scene_(without_graded_rules(context.scene))
+    , plan_(first_plan(scene_,
                        context.parameters.discretization.coarsest_level,
                        context.parameters.discretization.maximum_degree))
     , next_(make_discretization())
@@ -54,8 +62,7 @@ public:
     if (parameters.solver.warm_start && last_.discretization != nullptr)
       start =
         transfer_pressure(last_.discretization->multipliers, last_.P, discretization.multipliers);
-    LevelSolution<2> solution =
-      solve_level(parameters, context_.scene, discretization, start, progress);
+    LevelSolution<2> solution = solve_level(parameters, scene_, discretization, start, progress);
     LevelRecord &record = solution.record;
     record.sizes.level = n_steps_;
     progress("estimate");
@@ -89,7 +96,7 @@ public:
 private:
   std::unique_ptr<const Discretization<2>> make_discretization() const
   {
-    return std::make_unique<const Discretization<2>>(context_.parameters, context_.scene, plan_);
+    return std::make_unique<const Discretization<2>>(context_.parameters, scene_, plan_);
   }
 
   /** Whether a second mesh agrees; only solutions that lie in the first space need none. */
@@ -103,7 +110,7 @@ private:
   StepFindings examine_step(LevelSolution<2> &solution)
   {
     const StageTimer timer(solution.record.times.postprocess);
-    const Scene<2> &scene = context_.scene;
+    const Scene<2> &scene = scene_;
     const DisplacementSpace<2> &space = next_->space;
     const MultiplierSpace<2> &multipliers = next_->multipliers;
     StepFindings findings;
@@ -129,13 +136,15 @@ private:
   void plan_next(const StepFindings &findings)
   {
     const Discretization<2> &discretization = *last_.discretization;
-    plan_ = next_plan(
-      plan_, context_.scene, discretization.mesh, degrees_of(discretization.space), findings);
+    plan_ =
+      next_plan(plan_, scene_, discretization.mesh, degrees_of(discretization.space), findings);
     next_ = make_discretization();
     finished_ = next_->space.dofs().n_dofs() > context_.parameters.discretization.maximum_unknowns;
   }
 
   StudyContext<2> context_;
+  /** For everything but the errors against an exact solution. */
+  Scene<2> scene_;
   MeshPlan plan_;
   ErrorHistory history_;
   /** The next mesh; empty while a step is examined. */

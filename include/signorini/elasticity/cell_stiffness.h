@@ -5,6 +5,8 @@
 #include <signorini/elasticity/integration.h>
 
 #include <cmath>
+#include <memory>
+#include <vector>
 
 namespace Signorini
 {
@@ -24,8 +26,17 @@ public:
 
   CellStiffness(const DisplacementSpace<dim> &space, const Scene<dim> &scene);
 
-  /** The matrix of the cell; valid until the next call. */
-  const dealii::FullMatrix<double> &operator()(const CellIterator &cell);
+  /** A matrix that similar cells share. */
+  using Matrix = std::shared_ptr<const dealii::FullMatrix<double>>;
+
+  /** The matrix of the cell. */
+  Matrix share(const CellIterator &cell);
+  /** The same, valid until the next call. */
+  const dealii::FullMatrix<double> &operator()(const CellIterator &cell)
+  {
+    last_ = share(cell);
+    return *last_;
+  }
 
 private:
   /** A parallelogram's edges divided by its size, with its matrix for a body of size one. */
@@ -34,10 +45,10 @@ private:
     unsigned int element_number;
     double size;
     std::vector<dealii::Tensor<1, dim>> shape;
-    dealii::FullMatrix<double> matrix;
+    Matrix matrix;
   };
 
-  void integrate(const dealii::FEValues<dim> &values);
+  Matrix integrate(const dealii::FEValues<dim> &values);
   /** The sample of the same element and shape, if there is one. */
   const Sample *find_sample(unsigned int element_number,
                             const std::vector<dealii::Tensor<1, dim>> &shape,
@@ -54,7 +65,8 @@ private:
   Kinks<dim> kinks_;
   CellValues<dim> affine_values_;
   CellValues<dim> general_values_;
-  dealii::FullMatrix<double> matrix_, strains_, stresses_;
+  Matrix last_;
+  dealii::FullMatrix<double> strains_, stresses_;
   /** Of a constant tensor; the first are the first that were asked for. */
   std::vector<Sample> samples_;
 };

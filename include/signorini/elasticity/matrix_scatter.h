@@ -14,8 +14,8 @@ dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> 
 /**
  * Adds matrices of cells to a matrix of V^h that make_matrix() made, condensing the constraints.
  *
- * On one rank, cells without constraints are added to the stored rows directly, which is several
- * times faster than Trilinos' own search.
+ * On one rank, entries are added to the stored rows directly, which is several times faster than
+ * Trilinos' own search.
  */
 template <int dim>
 class MatrixScatter
@@ -36,9 +36,17 @@ public:
            DistributedVector &vector);
 
 private:
-  /** Whether the cell may be added without Trilinos. */
-  bool is_plain(const Indices &indices) const;
+  bool has_constraints(const Indices &indices) const;
   void add_to_rows(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
+  /**
+   * T^T K T and T^T (b - K k) of a cell with constraints, U = T U_free + k, in condensed_ and
+   * condensed_vector_, for the indices in masters_.
+   */
+  void condense(const dealii::FullMatrix<double> &cell_matrix,
+                const dealii::Vector<double> &cell_vector,
+                const Indices &indices);
+  /** A positive number on the diagonal of a constrained row. */
+  void add_diagonals(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
 
   const dealii::AffineConstraints<double> &constraints_;
   dealii::TrilinosWrappers::SparseMatrix &matrix_;
@@ -47,5 +55,8 @@ private:
   int *start_ = nullptr;
   int *column_ = nullptr;
   double *value_ = nullptr;
+  dealii::FullMatrix<double> half_condensed_, condensed_;
+  dealii::Vector<double> condensed_vector_;
+  Indices masters_;
 };
 } // namespace Signorini

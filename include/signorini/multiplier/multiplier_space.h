@@ -102,8 +102,9 @@ dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> 
 }
 
 /** G_k = int g psi_k (length^dim), with @p n_points Gauss points per direction and part of a piece
- * for constants, and rules that are refined towards kinks. @throws InputError where g has no value.
- */
+ * for constants; @p grading of the rules. @throws InputError where g has no value. */
 template <int dim>
-dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space, unsigned int n_points);
+dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
+                                    unsigned int n_points,
+                                    Grading grading = Grading::towards_kinks);
 } // namespace Signorini

@@ -13,7 +13,7 @@ namespace Signorini
  * r = eta_k/eta_{k-1}; what the mesh was planned for, q; and how much the error fell in the step
  * before, d_k/d_{k-1}, as far as the indicators do not contradict:
  *
- *     estimate_k = max(eta_k, d_k min(1, max(r, q, min(d_k/d_{k-1}, 4 r)))).
+ *     estimate_k = 4/3 max(eta_k, d_k min(1, max(r, q, min(d_k/d_{k-1}, 4 r)))).
  *
  * It is reliable as long as the error falls in step k as the indicator says, or as planned.
  */

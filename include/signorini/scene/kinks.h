@@ -45,6 +45,12 @@ public:
   /** Finds the points where the lines meet a contact side. */
   void add_ends_on(const Side<dim> &contact_side);
 
+  /** The same lines, for meshes that are graded to the ends of contact: rules need not be. */
+  Kinks without_ends() const
+  {
+    return Kinks(lines_);
+  }
+
   const std::vector<KinkLine<dim>> &lines() const
   {
     return lines_;
