@@ -9,6 +9,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <future>
@@ -38,6 +39,25 @@ std::string settings_of_mpi()
     if (std::strncmp(*entry, "OMPI_MCA_", 9) == 0)
       names.push_back(std::string(*entry).substr(0, std::string(*entry).find('=')));
   return names.empty() ? "" : " (the environment sets " + shorten(join(names)) + ")";
+}
+
+/** A process that no launcher has started is alone: Open MPI needs no daemon, no network, no shared
+ * memory and no picture of the machine for it, which take as long to start as a small scene to
+ * solve. What the user has set for these stays. */
+void settle_for_one_process()
+{
+  for (const char *launched : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"})
+    if (std::getenv(launched) != nullptr)
+      return;
+  constexpr int keep = 0;
+  // The daemon would be started by the framework plm: who sets that wants it.
+  if (std::getenv("OMPI_MCA_plm") == nullptr)
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+  setenv("OMPI_MCA_pml", "ob1", keep);
+  setenv("OMPI_MCA_btl", "self", keep);
+  setenv("OMPI_MCA_coll", "^adapt,han,inter,monitoring,sm,sync,tuned", keep);
+  setenv("OMPI_MCA_osc", "^sm,monitoring,rdma,ucx", keep);
+  setenv("HWLOC_PLUGINS_BLACKLIST", "hwloc_gl.so,hwloc_opencl.so,hwloc_pci.so", keep);
 }
 
 /** One sentence instead of what MPI has printed. */
@@ -98,10 +118,11 @@ void check_surroundings()
 
 StartOfMPI::StartOfMPI()
 {
+  given_settings = settings_of_mpi();
+  settle_for_one_process();
   const int text = memfd_create("stderr", MFD_CLOEXEC);
   if (text < 0)
     return;
-  given_settings = settings_of_mpi();
   standard_error = dup(STDERR_FILENO);
   dup2(text, STDERR_FILENO);
   close(text);

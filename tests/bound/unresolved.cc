@@ -10,6 +10,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
@@ -101,6 +102,11 @@ struct Reference
   double energy;
 };
 
+std::string key_of_reference(const Unresolved::Given &given)
+{
+  return given.scene + std::to_string(given.reference_level);
+}
+
 class Test
 {
 public:
@@ -149,7 +155,7 @@ private:
   /** That of the scene before is kept. */
   const Reference &reference(const Unresolved::Given &given)
   {
-    const std::string key = given.scene + std::to_string(given.reference_level);
+    const std::string key = key_of_reference(given);
     if (key != key_)
       reference_ =
         std::make_unique<Reference>(given.scene + Unresolved::option("Finest level", "14") +
@@ -182,6 +188,14 @@ int main(int argc, char **argv)
                           Unresolved::add_mixed,
                           Unresolved::add_loose_solver})
     add(scenes);
+  // The levels of a scene one after the other share its reference.
+  std::map<std::string, std::size_t> first;
+  for (const Unresolved::Given &given : scenes)
+    first.emplace(key_of_reference(given), first.size());
+  std::stable_sort(
+    scenes.begin(), scenes.end(), [&](const Unresolved::Given &a, const Unresolved::Given &b) {
+      return first.at(key_of_reference(a)) < first.at(key_of_reference(b));
+    });
   Test test;
   for (const Unresolved::Given &given : scenes)
     test.check(given);

@@ -7,6 +7,8 @@ scenes=$(realpath "$1")
 program=$(realpath "$2")
 mpirun=$3
 . "$(dirname "$0")/results.sh"
+# The other tests keep the BLAS to one thread.
+unset OPENBLAS_NUM_THREADS OMP_WAIT_POLICY
 
 # largest_difference A B: over convergence.csv, relative to the larger of the two values. The lift behind contact_force_error
 # depends on the linear solver. Residuals and the part of the estimate that comes from p - p_H, which may be rounding

@@ -21,9 +21,9 @@ namespace
 {
 constexpr double lowest = 0.8, highest = 1.25;
 
-std::vector<std::string> options(const std::string &partition, const unsigned int finest)
+std::vector<std::string> options(const std::string &partition, const unsigned int level)
 {
-  std::vector<std::string> all = levels(finest - 1, finest);
+  std::vector<std::string> all = levels(level, level);
   all.push_back("Discretization/" + partition);
   all.emplace_back("Output/Inf-sup constant=false");
   return all;

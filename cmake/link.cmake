@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# What the program and its tests are linked with.
+#
+# SIGNORINI_SHORT_LINK: deal.II asks that programs are linked with every library that it was built with, 170 in Debian,
+# and offer all their symbols to these. Reading and offering them takes two thirds of the time that it takes to link a
+# test. With this option only those are read that headers of deal.II name in the objects of this program. The others are
+# loaded with deal.II, as without it.
+#
+# SIGNORINI_FIRST_LIBRARIES: deal.II loads 200 libraries, and most of them look up their own symbols when the program
+# starts, in all libraries one after the other. Libraries that are named first are found first: those with most symbols
+# stand here, in this order (doc/performance.md, "The start of the process").
+
+option(SIGNORINI_SHORT_LINK "Link only the libraries that this program names; the presets do" OFF)
+
+set(SIGNORINI_FIRST_LIBRARIES "")
+if(EXISTS "${DEAL_II_TARGET_CONFIG}")
+  include(${DEAL_II_TARGET_CONFIG})
+  set(DEAL_II_TARGET_CONFIG_INCLUDED TRUE)
+  foreach(_target ${DEAL_II_TARGET_DEBUG} ${DEAL_II_TARGET_RELEASE})
+    get_target_property(_libraries ${_target} INTERFACE_LINK_LIBRARIES)
+    set(_named ${_libraries})
+    list(FILTER _named EXCLUDE REGEX "^/.*\\.so[.0-9]*$")
+    set(_files ${_libraries})
+    list(FILTER _files INCLUDE REGEX
+      "^/.*/lib(tbb|trilinos_epetra|trilinos_teuchos[a-z]*|boost_[a-z]*|petsc|mpi|z)[^/a-z]*\\.so[.0-9]*$")
+    if(SIGNORINI_SHORT_LINK)
+      set_target_properties(${_target} PROPERTIES INTERFACE_LINK_LIBRARIES "${_files};${_named}")
+    endif()
+  endforeach()
+  # The list of the last target, which is the optimised one.
+  foreach(_name gmsh TKSTEPBase trilinos_teuchosparameterlist TKBO TKIGES TKGeomAlgo TKMath TKernel TKXSBase TKSTEPAttr
+                TKG3d TKGeomBase TKSTEP TKTopAlgo TKBRep TKBool)
+    set(_files ${_libraries})
+    list(FILTER _files INCLUDE REGEX "^/.*/lib${_name}\\.so$")
+    list(APPEND SIGNORINI_FIRST_LIBRARIES ${_files})
+  endforeach()
+endif()
+if(SIGNORINI_SHORT_LINK)
+  string(REPLACE "-rdynamic" "" DEAL_II_LINKER_FLAGS "${DEAL_II_LINKER_FLAGS}")
+endif()
