@@ -32,7 +32,7 @@ do for [i=1:n] {
   set xlabel ""
   set key top right
   set yrange [*:*]
-  plot file using "s":(on(i, strcol("side"), -column("p_H"))) with histeps lw 2 lc rgb "#9ecae1" title "p_H, constant on every patch", \
+  plot file using "s":(on(i, strcol("side"), -column("p_H"))) with histeps lw 2 lc rgb "#9ecae1" title "p_H, on every patch", \
        file using "s":(on(i, strcol("side"), -column("p_recovered"))) with lines lw 2 lc rgb "#08519c" title "recovered"
 
   stats file using (on(i, strcol("side"), -column("g"))) name "foundation" nooutput
