@@ -15,6 +15,10 @@ quoted(name) = "\"".name."\""
 remember(name) = strstrt(sides, quoted(name)) ? 0 : (sides = sides." ".quoted(name), 1)
 stats file using (remember(strcol("side"))) name "new" nooutput
 n = words(sides)
+# Polynomials have rows at the ends of faces, so also where a side begins; constants have middles only.
+stats file using "s" name "s" nooutput
+kind = s_min > 0 ? "histeps" : "lines"
+name = s_min > 0 ? "p_H, constant on every patch" : "p_H, a polynomial on every face"
 on(i, side, value) = side eq word(sides, i) ? value : NaN
 
 set terminal pngcairo size 1000 + 600*(n - 1),640 font "DejaVu Sans,11"
@@ -32,7 +36,7 @@ do for [i=1:n] {
   set xlabel ""
   set key top right
   set yrange [*:*]
-  plot file using "s":(on(i, strcol("side"), -column("p_H"))) with histeps lw 2 lc rgb "#9ecae1" title "p_H, constant on every patch", \
+  plot file using "s":(on(i, strcol("side"), -column("p_H"))) with @kind lw 2 lc rgb "#9ecae1" title name, \
        file using "s":(on(i, strcol("side"), -column("p_recovered"))) with lines lw 2 lc rgb "#08519c" title "recovered"
 
   stats file using (on(i, strcol("side"), -column("g"))) name "foundation" nooutput

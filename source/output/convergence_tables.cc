@@ -12,26 +12,40 @@ namespace Signorini
 {
 namespace
 {
+/** The sequences of meshes for which a column is shown. */
+enum class ShownFor
+{
+  all,
+  nested,
+  graded
+};
+
 /** A column for people: of convergence.csv, with its title in Markdown and in LaTeX. */
 struct PrintedColumn
 {
   const char *name;
   const char *markdown;
   const char *latex;
-  /** Errors have orders. */
+  /** Errors on nested meshes have orders. */
   bool has_order;
   bool is_count;
+  ShownFor shown_for;
 };
 
-constexpr PrintedColumn printed_columns[] = {{"level", "level", "level", false, true},
-                                             {"dofs", "dofs", "dofs", false, true},
-                                             {"h", "h", "$h$", false, false},
-                                             {"u_h1", "‖u−u_h‖₁", "$\\|u-u_h\\|_1$", true, false},
-                                             {"u_l2", "‖u−u_h‖₀", "$\\|u-u_h\\|_0$", true, false},
-                                             {"p_l2", "‖p−p_H‖₀", "$\\|p-p_H\\|_0$", true, false},
-                                             {"estimated_h1", "estimate", "estimate", true, false},
-                                             {"bound_energy", "bound", "bound", false, false},
-                                             {"contact_force_n", "force", "force", false, false}};
+constexpr PrintedColumn printed_columns[] = {
+  {"level", "level", "level", false, true, ShownFor::nested},
+  {"level", "step", "step", false, true, ShownFor::graded},
+  {"dofs", "dofs", "dofs", false, true, ShownFor::all},
+  {"h", "h", "$h$", false, false, ShownFor::nested},
+  {"min_h", "smallest h", "smallest $h$", false, false, ShownFor::graded},
+  {"max_degree", "largest degree", "largest degree", false, true, ShownFor::graded},
+  {"u_h1", "‖u−u_h‖₁", "$\\|u-u_h\\|_1$", true, false, ShownFor::all},
+  {"u_l2", "‖u−u_h‖₀", "$\\|u-u_h\\|_0$", true, false, ShownFor::all},
+  {"p_l2", "‖p−p_H‖₀", "$\\|p-p_H\\|_0$", true, false, ShownFor::all},
+  {"estimated_h1", "estimate", "estimate", true, false, ShownFor::nested},
+  {"estimated_relative", "estimate", "estimate", false, false, ShownFor::graded},
+  {"bound_energy", "bound", "bound", false, false, ShownFor::all},
+  {"contact_force_n", "force", "force", false, false, ShownFor::all}};
 
 /** Texts, all rows as long as the header. */
 struct TextTable
@@ -74,15 +88,14 @@ TextTable collect(const std::vector<LevelRecord> &levels, const bool latex)
   table.rows.resize(levels.size());
   for (const PrintedColumn &column : printed_columns)
   {
+    if (column.shown_for == (graded ? ShownFor::nested : ShownFor::graded))
+      continue;
     if (std::none_of(levels.begin(), levels.end(), [&](const LevelRecord &level) {
           return value(level, column.name).has_value();
         }))
       continue;
     const bool has_order = column.has_order && !graded;
-    if (graded && std::string(column.name) == "level")
-      table.header.emplace_back("step");
-    else
-      table.header.emplace_back(latex ? column.latex : column.markdown);
+    table.header.emplace_back(latex ? column.latex : column.markdown);
     if (has_order)
       table.header.emplace_back("order");
     for (std::size_t i = 0; i < levels.size(); ++i)

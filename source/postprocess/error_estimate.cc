@@ -136,7 +136,7 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
   estimate.h1 = norm_1(of_U, 1.);
   estimate.mesh = std::sqrt(mesh_square);
   estimate.pressure = correction.energy_norm;
-  estimate.energy = std::hypot(estimate.mesh, estimate.pressure);
+  estimate.energy = std::hypot(std::sqrt(mesh_square), correction.energy_norm);
   if (estimate.energy > 0.)
     estimate.relative = estimate.energy / energy_scale(space, scene, U);
   return estimate;

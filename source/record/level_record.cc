@@ -12,23 +12,26 @@ namespace Signorini
 namespace
 {
 /** An estimated error divided by the true one. */
-std::optional<double> effectivity(const LevelRecord &record,
-                                  double ErrorEstimate::*const estimate,
+std::optional<double> effectivity(const std::optional<double> &estimate,
+                                  const LevelRecord &record,
                                   double DisplacementErrors::*const error)
 {
-  if (!record.estimate || !record.displacement_errors || (*record.displacement_errors).*error == 0.)
+  if (!estimate || !record.displacement_errors || (*record.displacement_errors).*error == 0.)
     return {};
-  return (*record.estimate).*estimate / ((*record.displacement_errors).*error);
+  return *estimate / ((*record.displacement_errors).*error);
 }
 
 std::optional<double> effectivity_h1(const LevelRecord &record)
 {
-  return effectivity(record, &ErrorEstimate::h1, &DisplacementErrors::h1);
+  return effectivity(
+    record.estimate ? record.estimate->h1 : std::nullopt, record, &DisplacementErrors::h1);
 }
 
 std::optional<double> effectivity_energy(const LevelRecord &record)
 {
-  return effectivity(record, &ErrorEstimate::energy, &DisplacementErrors::energy);
+  const std::optional<double> energy =
+    record.estimate ? std::optional<double>(record.estimate->energy) : std::nullopt;
+  return effectivity(energy, record, &DisplacementErrors::energy);
 }
 
 /** In the order of the members. */

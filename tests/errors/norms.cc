@@ -214,7 +214,7 @@ void threads(Checks &checks)
                                 *e.post_h1,
                                 *e.post4_h1,
                                 e.energy,
-                                estimate.h1,
+                                estimate.h1.value(),
                                 estimate.energy,
                                 estimate.relative});
   };

@@ -45,5 +45,19 @@ check "the contact force from contact-03.csv" [ "$force" = "$(column contact_for
 check "the peak pressure from contact-03.csv" [ "$peak" = "$(column max_pressure)" ]
 p=$(awk -F, 'NR > 1 && !seen[$10]++ { printf "%.12e ", $5 }' run/contact-03.csv)
 check "P from contact-03.csv" [ "$p" = "$(tail -n +3 run/P-03.mtx | awk '{ printf "%.12e ", $1 }')" ]
+
+# Graded meshes write other files, fields and columns.
+"$program" "${scene%/*}/b1.prm" --set Discretization/Strategy=hp --set 'Discretization/Coarsest level=2' \
+  --set 'Discretization/Target error=0.001' --set Output/VTU=all --set Output/Compliance=true --output hp >stdout 2>stderr
+check "a run on graded meshes" [ $? -eq 0 ]
+last=$(ls hp/mesh-*.svg | tail -n 1 | sed 's/.*mesh-\(..\).*/\1/')
+check "  with several steps" [ "$last" -ge 2 ]
+check "  files" all_named $(files_of hp)
+check "  columns" all_named $(columns_of hp/convergence.csv)
+check "  keys" all_named $(keys_of hp/certificate.json) $(keys_of hp/answer.json)
+check "  fields" all_named $(fields_of "hp/solution-$last.vtu") $(fields_of "hp/contact-$last.vtu")
+check "  the degree among them" grep -q 'Name="degree"' "hp/solution-$last.vtu"
+check "  P at the nodes from contact-$last.csv" [ "$(tail -n +3 "hp/P-$last.mtx" | wc -l)" -eq \
+  "$(awk -F, 'NR > 1 { ++rows[$10] } END { for (t in rows) n += (rows[t] - 3) / 2; print n }' "hp/contact-$last.csv")" ]
 echo "$failures failures"
 [ "$failures" -eq 0 ]

@@ -109,6 +109,39 @@ void tables_for_people(Checks &checks)
               tex.find("& 2.000e-01 & 1.00 &") != std::string::npos);
 }
 
+/** The same numbers as those of a graded sequence: nothing has an order in h. */
+void graded_tables(Checks &checks)
+{
+  auto steps = two_levels();
+  for (LevelRecord &step : steps)
+  {
+    step.sizes.max_degree = 2 + step.sizes.level;
+    step.sizes.min_h = 0.01;
+    step.estimate = ErrorEstimate{{}, 0.6, 0.25, {}, {}};
+  }
+  const std::string row = screen_row(steps[1], &steps[0]), errors = error_table(steps);
+  checks.that("graded: rows align with the header", screen_header(true).size() == row.size());
+  checks.that("graded: steps", screen_header(true).rfind(" step", 0) == 0);
+  checks.that("graded: no order", split_words(row).back() == "-");
+  checks.that("graded: no orders of errors",
+              errors.find("2.000e-01    -") != std::string::npos &&
+                errors.find("slope") == std::string::npos);
+  std::ostringstream markdown, csv;
+  write_convergence_markdown(markdown, steps);
+  write_convergence_csv(csv, steps);
+  checks.that("graded: columns for people",
+              markdown.str().rfind("| step | dofs | smallest h | largest degree | ‖u−u_h‖₁ | "
+                                   "‖u−u_h‖₀ | ‖p−p_H‖₀ | estimate | force |\n",
+                                   0) == 0);
+  checks.that("graded: a row of them",
+              markdown.str().find("| 3 | 50 | 1.000e-02 | 5 | 2.000e-01 | 5.000e-03 | 1.500e-01 | "
+                                  "2.500e-01 | 3.333e-01 |") != std::string::npos);
+  const auto rows = read_csv(csv.str());
+  checks.that("graded: an estimate without parts",
+              rows[1].at("estimated_h1").empty() && rows[1].at("estimated_mesh").empty() &&
+                rows[1].at("effectivity").empty() && rows[1].at("estimated_relative") == "0.25");
+}
+
 void screen_table(Checks &checks)
 {
   const auto levels = two_levels();
@@ -214,6 +247,7 @@ int main()
   convergence_csv(checks);
   tables_for_people(checks);
   screen_table(checks);
+  graded_tables(checks);
   certificate(checks);
   return checks.exit_code();
 }

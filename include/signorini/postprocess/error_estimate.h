@@ -5,6 +5,8 @@
 #include <signorini/elasticity/displacement_space.h>
 #include <signorini/postprocess/pressure_correction.h>
 
+#include <optional>
+
 namespace Signorini
 {
 /**
@@ -15,21 +17,22 @@ namespace Signorini
  *     |||u - u_h|||² = |||u - (u_h + z_h)|||² + |||z_h|||².
  *
  * The first part is estimated by the distance to pi^{2h}. Energy norms are roots of force x
- * length^{dim-1}.
+ * length^{dim-1}. An
+ * estimate that comes from elsewhere has no parts.
  */
 struct ErrorEstimate
 {
   /** ‖pi^{2h} u_h - u_h‖_{1,Omega}, of ‖u - u_h‖_1; asymptotically exact where pi^{2h} u_h
    * superconverges and |||z_h||| is small. */
-  double h1 = 0.;
-  /** (mesh² + pressure²)^{1/2}, of |||u - u_h|||. */
+  std::optional<double> h1;
+  /** Of |||u - u_h|||: (mesh² + pressure²)^{1/2}. */
   double energy = 0.;
   /** The same divided by energy_scale(): it depends neither on units nor on translations. */
   double relative = 0.;
   /** |||pi^{2h} v - v||| for v = u_h + z_h. */
-  double mesh = 0.;
+  std::optional<double> mesh;
   /** |||z_h|||. */
-  double pressure = 0.;
+  std::optional<double> pressure;
 
   static Columns<ErrorEstimate> columns();
 };
