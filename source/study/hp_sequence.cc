@@ -128,7 +128,7 @@ private:
     findings.error = std::max(findings.error, rounding * scale);
     findings.target = context_.judge.target_error() * scale;
     if (findings.unseen_contact.empty())
-      solution.record.estimate = ErrorEstimate{0., findings.error, findings.error / scale, 0., 0.};
+      solution.record.estimate = ErrorEstimate{{}, findings.error, findings.error / scale, {}, {}};
     return findings;
   }
 
