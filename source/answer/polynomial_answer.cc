@@ -57,9 +57,9 @@ PointOfPressure largest_on(const unsigned int patch,
   const auto pressure = [&](const double s) {
     return -multipliers.value(P, patch, dealii::Point<1>(s));
   };
-  if (multipliers.n_of(patch) == 1)
+  if (multipliers.unknowns_on(patch).size() == 1)
     return {tau.centre()[0], pressure(tau.centre()[0])};
-  const unsigned int n_intervals = 16 * multipliers.n_of(patch);
+  const unsigned int n_intervals = 16 * multipliers.unknowns_on(patch).size();
   const double step = tau.measure / n_intervals;
   PointOfPressure best = {tau.lower[0], pressure(tau.lower[0])};
   for (unsigned int i = 1; i <= n_intervals; ++i)

@@ -8,6 +8,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace Signorini
@@ -55,6 +56,17 @@ dealii::Quadrature<dim> on_box(const dealii::Quadrature<dim> &rule,
     weight *= volume;
   return dealii::Quadrature<dim>(points, weights);
 }
+/** The coordinates of a point of a patch; around a closed side those next to the patch. */
+template <int dim>
+dealii::Point<dim - 1>
+coordinates_on(const Patch<dim> &patch, const Side<dim> &side, const dealii::Point<dim> &x)
+{
+  dealii::Point<dim - 1> s = side.coordinates(x);
+  if constexpr (dim == 2)
+    if (side.is_closed())
+      s[0] += side.length() * std::round((patch.centre()[0] - s[0]) / side.length());
+  return s;
+}
 } // namespace
 
 template <int dim>
@@ -67,23 +79,26 @@ ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
 {
   divide(partition);
   // phi.n dS has degree one per direction on a flat face, and degree two on a parabola.
-  place_points(std::vector<unsigned int>(mesh.triangulation().n_active_cells(), 2));
+  place_points(std::vector<unsigned int>(mesh.triangulation().n_active_cells(), 2),
+               FaceRule::gauss);
 }
 
 template <int dim>
 ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
                                     const Scene<dim> &scene,
-                                    const std::vector<unsigned int> &n_points)
+                                    const std::vector<unsigned int> &n_points,
+                                    const FaceRule rule)
   : mesh_(mesh)
   , scene_(scene)
   , faces_(find_contact_faces(mesh, scene))
 {
   divide(Partition{1, 0});
-  place_points(n_points);
+  place_points(n_points, rule);
 }
 
 template <int dim>
-void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points)
+void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points,
+                                       const FaceRule face_rule)
 {
   const dealii::FE_Nothing<dim> no_functions;
   std::unique_ptr<dealii::FEFaceValues<dim>> values;
@@ -92,7 +107,11 @@ void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points
   {
     const unsigned int n = n_points[faces_[piece.face].cell->active_cell_index()];
     const dealii::Quadrature<dim - 1> rule =
-      on_box<dim - 1>(dealii::QGauss<dim - 1>(n), piece.lower_on_face, piece.upper_on_face);
+      on_box<dim - 1>(face_rule == FaceRule::gauss
+                        ? dealii::Quadrature<dim - 1>(dealii::QGauss<dim - 1>(n))
+                        : dealii::Quadrature<dim - 1>(dealii::QGaussLobatto<dim - 1>(n)),
+                      piece.lower_on_face,
+                      piece.upper_on_face);
     // Nearly all pieces are whole faces or the same part of one.
     if (values == nullptr || rule.get_points() != last_points)
       values = std::make_unique<dealii::FEFaceValues<dim>>(mesh_.mapping(),
@@ -109,7 +128,7 @@ void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points
     on_mesh.normals = values->get_normal_vectors();
     on_mesh.weights = values->get_JxW_values();
     for (const dealii::Point<dim> &x : on_mesh.points)
-      on_mesh.on_side.push_back(side(patches_[piece.patch]).coordinates(x));
+      on_mesh.on_side.push_back(coordinates_on(patches_[piece.patch], side(patches_[piece.patch]), x));
   }
 }
 

@@ -74,16 +74,16 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
     const auto &values = traces.reinit(face, rule.on_face);
     const auto indices = space.cell_dofs(face.cell);
     const double measure = std::accumulate(rule.weights.begin(), rule.weights.end(), 0.);
-    const unsigned int first = multipliers.first_of(piece.patch);
-    for (unsigned int k = first; k < first + multipliers.n_of(piece.patch); ++k)
-      for (unsigned int j = 0; j < indices.size(); ++j)
+    const auto &unknowns = multipliers.unknowns_on(piece.patch);
+    for (unsigned int k = 0; k < unknowns.size(); ++k)
+      for (unsigned int j = 0; j < indices.size() && unknowns[k] != multipliers.no_unknown; ++j)
       {
         double integral = 0.;
         for (std::size_t q = 0; q < rule.size(); ++q)
           integral += values[displacement].value(j, q) * rule.normals[q] *
-                      multipliers.shape_value(k, rule.on_side[q]) * rule.weights[q];
+                      multipliers.shape_value(piece.patch, k, rule.on_side[q]) * rule.weights[q];
         if (std::abs(integral) > 1e-15 * measure)
-          columns[k][indices[j]] += integral;
+          columns[unknowns[k]][indices[j]] += integral;
       }
   }
   return to_coupling(columns);

@@ -14,17 +14,37 @@ namespace Signorini
 {
 namespace
 {
+/** The most nodes of a patch. */
+constexpr unsigned int most_nodes = 24;
+
 /** The Gauss points of every number from 1 on, between 0 and 1, with their weights. */
-const dealii::QGauss<1> &gauss_rule(const unsigned int n_points)
+const dealii::Quadrature<1> &gauss_rule(const unsigned int n_points)
 {
-  static const std::vector<dealii::QGauss<1>> rules = []() {
-    constexpr unsigned int most = 24;
-    std::vector<dealii::QGauss<1>> all;
-    for (unsigned int n = 1; n <= most; ++n)
-      all.emplace_back(n);
+  static const std::vector<dealii::Quadrature<1>> rules = []() {
+    std::vector<dealii::Quadrature<1>> all;
+    for (unsigned int n = 1; n <= most_nodes; ++n)
+      all.emplace_back(dealii::QGauss<1>(n));
     return all;
   }();
   return rules.at(n_points - 1);
+}
+
+/** The same with the ends, from two points on. */
+const dealii::Quadrature<1> &lobatto_rule(const unsigned int n_points)
+{
+  static const std::vector<dealii::Quadrature<1>> rules = []() {
+    std::vector<dealii::Quadrature<1>> all;
+    for (unsigned int n = 2; n <= most_nodes; ++n)
+      all.emplace_back(dealii::QGaussLobatto<1>(n));
+    return all;
+  }();
+  return rules.at(n_points - 2);
+}
+
+template <typename Nodes>
+const dealii::Quadrature<1> &rule_of(const Nodes nodes, const unsigned int n_points)
+{
+  return nodes == Nodes::lobatto ? lobatto_rule(n_points) : gauss_rule(n_points);
 }
 
 /** Where a point of the side lies on a patch, between 0 and 1. */
@@ -43,48 +63,82 @@ MultiplierSpace<dim>::MultiplierSpace(const ContactSurface<dim> &surface)
 
 template <int dim>
 MultiplierSpace<dim>::MultiplierSpace(const ContactSurface<dim> &surface,
-                                      const std::vector<unsigned int> &n_unknowns)
+                                      const std::vector<unsigned int> &n_nodes,
+                                      const Nodes nodes,
+                                      const std::vector<unsigned int> &without)
   : surface_(surface)
+  , nodes_(nodes)
   , first_({0})
 {
-  AssertDimension(n_unknowns.size(), surface.patches().size());
-  for (unsigned int patch = 0; patch < n_unknowns.size(); ++patch)
+  AssertDimension(n_nodes.size(), surface.patches().size());
+  number(n_nodes, without);
+}
+
+template <int dim>
+void MultiplierSpace<dim>::number(const std::vector<unsigned int> &n_nodes,
+                                  const std::vector<unsigned int> &without)
+{
+  const std::vector<Patch<dim>> &patches = surface_.patches();
+  unsigned int n_all = 0;
+  const auto next_unknown = [&](const unsigned int patch, const unsigned int node) {
+    if (std::binary_search(without.begin(), without.end(), n_all++))
+      return no_unknown;
+    patch_of_.push_back(patch);
+    node_of_.push_back(node);
+    return static_cast<unsigned int>(patch_of_.size()) - 1;
+  };
+  unsigned int first_on_side = 0;
+  for (unsigned int patch = 0; patch < n_nodes.size(); ++patch)
   {
-    Assert(dim == 2 || n_unknowns[patch] == 1, dealii::ExcNotImplemented());
-    patch_of_.insert(patch_of_.end(), n_unknowns[patch], patch);
+    Assert(dim == 2 || n_nodes[patch] == 1, dealii::ExcNotImplemented());
+    const bool starts_side = patch == 0 || patches[patch - 1].side != patches[patch].side;
+    const bool ends_side =
+      patch + 1 == patches.size() || patches[patch + 1].side != patches[patch].side;
+    if (starts_side)
+      first_on_side = patch;
+    unknowns_.emplace_back();
+    Unknowns &unknowns = unknowns_.back();
+    for (unsigned int node = 0; node < n_nodes[patch]; ++node)
+      if (nodes_ == Nodes::lobatto && node == 0 && !starts_side)
+        unknowns.push_back(unknowns_[patch - 1].back());
+      else if (nodes_ == Nodes::lobatto && node + 1 == n_nodes[patch] && ends_side &&
+               closes(patches[patch]))
+        unknowns.push_back(unknowns_[first_on_side].front());
+      else
+        unknowns.push_back(next_unknown(patch, node));
     first_.push_back(patch_of_.size());
   }
 }
 
 template <int dim>
-unsigned int MultiplierSpace<dim>::largest_degree() const
+bool MultiplierSpace<dim>::closes(const Patch<dim> &last) const
 {
-  unsigned int largest = 0;
-  for (unsigned int patch = 0; patch + 1 < first_.size(); ++patch)
-    largest = std::max(largest, n_of(patch) - 1);
-  return largest;
+  if constexpr (dim == 2)
+    return surface_.side(last).is_closed();
+  else
+    return false;
 }
 
 template <int dim>
 dealii::Point<dim - 1> MultiplierSpace<dim>::node(const unsigned int unknown) const
 {
   const Patch<dim> &patch = surface_.patches()[patch_of(unknown)];
-  const unsigned int n = n_of(patch_of(unknown));
+  const auto n = static_cast<unsigned int>(unknowns_[patch_of(unknown)].size());
   if (n == 1)
     return patch.centre();
-  const double t = gauss_rule(n).point(unknown - first_of(patch_of(unknown)))[0];
+  const double t = rule_of(nodes_, n).point(node_of_[unknown])[0];
   return patch.lower + t * (patch.upper - patch.lower);
 }
 
 template <int dim>
-double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
+double MultiplierSpace<dim>::shape_value(const unsigned int patch,
+                                         const unsigned int i,
                                          const dealii::Point<dim - 1> &s) const
 {
-  const unsigned int patch = patch_of(unknown), n = n_of(patch);
+  const auto n = static_cast<unsigned int>(unknowns_[patch].size());
   if (n == 1)
     return 1.;
-  const auto &nodes = gauss_rule(n).get_points();
-  const unsigned int i = unknown - first_of(patch);
+  const auto &nodes = rule_of(nodes_, n).get_points();
   const double t = position(surface_.patches()[patch], s);
   double value = 1.;
   for (unsigned int j = 0; j < n; ++j)
@@ -94,13 +148,22 @@ double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
 }
 
 template <int dim>
+double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
+                                         const dealii::Point<dim - 1> &s) const
+{
+  return shape_value(patch_of(unknown), node_of_[unknown], s);
+}
+
+template <int dim>
 double MultiplierSpace<dim>::value(const Vector &P,
                                    const unsigned int patch,
                                    const dealii::Point<dim - 1> &s) const
 {
+  const Unknowns &unknowns = unknowns_[patch];
   double p = 0.;
-  for (unsigned int k = first_of(patch); k < first_of(patch + 1); ++k)
-    p += P[k] * shape_value(k, s);
+  for (unsigned int i = 0; i < unknowns.size(); ++i)
+    if (unknowns[i] != no_unknown)
+      p += P[unknowns[i]] * shape_value(patch, i, s);
   return p;
 }
 
@@ -114,11 +177,13 @@ template <int dim>
 dealii::Vector<double> MultiplierSpace<dim>::integrals() const
 {
   Vector integrals(n_multipliers());
-  for (unsigned int k = 0; k < n_multipliers(); ++k)
+  for (unsigned int patch = 0; patch < unknowns_.size(); ++patch)
   {
-    const unsigned int patch = patch_of(k);
-    integrals[k] =
-      surface_.patches()[patch].measure * gauss_rule(n_of(patch)).weight(k - first_of(patch));
+    const Unknowns &unknowns = unknowns_[patch];
+    const dealii::Quadrature<1> &rule = rule_of(nodes_, unknowns.size());
+    for (unsigned int i = 0; i < unknowns.size(); ++i)
+      if (unknowns[i] != no_unknown)
+        integrals[unknowns[i]] += surface_.patches()[patch].measure * rule.weight(i);
   }
   return integrals;
 }
@@ -126,7 +191,8 @@ dealii::Vector<double> MultiplierSpace<dim>::integrals() const
 template <int dim>
 dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) const
 {
-  // int psi_j psi_k = delta_jk int psi_k: Gauss' rule integrates the product exactly.
+  // int psi_j psi_k = delta_jk int psi_k: Gauss' rule integrates the product exactly. At nodes of
+  // Lobatto this is the projection by their rule.
   Vector coefficients = moments;
   const Vector squares = integrals();
   for (unsigned int k = 0; k < n_multipliers(); ++k)

@@ -63,23 +63,42 @@ void refuse_unstable_patches(const Parameters &parameters, const ContactSurface<
                      "has at least two faces per patch.");
 }
 
-/** Enough for a trace, a multiplier and a component of the normal of a curved face. */
-std::vector<unsigned int> points_on_contact_faces(const DisplacementSpace<2> &space)
+/** Gamma_c, face by face. With Gauss points enough for a trace, a multiplier and a component of the
+ * normal of a curved face; for collocation with the nodes. */
+ContactSurface<2> make_surface(const DisplacementSpace<2> &space,
+                               const Scene<2> &scene,
+                               const HpMultipliers multipliers)
 {
   std::vector<unsigned int> n_points = degrees_of(space);
+  const bool nodal = multipliers == HpMultipliers::nodal;
   for (unsigned int &n : n_points)
-    n += space.mesh().is_curved() ? 3 : 0;
-  return n_points;
+    n += nodal ? 1 : space.mesh().is_curved() ? 3 : 0;
+  return ContactSurface<2>(
+    space.mesh(), scene, n_points, nodal ? FaceRule::lobatto : FaceRule::gauss);
 }
 
-/** P_{p-2} on every face of degree p: p - 1 unknowns. */
-std::vector<unsigned int> unknowns_of_patches(const DisplacementSpace<2> &space,
-                                              const ContactSurface<2> &surface)
+/** P_{p-2} on every face of degree p; for collocation one unknown for every node whose normal
+ * displacement is not prescribed. */
+MultiplierSpace<2> make_multipliers(const DisplacementSpace<2> &space,
+                                    const ContactSurface<2> &surface,
+                                    const HpMultipliers multipliers)
 {
-  std::vector<unsigned int> n_unknowns(surface.patches().size());
+  const bool nodal = multipliers == HpMultipliers::nodal;
+  std::vector<unsigned int> n_nodes(surface.patches().size());
   for (const Piece<2> &piece : surface.pieces())
-    n_unknowns[piece.patch] = space.element(surface.faces()[piece.face].cell).degree - 1;
-  return n_unknowns;
+    n_nodes[piece.patch] =
+      space.element(surface.faces()[piece.face].cell).degree + (nodal ? 1 : -1);
+  if (!nodal)
+    return MultiplierSpace<2>(surface, n_nodes);
+  const auto nodes = MultiplierSpace<2>::Nodes::lobatto;
+  const Coupling D =
+    condense(assemble_coupling(space, MultiplierSpace<2>(surface, n_nodes, nodes)),
+             space.constraints());
+  std::vector<unsigned int> held;
+  for (unsigned int k = 0; k < D.n_columns(); ++k)
+    if (D.column(k).empty())
+      held.push_back(k);
+  return MultiplierSpace<2>(surface, n_nodes, nodes, held);
 }
 } // namespace
 
@@ -126,10 +145,14 @@ Discretization<2>::Discretization(const Parameters &parameters,
   , space(timed(times.setup,
                 [&]() { return DisplacementSpace<2>(mesh, scene, plan_degrees(plan, mesh)); }))
   , surface(timed(times.setup,
-                  [&]() { return ContactSurface<2>(mesh, scene, points_on_contact_faces(space)); }))
+                  [&]() {
+                    return make_surface(space, scene, parameters.discretization.multipliers);
+                  }))
   , multipliers(
       timed(times.setup,
-            [&]() { return MultiplierSpace<2>(surface, unknowns_of_patches(space, surface)); }))
+            [&]() {
+              return make_multipliers(space, surface, parameters.discretization.multipliers);
+            }))
   , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
   , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
   , G(timed(times.setup, [&]() { return assemble_gap(multipliers, n_points + 2, Grading::none); }))

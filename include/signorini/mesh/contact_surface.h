@@ -86,6 +86,14 @@ struct Partition
   unsigned int patches_per_side = 0;
 };
 
+/** The points on a face as the mesh has it. */
+enum class FaceRule
+{
+  gauss,
+  /** With the ends of the face: the nodes of its trace. */
+  lobatto
+};
+
 /** Where a rule is refined. */
 enum class Grading
 {
@@ -109,11 +117,12 @@ public:
   /** Mesh and scene must outlive the object. @throws ComputationError in space for a partition that
    * is not made of cells of a coarser level. */
   ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &scene, const Partition &partition);
-  /** In the plane: every face is a patch. @param n_points Gauss points on every piece, by the
-   * active cell to which it belongs. */
+  /** In the plane: every face is a patch. @param n_points on every piece, by the active cell to which
+   * it belongs. */
   ContactSurface(const Mesh<dim> &mesh,
                  const Scene<dim> &scene,
-                 const std::vector<unsigned int> &n_points);
+                 const std::vector<unsigned int> &n_points,
+                 FaceRule rule = FaceRule::gauss);
 
   const std::vector<ContactFace<dim>> &faces() const
   {
@@ -163,7 +172,7 @@ private:
   /** Sorts the faces and makes patches and pieces. */
   void divide(const Partition &partition);
   /** Fills Piece::on_mesh with so many points, by active cell. */
-  void place_points(const std::vector<unsigned int> &n_points);
+  void place_points(const std::vector<unsigned int> &n_points, FaceRule rule);
 
   const Mesh<dim> &mesh_;
   const Scene<dim> &scene_;

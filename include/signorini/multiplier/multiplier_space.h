@@ -14,7 +14,11 @@ namespace Signorini
  * Lagrange basis psi_k at the n Gauss points of the patch: p_H = sum P_k psi_k. For n = 1 that is
  * psi = 1. With n - 1 = p - 2 on the faces of elements of degree p the pair is inf-sup stable. The
  * basis is orthogonal in L2, and P_k is the value of p_H at a Gauss point, where N^H asks for its
- * sign. Whoever needs unknowns, signs, values or integrals of multipliers asks this space, so that
+ * sign.
+ *
+ * On the nodes of the trace of V^h (Nodes::lobatto) p_H is continuous: neighbouring patches share
+ * the node between them. With the rules of Gauss and Lobatto on the faces D and G are then those of
+ * collocation, u_n <= g at the nodes. Whoever needs unknowns, signs, values or integrals of multipliers asks this space, so that
  * another basis is a matter of this file.
  */
 template <int dim>
@@ -22,11 +26,28 @@ class MultiplierSpace
 {
 public:
   using Vector = dealii::Vector<double>;
+  /** The numbers of the unknowns at the nodes of a patch, in the order of arc length. */
+  using Unknowns = std::vector<unsigned int>;
+  /** Stands for a node without an unknown: there p_H is zero. */
+  static constexpr unsigned int no_unknown = dealii::numbers::invalid_unsigned_int;
+
+  /** Where a patch with several unknowns has its nodes. */
+  enum class Nodes
+  {
+    gauss,
+    lobatto
+  };
 
   /** Constants. @param surface must outlive the object. */
   explicit MultiplierSpace(const ContactSurface<dim> &surface);
-  /** @param n_unknowns of every patch, at least one. Only in the plane more than one. */
-  MultiplierSpace(const ContactSurface<dim> &surface, const std::vector<unsigned int> &n_unknowns);
+  /**
+   * @param n_nodes of every patch, at least one, or two of Lobatto. Only in the plane more than one.
+   * @param without numbers of unknowns, sorted, as they are without this list: these nodes get none.
+   */
+  MultiplierSpace(const ContactSurface<dim> &surface,
+                  const std::vector<unsigned int> &n_nodes,
+                  Nodes nodes = Nodes::gauss,
+                  const std::vector<unsigned int> &without = {});
 
   const ContactSurface<dim> &surface() const
   {
@@ -37,7 +58,20 @@ public:
   {
     return patch_of_.size();
   }
-  /** The unknowns of a patch are first_of(patch), ..., first_of(patch + 1) - 1. */
+  Nodes nodes() const
+  {
+    return nodes_;
+  }
+  /** All unknowns whose functions do not vanish on a patch. */
+  const Unknowns &unknowns_on(const unsigned int patch) const
+  {
+    return unknowns_[patch];
+  }
+  /** The function of the i-th of these at a point of the side. */
+  double shape_value(unsigned int patch, unsigned int i, const dealii::Point<dim - 1> &s) const;
+
+  /** Every unknown belongs to one patch, which has first_of(patch), ..., first_of(patch + 1) - 1; of
+   * two patches that share a node, to the first. */
   unsigned int first_of(const unsigned int patch) const
   {
     return first_[patch];
@@ -55,8 +89,6 @@ public:
   {
     return n_multipliers() == surface_.patches().size();
   }
-  /** Whether integrals of p_H against the basis need more than the midpoint: the highest degree. */
-  unsigned int largest_degree() const;
   /** The point of the side at which the unknown is the value of p_H. */
   dealii::Point<dim - 1> node(unsigned int unknown) const;
 
@@ -73,10 +105,19 @@ public:
   Vector project(const Vector &moments) const;
 
 private:
+  /** Whether the last node of a side is its first one, too. */
+  bool closes(const Patch<dim> &last) const;
+  /** Numbers the unknowns, patch after patch. */
+  void number(const std::vector<unsigned int> &n_nodes, const std::vector<unsigned int> &without);
+
   const ContactSurface<dim> &surface_;
+  Nodes nodes_;
+  /** By patch. */
+  std::vector<Unknowns> unknowns_;
   /** By patch, and the number of all. */
   std::vector<unsigned int> first_;
-  std::vector<unsigned int> patch_of_;
+  /** By unknown: its patch, and its node there. */
+  std::vector<unsigned int> patch_of_, node_of_;
 };
 
 /** int q psi_k for all k, where @p values_on (piece, rule) is a function q at the points
@@ -90,13 +131,18 @@ dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> 
   dealii::Vector<double> moments(space.n_multipliers());
   for (const Piece<dim> &piece : space.surface().pieces())
   {
-    const unsigned int n_unknowns = space.n_of(piece.patch);
-    const SurfaceRule<dim> rule = space.surface().rule(piece, n_points + n_unknowns - 1, grading);
+    const auto &unknowns = space.unknowns_on(piece.patch);
+    // Collocation has its own rule.
+    const SurfaceRule<dim> rule =
+      space.nodes() == MultiplierSpace<dim>::Nodes::lobatto
+        ? piece.on_mesh
+        : space.surface().rule(piece, n_points + unknowns.size() - 1, grading);
     const std::vector<double> q = values_on(piece, rule);
-    const unsigned int first = space.first_of(piece.patch);
-    for (unsigned int k = first; k < first + n_unknowns; ++k)
-      for (std::size_t i = 0; i < rule.size(); ++i)
-        moments[k] += q[i] * space.shape_value(k, rule.on_side[i]) * rule.weights[i];
+    for (unsigned int k = 0; k < unknowns.size(); ++k)
+      if (unknowns[k] != space.no_unknown)
+        for (std::size_t i = 0; i < rule.size(); ++i)
+          moments[unknowns[k]] +=
+            q[i] * space.shape_value(piece.patch, k, rule.on_side[i]) * rule.weights[i];
   }
   return moments;
 }
