@@ -5,6 +5,7 @@
 #include <signorini/norms/h1_gram_matrix.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
@@ -22,16 +23,16 @@ namespace
  * the ellipse around the edge on which Gauss' rule with n points converges like rho^{-2n} has
  * rho = (sqrt(r) + 1)/(sqrt(r) - 1).
  *
- * @return n with rho^{-2n} below 1e-10, and a point more for the polynomial; from @p fewest, which
- * is enough for r = 1, to 40.
+ * @return n with rho^{-2n} below 1e-10, and as many points more for the polynomial as the element's
+ * degree says; from degree + 2, which is enough for r = 1, to 39 + degree.
  */
-unsigned int points_for_ratio(const double r, const unsigned int fewest)
+unsigned int points_for_ratio(const double r, const unsigned int degree)
 {
-  constexpr double most = 40.;
+  constexpr double most = 39.;
   const double root = std::sqrt(std::max(r, 1.));
   const double logarithm = std::log((root + 1.) / (root - 1.));
-  const double n = std::ceil(0.5 * std::log(1e10) / logarithm) + 1.;
-  return std::max(fewest, static_cast<unsigned int>(std::min(n, most)));
+  const double n = std::min(most, std::ceil(0.5 * std::log(1e10) / logarithm));
+  return degree + std::max(2U, static_cast<unsigned int>(n));
 }
 
 /** Shape functions at as many Gauss points as the shape of a cell asks for. */
@@ -40,9 +41,8 @@ class ValuesByShape
 {
 public:
   explicit ValuesByShape(const DisplacementSpace<dim> &space)
-    : space_(space)
-    , shape_(space.mesh().mapping(),
-             space.element(),
+    : shape_(space.mesh().mapping(),
+             no_functions_,
              dealii::QIterated<dim>(dealii::QTrapezoid<1>(), 2),
              dealii::update_jacobians)
   {
@@ -51,13 +51,13 @@ public:
   const dealii::FEValues<dim> &
   reinit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell)
   {
-    const unsigned int n =
-      points_for_ratio(ratio_of_determinants(cell), space_.element().degree + 2);
-    std::unique_ptr<dealii::FEValues<dim>> &values = values_[n];
+    const dealii::FiniteElement<dim> &element = cell->get_fe();
+    const unsigned int n = points_for_ratio(ratio_of_determinants(cell), element.degree);
+    std::unique_ptr<dealii::FEValues<dim>> &values = values_[{element.degree, n}];
     if (values == nullptr)
       values = std::make_unique<dealii::FEValues<dim>>(
         shape_.get_mapping(),
-        space_.element(),
+        element,
         dealii::QGauss<dim>(n),
         dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
     values->reinit(cell);
@@ -66,7 +66,8 @@ public:
 
 private:
   /** The largest over the smallest, at the vertices and the middles between them. */
-  double ratio_of_determinants(const typename dealii::Triangulation<dim>::cell_iterator &cell)
+  double
+  ratio_of_determinants(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
   {
     shape_.reinit(cell);
     double smallest = shape_.jacobian(0).determinant(), largest = smallest;
@@ -78,10 +79,10 @@ private:
     return largest / smallest;
   }
 
-  const DisplacementSpace<dim> &space_;
+  dealii::FE_Nothing<dim> no_functions_;
   dealii::FEValues<dim> shape_;
-  /** By the number of points per direction. */
-  std::map<unsigned int, std::unique_ptr<dealii::FEValues<dim>>> values_;
+  /** By the degree and the number of points per direction. */
+  std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<dealii::FEValues<dim>>> values_;
 };
 } // namespace
 
@@ -90,16 +91,18 @@ dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const Displacemen
 {
   dealii::TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
   ValuesByShape<dim> values_by_shape(space);
-  const dealii::FiniteElement<dim> &element = space.element();
-  const unsigned int n = element.n_dofs_per_cell();
-  dealii::FullMatrix<double> cell_matrix(n);
-  std::vector<dealii::types::global_dof_index> indices(n);
+  dealii::FullMatrix<double> cell_matrix;
+  std::vector<dealii::types::global_dof_index> indices;
   MatrixScatter<dim> scatter(space, A_1);
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
     if (!cell->is_locally_owned())
       continue;
     const dealii::FEValues<dim> &values = values_by_shape.reinit(cell);
+    const dealii::FiniteElement<dim> &element = cell->get_fe();
+    const unsigned int n = element.n_dofs_per_cell();
+    cell_matrix.reinit(n, n);
+    indices.resize(n);
     // The same block for every component.
     for (unsigned int v = 0; v < n / dim; ++v)
       for (unsigned int w = 0; w <= v; ++w)

@@ -3,7 +3,7 @@
 
 #include <signorini/compliance/compliance.h>
 #include <signorini/norms/h1_gram_matrix.h>
-#include <signorini/norms/spectral_norm.h>
+#include <signorini/norms/polynomial_gram.h>
 #include <signorini/postprocess/inf_sup.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -33,7 +33,7 @@ double measure_inf_sup(const DisplacementSpace<dim> &space,
   const auto inverse = factorise(A_1, 1., linear_solver, contact_unknowns(condensed_D));
   double seconds = 0.;
   auto DA_1D = to_lapack(make_compliance(*inverse, condensed_D, seconds)->dense());
-  auto S = to_lapack(dual_gram_matrix(multipliers.surface()));
+  auto S = to_lapack(dual_gram_matrix(multipliers));
   std::vector<dealii::Vector<double>> no_eigenvectors;
   DA_1D.compute_generalized_eigenvalues_symmetric(S, no_eigenvectors);
   double smallest = DA_1D.eigenvalue(0).real();

@@ -16,9 +16,15 @@ struct Node
 };
 
 /** The nodes of a side in the order of arc length; a closed side ends with its first node again. */
-std::vector<Node> nodes_on(const unsigned int side,
-                           const MultiplierSpace<2> &multipliers,
-                           const dealii::Vector<double> &P)
+struct NodesOfSide
+{
+  std::vector<Node> nodes;
+  bool closed = false;
+};
+
+NodesOfSide nodes_on(const unsigned int side,
+                     const MultiplierSpace<2> &multipliers,
+                     const dealii::Vector<double> &P)
 {
   const double threshold = pressing_threshold(P);
   const std::vector<Patch<2>> &patches = multipliers.surface().patches();
@@ -32,9 +38,10 @@ std::vector<Node> nodes_on(const unsigned int side,
     curve = &multipliers.surface().side(patch);
     nodes.push_back({multipliers.node(k)[0], P[k] < threshold});
   }
-  if (curve != nullptr && curve->is_closed())
+  const bool closed = curve != nullptr && curve->is_closed();
+  if (closed)
     nodes.push_back({nodes.front().s + curve->length(), nodes.front().presses});
-  return nodes;
+  return {nodes, closed};
 }
 } // namespace
 
@@ -47,7 +54,7 @@ std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multiplie
     n_sides = std::max(n_sides, patch.side + 1);
   for (unsigned int side = 0; side < n_sides; ++side)
   {
-    const std::vector<Node> nodes = nodes_on(side, multipliers, P);
+    const auto [nodes, closed] = nodes_on(side, multipliers, P);
     const std::size_t first = brackets.size();
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
     {
@@ -57,6 +64,13 @@ std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multiplie
         brackets.back().to = nodes[i + 1].s;
       else
         brackets.push_back({side, nodes[i].s, nodes[i + 1].s});
+    }
+    // The first node of a closed side is the last one, too.
+    if (closed && brackets.size() > first + 1 && brackets[first].from == nodes.front().s &&
+        brackets.back().to == nodes.back().s)
+    {
+      brackets.back().to += brackets[first].to - brackets[first].from;
+      brackets.erase(brackets.begin() + first);
     }
   }
   return brackets;

@@ -16,11 +16,14 @@ namespace
 /** The limit of Inf-sup constant = automatic: it needs a factorisation of its own. */
 constexpr unsigned int largest_automatic_inf_sup = 100000;
 
-/** Whether the constant of Lemma 1 is asked for on a level of this size. */
-bool wants_inf_sup(const Choice choice, const unsigned long long n_dofs)
+/** Whether the constant of Lemma 1 is asked for on a level of this size. On graded meshes it has
+ * the same value in each step. */
+bool wants_inf_sup(const Parameters &parameters, const unsigned long long n_dofs)
 {
+  const Choice choice = parameters.output.inf_sup_constant;
   return choice == Choice::yes ||
-         (choice == Choice::automatic && n_dofs <= largest_automatic_inf_sup);
+         (choice == Choice::automatic && parameters.discretization.strategy == Strategy::nested &&
+          n_dofs <= largest_automatic_inf_sup);
 }
 
 /** The bound is asked for where the study may stop. */
@@ -124,8 +127,7 @@ void examine(const Parameters &parameters,
   LevelRecord &record = solution.record;
   const StageTimer timer(record.times.postprocess);
   const DisplacementSpace<dim> &space = discretization.space;
-  if (parameters.discretization.strategy == Strategy::nested &&
-      wants_inf_sup(parameters.output.inf_sup_constant, space.dofs().n_dofs()))
+  if (wants_inf_sup(parameters, space.dofs().n_dofs()))
   {
     progress("inf-sup constant");
     record.inf_sup = measure_inf_sup(space,

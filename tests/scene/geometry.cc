@@ -7,6 +7,7 @@
 #include <signorini/scene_input/described.h>
 
 #include <cmath>
+#include <set>
 
 #include "tests.h"
 
@@ -199,6 +200,64 @@ void test_curved_geometry(Checks &checks)
   scene.boundary[0].role = Role::clamped;
   checks.that("clamped ring", free_rigid_motions(scene).empty());
 }
+
+/** The positions of the vertices of a mesh, in ascending order. */
+std::vector<double> positions(const dealii::Triangulation<2> &mesh, const unsigned int d)
+{
+  std::set<double> found;
+  for (const Point &x : mesh.get_vertices())
+    found.insert(x[d]);
+  return {found.begin(), found.end()};
+}
+
+/** The rectangle (-1, 1) x (0, 2) with 2 x 1 coarse cells, refined once: four intervals between -1
+ * and 1, two between 0 and 2. */
+void test_lines(Checks &checks)
+{
+  struct Row
+  {
+    std::string name;
+    std::vector<double> lines, expected;
+  };
+  const Geometry<2> rectangle = make_rectangle({-1., 0.}, {1., 2.}, {2, 1});
+  for (const Row &row :
+       std::vector<Row>{{"no lines", {}, {-1., -0.5, 0., 0.5, 1.}},
+                        {"the nearest line moves", {0.4}, {-1., -0.5, 0., 0.4, 1.}},
+                        {"a line of the mesh stays", {-0.5}, {-1., -0.5, 0., 0.5, 1.}},
+                        {"two lines near one position", {0.4, 0.6}, {-1., -0.5, 0., 0.4, 0.6, 1.}},
+                        {"in any order", {0.6, -0.3, 0.4}, {-1., -0.3, 0., 0.4, 0.6, 1.}},
+                        {"next to a side", {-0.9, 0.99}, {-1., -0.9, -0.5, 0., 0.5, 0.99, 1.}},
+                        {"on the sides and outside", {-1., 1., -3., 1.5}, {-1., -0.5, 0., 0.5, 1.}},
+                        {"given twice", {0.3, 0.3}, {-1., -0.5, 0., 0.3, 1.}}})
+  {
+    dealii::Triangulation<2> mesh;
+    rectangle.make_mesh_with_lines(mesh, 1, {{row.lines, {}}});
+    const std::vector<double> found = positions(mesh, 0);
+    double error = found.size() == row.expected.size() ? 0. : 1.;
+    for (std::size_t i = 0; i < found.size() && error == 0.; ++i)
+      error = std::max(error, std::abs(found[i] - row.expected[i]));
+    checks.near("lines, " + row.name, error, 0., 1e-14);
+    checks.that("lines, " + row.name + ": as many cells",
+                mesh.n_active_cells() == 2 * (row.expected.size() - 1));
+  }
+  dealii::Triangulation<2> mesh;
+  rectangle.make_mesh_with_lines(mesh, 1, {{{0.4}, {0.9, 1.7}}});
+  const std::vector<double> y = positions(mesh, 1);
+  checks.that("lines in both directions",
+              y.size() == 4 && std::abs(y[1] - 0.9) < 1e-14 && std::abs(y[2] - 1.7) < 1e-14);
+  // Boundary faces carry the numbers of the sides.
+  double off_side = 0.;
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary())
+    {
+      const Side<2> &side = rectangle.sides[face->boundary_id()];
+      for (const unsigned int v : face->vertex_indices())
+        off_side = std::max(off_side, std::abs((face->vertex(v) - side.start()) * side.normal(0.)));
+    }
+  checks.near("lines: numbers of the sides", off_side, 0., 1e-14);
+  checks.that("a polygon has no such mesh",
+              !make_polygon({{0., 0.}, {1., 0.}, {0., 1.}}).make_mesh_with_lines);
+}
 } // namespace
 
 int main()
@@ -206,6 +265,7 @@ int main()
   dealii::deal_II_exceptions::disable_abort_on_exception();
   Checks checks;
   test_geometry(checks);
+  test_lines(checks);
   test_curved_geometry(checks);
   test_rigid_motions(checks);
   return checks.exit_code();
