@@ -19,8 +19,8 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<2> &space,
   std::vector<double> p;
   for (const Piece<2> &piece : space.surface().pieces())
   {
-    const SurfaceRule<2> rule =
-      space.surface().rule(piece, n_points + space.unknowns_on(piece.patch).size() - 1, Grading::towards_kinks);
+    const SurfaceRule<2> rule = space.surface().rule(
+      piece, n_points + space.unknowns_on(piece.patch).size() - 1, Grading::towards_kinks);
     p.resize(rule.size());
     space.surface().condition(piece).exact_pressure->value_list(rule.points, p);
     for (std::size_t q = 0; q < rule.size(); ++q)

@@ -58,8 +58,9 @@ dealii::Quadrature<dim> on_box(const dealii::Quadrature<dim> &rule,
 }
 /** The coordinates of a point of a patch; around a closed side those next to the patch. */
 template <int dim>
-dealii::Point<dim - 1>
-coordinates_on(const Patch<dim> &patch, const Side<dim> &side, const dealii::Point<dim> &x)
+dealii::Point<dim - 1> coordinates_on(const Patch<dim> &patch,
+                                      const Side<dim> &side,
+                                      const dealii::Point<dim> &x)
 {
   dealii::Point<dim - 1> s = side.coordinates(x);
   if constexpr (dim == 2)
@@ -106,12 +107,11 @@ void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points
   for (Piece<dim> &piece : pieces_)
   {
     const unsigned int n = n_points[faces_[piece.face].cell->active_cell_index()];
-    const dealii::Quadrature<dim - 1> rule =
-      on_box<dim - 1>(face_rule == FaceRule::gauss
-                        ? dealii::Quadrature<dim - 1>(dealii::QGauss<dim - 1>(n))
-                        : dealii::Quadrature<dim - 1>(dealii::QGaussLobatto<dim - 1>(n)),
-                      piece.lower_on_face,
-                      piece.upper_on_face);
+    const dealii::Quadrature<dim - 1> rule = on_box<dim - 1>(
+      face_rule == FaceRule::gauss ? dealii::Quadrature<dim - 1>(dealii::QGauss<dim - 1>(n))
+                                   : dealii::Quadrature<dim - 1>(dealii::QGaussLobatto<dim - 1>(n)),
+      piece.lower_on_face,
+      piece.upper_on_face);
     // Nearly all pieces are whole faces or the same part of one.
     if (values == nullptr || rule.get_points() != last_points)
       values = std::make_unique<dealii::FEFaceValues<dim>>(mesh_.mapping(),
@@ -128,7 +128,8 @@ void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points
     on_mesh.normals = values->get_normal_vectors();
     on_mesh.weights = values->get_JxW_values();
     for (const dealii::Point<dim> &x : on_mesh.points)
-      on_mesh.on_side.push_back(coordinates_on(patches_[piece.patch], side(patches_[piece.patch]), x));
+      on_mesh.on_side.push_back(
+        coordinates_on(patches_[piece.patch], side(patches_[piece.patch]), x));
   }
 }
 

@@ -18,8 +18,8 @@ namespace Signorini
  *
  * On the nodes of the trace of V^h (Nodes::lobatto) p_H is continuous: neighbouring patches share
  * the node between them. With the rules of Gauss and Lobatto on the faces D and G are then those of
- * collocation, u_n <= g at the nodes. Whoever needs unknowns, signs, values or integrals of multipliers asks this space, so that
- * another basis is a matter of this file.
+ * collocation, u_n <= g at the nodes. Whoever needs unknowns, signs, values or integrals of
+ * multipliers asks this space, so that another basis is a matter of this file.
  */
 template <int dim>
 class MultiplierSpace
@@ -41,8 +41,10 @@ public:
   /** Constants. @param surface must outlive the object. */
   explicit MultiplierSpace(const ContactSurface<dim> &surface);
   /**
-   * @param n_nodes of every patch, at least one, or two of Lobatto. Only in the plane more than one.
-   * @param without numbers of unknowns, sorted, as they are without this list: these nodes get none.
+   * @param n_nodes of every patch, at least one, or two of Lobatto. Only in the plane more than
+   * one.
+   * @param without numbers of unknowns, sorted, as they are without this list: these nodes get
+   * none.
    */
   MultiplierSpace(const ContactSurface<dim> &surface,
                   const std::vector<unsigned int> &n_nodes,
@@ -70,8 +72,8 @@ public:
   /** The function of the i-th of these at a point of the side. */
   double shape_value(unsigned int patch, unsigned int i, const dealii::Point<dim - 1> &s) const;
 
-  /** Every unknown belongs to one patch, which has first_of(patch), ..., first_of(patch + 1) - 1; of
-   * two patches that share a node, to the first. */
+  /** Every unknown belongs to one patch, which has first_of(patch), ..., first_of(patch + 1) - 1;
+   * of two patches that share a node, to the first. */
   unsigned int first_of(const unsigned int patch) const
   {
     return first_[patch];
