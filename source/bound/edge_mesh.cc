@@ -117,14 +117,14 @@ void EdgeMesh::collect_cells(const DisplacementSpace<2> &space, const Scene<2> &
 void EdgeMesh::collect_stars()
 {
   // The corners at the first and second cell of every edge, with k its number there.
-  std::vector<std::array<Corner, 2>> neighbours(edges_.size(), {{{none, 0}, {none, 0}}});
-  std::vector<Corner> first(stars_.size(), {none, 0});
+  std::vector<std::array<CellCorner, 2>> neighbours(edges_.size(), {{{none, 0}, {none, 0}}});
+  std::vector<CellCorner> first(stars_.size(), {none, 0});
   for (unsigned int c = 0; c < cells_.size(); ++c)
     for (unsigned int k = 0; k < 4; ++k)
     {
       neighbours[cells_[c].edges[k]][cells_[c].sign[k] > 0. ? 0 : 1] = {c, k};
       // Edge k is to the right of corner k: a star at the boundary begins with a boundary edge.
-      Corner &start = first[cells_[c].vertices[k]];
+      CellCorner &start = first[cells_[c].vertices[k]];
       if (start.cell == none || edges_[cells_[c].edges[k]].side != Edge::no_side)
         start = {c, k};
     }
@@ -133,10 +133,11 @@ void EdgeMesh::collect_stars()
       stars_[v] = walk(first[v], neighbours);
 }
 
-Star EdgeMesh::walk(const Corner &first, const std::vector<std::array<Corner, 2>> &neighbours) const
+Star EdgeMesh::walk(const CellCorner &first,
+                    const std::vector<std::array<CellCorner, 2>> &neighbours) const
 {
   Star star;
-  Corner corner = first;
+  CellCorner corner = first;
   for (;;)
   {
     const EdgeCell &cell = cells_[corner.cell];
@@ -144,7 +145,7 @@ Star EdgeMesh::walk(const Corner &first, const std::vector<std::array<Corner, 2>
     star.cells.push_back(corner);
     star.spokes.push_back({cell.edges[k], cell.reversed[k] ? 1U : 0U, cell.sign[k]});
     const unsigned int edge = cell.edges[left];
-    const Corner next = neighbours[edge][cell.sign[left] > 0. ? 1 : 0];
+    const CellCorner next = neighbours[edge][cell.sign[left] > 0. ? 1 : 0];
     if (next.cell == none)
     {
       star.spokes.push_back({edge, cell.reversed[left] ? 0U : 1U, -cell.sign[left]});

@@ -311,12 +311,12 @@ std::vector<unsigned int> StarSolver::key(const Star &star, const CellEnergies &
 {
   std::vector<unsigned int> name;
   if (!star.is_closed() ||
-      !std::all_of(star.cells.begin(), star.cells.end(), [&](const Corner &corner) {
+      !std::all_of(star.cells.begin(), star.cells.end(), [&](const CellCorner &corner) {
         return energies.is_shared(corner.cell);
       }))
     return name;
   name.reserve(star.cells.size());
-  for (const Corner &corner : star.cells)
+  for (const CellCorner &corner : star.cells)
     name.push_back(4 * energies.number(corner.cell) + corner.number);
   return name;
 }

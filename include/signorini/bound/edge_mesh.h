@@ -60,7 +60,7 @@ struct EdgeCell
 };
 
 /** A corner of a cell. */
-struct Corner
+struct CellCorner
 {
   unsigned int cell;
   unsigned int number;
@@ -84,7 +84,7 @@ struct Spoke
 struct Star
 {
   // Most vertices have four cells: no allocations for them.
-  boost::container::small_vector<Corner, 5> cells;
+  boost::container::small_vector<CellCorner, 5> cells;
   boost::container::small_vector<Spoke, 5> spokes;
 
   bool is_closed() const
@@ -161,7 +161,8 @@ private:
   void collect_cells(const DisplacementSpace<2> &space, const Scene<2> &scene);
   void collect_stars();
   /** Goes round the vertex from the given corner, the first one on the boundary. */
-  Star walk(const Corner &first, const std::vector<std::array<Corner, 2>> &neighbours) const;
+  Star walk(const CellCorner &first,
+            const std::vector<std::array<CellCorner, 2>> &neighbours) const;
 
   bool is_curved_ = false;
   std::vector<EdgeCell> cells_;
