@@ -23,6 +23,15 @@ double ErrorHistory::add(const double indicator,
   }
   last_indicator_ = indicator;
   last_difference_ = difference;
-  return safety * estimate;
+  estimates_.push_back(safety * estimate);
+  return estimates_.back();
+}
+
+bool ErrorHistory::stagnates() const
+{
+  // The first steps see more and more of what the scene holds.
+  constexpr std::size_t patience = 8, n_compared = 4;
+  return estimates_.size() > patience &&
+         estimates_.back() > 0.5 * estimates_[estimates_.size() - 1 - n_compared];
 }
 } // namespace Signorini

@@ -139,7 +139,8 @@ private:
     plan_ =
       next_plan(plan_, scene_, discretization.mesh, degrees_of(discretization.space), findings);
     next_ = make_discretization();
-    finished_ = next_->space.dofs().n_dofs() > context_.parameters.discretization.maximum_unknowns;
+    finished_ = history_.stagnates() ||
+                next_->space.dofs().n_dofs() > context_.parameters.discretization.maximum_unknowns;
   }
 
   StudyContext<2> context_;

@@ -104,7 +104,10 @@ std::string check_target(const std::vector<LevelRecord> &levels, const Judge &ju
                                    : " (energy norm, estimated)");
   else
     text << "not known";
-  text << (is_graded(finest) ? "; raise Maximum unknowns." : "; raise Finest level.");
+  text << (is_graded(finest)
+             ? "; raise Maximum unknowns, or see where the mesh is finest (mesh-LL.svg): "
+               "data that contradict each other there have no solution."
+             : "; raise Finest level.");
   return text.str();
 }
 

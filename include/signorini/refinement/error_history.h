@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 namespace Signorini
 {
@@ -28,7 +29,12 @@ public:
    */
   double add(double indicator, const std::optional<double> &difference, double planned);
 
+  /** Whether the estimates of the last steps do not fall: the solution has no finite energy, or the
+   * mesh cannot be refined further where it is singular. */
+  bool stagnates() const;
+
 private:
+  std::vector<double> estimates_;
   std::optional<double> last_indicator_, last_difference_;
 };
 } // namespace Signorini
