@@ -52,16 +52,17 @@ public:
     , first_(first)
     , second_(second)
     , sign_(mirrored ? -1. : 1.)
-    , degree_(space.n_of(first) + space.n_of(second) - 2)
+    , degree_(space.unknowns_on(first).size() + space.unknowns_on(second).size() - 2)
     , I_(ends(first))
     , J_(ends(second))
+    , block_(space.unknowns_on(first).size(), space.unknowns_on(second).size())
   {
     for (double &end : J_)
       end *= sign_;
     std::sort(J_.begin(), J_.end());
   }
 
-  /** Adds the integrals to a block of the matrix. */
+  /** Adds the integrals to the matrix, for two patches also in the other order. */
   void add_to(dealii::FullMatrix<double> &gram)
   {
     std::array<double, 4> breaks = {{I_[0] - J_[1], I_[0] - J_[0], I_[1] - J_[1], I_[1] - J_[0]}};
@@ -69,7 +70,17 @@ public:
     for (unsigned int i = 0; i < 3; ++i)
       // Equal differences, up to rounding.
       if (breaks[i + 1] - breaks[i] > 1e-14 * (breaks[3] - breaks[0]))
-        integrate(breaks[i], breaks[i + 1], 0, gram);
+        integrate(breaks[i], breaks[i + 1], 0);
+    const auto &rows = space_.unknowns_on(first_), &columns = space_.unknowns_on(second_);
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      for (unsigned int j = 0; j < columns.size(); ++j)
+      {
+        if (rows[i] == space_.no_unknown || columns[j] == space_.no_unknown)
+          continue;
+        gram(rows[i], columns[j]) += block_(i, j);
+        if (first_ != second_)
+          gram(columns[j], rows[i]) += block_(i, j);
+      }
   }
 
 private:
@@ -81,10 +92,7 @@ private:
 
   /** int kappa(x) A(x) dx between two points; halves them until the next singularity is as far away
    * as they are from one another. */
-  void integrate(const double from,
-                 const double to,
-                 const unsigned int n_halvings,
-                 dealii::FullMatrix<double> &gram)
+  void integrate(const double from, const double to, const unsigned int n_halvings)
   {
     // What is left next to a singularity is 2^-50 of the whole.
     constexpr unsigned int most_halvings = 50;
@@ -93,8 +101,8 @@ private:
     if (std::min(kernel_.distance(from), kernel_.distance(to)) < (1. - 1e-6) * (to - from))
     {
       const double middle = 0.5 * (from + to);
-      integrate(from, middle, n_halvings + 1, gram);
-      integrate(middle, to, n_halvings + 1, gram);
+      integrate(from, middle, n_halvings + 1);
+      integrate(middle, to, n_halvings + 1);
       return;
     }
     // A has the degree degree_ + 1. The kernel is analytic on the ellipse with rho = 3 + 8^{1/2},
@@ -103,12 +111,12 @@ private:
     for (unsigned int q = 0; q < rule.size(); ++q)
     {
       const double x = from + (to - from) * rule.point(q)[0];
-      add_products(x, (to - from) * rule.weight(q) * kernel_(x), gram);
+      add_products(x, (to - from) * rule.weight(q) * kernel_(x));
     }
   }
 
   /** Adds @p factor A(x). */
-  void add_products(const double x, const double factor, dealii::FullMatrix<double> &gram)
+  void add_products(const double x, const double factor)
   {
     const double from = std::max(I_[0], J_[0] + x), to = std::min(I_[1], J_[1] + x);
     const dealii::QGauss<1> &rule = rule_of_degree(degree_);
@@ -120,17 +128,16 @@ private:
       const double weight = factor * (to - from) * rule.weight(q);
       for (unsigned int i = 0; i < on_first_.size(); ++i)
         for (unsigned int j = 0; j < on_second_.size(); ++j)
-          gram(space_.first_of(first_) + i, space_.first_of(second_) + j) +=
-            weight * on_first_[i] * on_second_[j];
+          block_(i, j) += weight * on_first_[i] * on_second_[j];
     }
   }
 
   /** The basis of a patch at a point. */
   void values(const unsigned int patch, const double s, std::vector<double> &values) const
   {
-    values.resize(space_.n_of(patch));
+    values.resize(space_.unknowns_on(patch).size());
     for (unsigned int i = 0; i < values.size(); ++i)
-      values[i] = space_.shape_value(space_.first_of(patch) + i, dealii::Point<1>(s));
+      values[i] = space_.shape_value(patch, i, dealii::Point<1>(s));
   }
 
   const MultiplierSpace<2> &space_;
@@ -141,6 +148,7 @@ private:
   unsigned int degree_;
   /** The intervals of s and of -+t. */
   std::array<double, 2> I_, J_;
+  dealii::FullMatrix<double> block_;
   std::vector<double> on_first_, on_second_;
 };
 
@@ -198,7 +206,8 @@ double DualKernel::operator()(const double x) const
 dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers)
 {
   const ContactSurface<2> &surface = multipliers.surface();
-  if (multipliers.is_piecewise_constant() && has_equal_patches(surface))
+  if (multipliers.nodes() == MultiplierSpace<2>::Nodes::gauss &&
+      multipliers.is_piecewise_constant() && has_equal_patches(surface))
     return dual_gram_matrix(surface);
   const unsigned int m = multipliers.n_multipliers();
   dealii::FullMatrix<double> gram(m, m);
@@ -213,10 +222,6 @@ dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multiplier
           PairIntegrals(multipliers, kernel, i, j, true).add_to(gram);
       }
   });
-  for (unsigned int i = 0; i < m; ++i)
-    for (unsigned int j = i + 1; j < m; ++j)
-      if (multipliers.patch_of(i) != multipliers.patch_of(j))
-        gram(i, j) = gram(j, i);
   return gram;
 }
 } // namespace Signorini
