@@ -59,6 +59,13 @@ void bumps(Checks &checks)
   checks.that("a bump that is too low",
               is(Level("0.1 - 0.09*exp(-((x - 0.3125)/0.03)^2)").found(), {}));
   checks.that("touching is no penetration", is(Level("0").found(), {}));
+  // 0.3125 + 1/256 is in the middle between two of 33 points of the face.
+  checks.that(
+    "a bump that is narrower than the samples of a face are apart",
+    is(
+      Level("0.1 - 0.05*max(0, 1 - abs(x - 0.31640625)) - 0.06*max(0, 1 - 500*abs(x - 0.31640625))")
+        .found(),
+      {0.375}));
   checks.that("two bumps",
               is(Level(bump + " - 0.2*exp(-((x - 0.9375)/0.03)^2)").found(), {0.375, 0.875}));
   // Where the face or one next to it presses, the contact is known.
