@@ -23,18 +23,22 @@ const std::vector<unsigned int> &numbers_on_grid(const unsigned int degree)
 }
 } // namespace
 
-std::vector<double> nodes_of_edge(const unsigned int degree)
+const std::vector<double> &nodes_of_edge(const unsigned int degree)
 {
-  const dealii::QGaussLobatto<1> rule(degree + 1);
-  std::vector<double> nodes;
-  for (const dealii::Point<1> &x : rule.get_points())
-    nodes.push_back(x[0]);
+  thread_local std::map<unsigned int, std::vector<double>> known;
+  std::vector<double> &nodes = known[degree];
+  if (nodes.empty())
+  {
+    const dealii::QGaussLobatto<1> rule(degree + 1);
+    for (const dealii::Point<1> &x : rule.get_points())
+      nodes.push_back(x[0]);
+  }
   return nodes;
 }
 
 LineTable make_line_table(const unsigned int degree, const std::vector<double> &points)
 {
-  const std::vector<double> nodes = nodes_of_edge(degree);
+  const std::vector<double> &nodes = nodes_of_edge(degree);
   const unsigned int n = nodes.size();
   LineTable table = {{static_cast<unsigned int>(points.size()), n},
                      {static_cast<unsigned int>(points.size()), n}};

@@ -82,8 +82,7 @@ public:
   {
     const unsigned int n = std::max(on_cell.degree(), on_ancestor.degree()) + 1;
     const dealii::FEValues<2> &values = values_on(mesh, n, cell);
-    const std::vector<double> points = points_of(n, 0., 1.);
-    const LineTable table = make_line_table(on_cell.degree(), points);
+    const LineTable &table = table_on_cell(on_cell.degree(), n);
     const std::vector<dealii::Tensor<2, 2>> fine = on_cell.gradients(table, table);
     const auto part = [&](const unsigned int d) {
       return make_line_table(on_ancestor.degree(), points_of(n, window.corner[d], window.edge));
@@ -105,11 +104,19 @@ public:
 private:
   static std::vector<double> points_of(const unsigned int n, const double from, const double edge)
   {
-    const dealii::QGauss<1> rule(n);
+    // Newton's method finds the points in long double: once for every n.
+    thread_local std::map<unsigned int, dealii::QGauss<1>> rules;
     std::vector<double> points;
-    for (const dealii::Point<1> &x : rule.get_points())
+    for (const dealii::Point<1> &x : rules.try_emplace(n, n).first->second.get_points())
       points.push_back(from + edge * x[0]);
     return points;
+  }
+  const LineTable &table_on_cell(const unsigned int degree, const unsigned int n)
+  {
+    LineTable &table = tables_[{degree, n}];
+    if (table.values.empty())
+      table = make_line_table(degree, points_of(n, 0., 1.));
+    return table;
   }
   const dealii::FEValues<2> &values_on(const Mesh<2> &mesh,
                                        const unsigned int n,
@@ -131,6 +138,8 @@ private:
   bool constant_;
   dealii::SymmetricTensor<4, 2> hooke_;
   dealii::FE_Nothing<2> no_functions_;
+  /** By degree and number of points. */
+  std::map<std::pair<unsigned int, unsigned int>, LineTable> tables_;
   std::map<std::pair<const Mesh<2> *, unsigned int>, std::unique_ptr<dealii::FEValues<2>>> values_;
 };
 

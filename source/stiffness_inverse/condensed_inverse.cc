@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A = L L^T by CHOLMOD, chosen unknowns last.
+// A = L L^T by CHOLMOD, the insides of cells first, chosen unknowns last.
 
 #include <signorini/base/exceptions.h>
 #include <signorini/stiffness_inverse/condensed_inverse.h>
-
-#include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
 #include <cholmod.h>
 #include <cmath>
 #include <new>
+
+#include "cell_interiors.h"
 
 namespace Signorini
 {
@@ -54,31 +54,6 @@ struct Workspace
   }
 
   cholmod_common common = {};
-};
-
-/** The rows of a matrix on one rank, as Epetra stores them. */
-struct Rows
-{
-  explicit Rows(const dealii::TrilinosWrappers::SparseMatrix &A)
-    : n(A.trilinos_matrix().NumMyRows())
-  {
-    // With all rows on this rank the columns are numbered like the rows.
-    Assert(A.trilinos_matrix().ColMap().SameAs(A.trilinos_matrix().RowMap()),
-           dealii::ExcInternalError());
-    const int error = A.trilinos_matrix().ExtractCrsDataPointers(start, column, value);
-    AssertThrow(error == 0, dealii::ExcTrilinosError(error));
-  }
-
-  bool same_pattern(const int i, const int j) const
-  {
-    return std::equal(
-      column + start[i], column + start[i + 1], column + start[j], column + start[j + 1]);
-  }
-
-  int n;
-  int *start = nullptr;
-  int *column = nullptr;
-  double *value = nullptr;
 };
 
 /** A sparse symmetric matrix, upper triangle by columns. */
@@ -191,13 +166,16 @@ void move_to_end(std::vector<Long> &order, const std::vector<bool> &chosen)
 class CondensedInverse::Factor
 {
 public:
-  Factor(const Rows &A, const std::vector<Index> &last)
-    : n_(A.n)
+  Factor(const Rows &whole, const std::vector<Index> &last)
+    : chosen_(marks(whole.n, last))
+    , interiors_(whole, chosen_)
+    , n_(interiors_.rest().n)
     , n_last_(static_cast<Long>(last.size()))
   {
+    const Rows &A = interiors_.rest();
     const UpperTriangle matrix(workspace_, A.n, (A.start[A.n] + A.n) / 2 + A.n, CHOLMOD_REAL);
     fill(A, matrix);
-    analyse(A, matrix, last);
+    analyse(A, matrix);
     cholmod_l_factorize(matrix.get(), L_, &workspace_.common);
     workspace_.check();
   }
@@ -233,10 +211,10 @@ public:
     }
   }
 
-  /** The unknowns in the order of their elimination. */
-  const Long *order() const
+  /** The unknown of A that is eliminated at this place, after the insides of cells. */
+  Long unknown_at(const Long place) const
   {
-    return static_cast<Long *>(L_->Perm);
+    return interiors_.unknowns()[order()[place]];
   }
   Long first_of_last() const
   {
@@ -250,19 +228,23 @@ public:
     const Long *const row_start = static_cast<Long *>(L_->pi);
     const Long *const value_start = static_cast<Long *>(L_->px);
     const double *const values = static_cast<double *>(L_->x);
-    double smallest = 1.;
+    double smallest = interiors_.smallest_pivot();
     for (Long s = 0; s < static_cast<Long>(L_->nsuper); ++s)
       for (Long c = 0; c < super[s + 1] - super[s]; ++c)
       {
         const double pivot = values[value_start[s] + c * (row_start[s + 1] - row_start[s]) + c];
-        smallest = std::min(smallest, pivot * pivot / A.diag_element(order()[super[s] + c]));
+        smallest = std::min(smallest, pivot * pivot / A.diag_element(unknown_at(super[s] + c)));
       }
     return smallest;
   }
 
-  /** X = A^{-1} B for n right-hand sides, one column after another. */
-  void solve(std::vector<double> &X, std::vector<double> &B, const Long n)
+  /** X = A^{-1} X for n right-hand sides, one column after another. */
+  void solve(std::vector<double> &X, const Long n)
   {
+    const std::size_t n_rows = X.size() / n;
+    std::vector<double> B(n_ * n);
+    for (Long k = 0; k < n; ++k)
+      interiors_.reduce(X.data() + k * n_rows, B.data() + k * n_);
     cholmod_dense right_hand_sides = {};
     right_hand_sides.nrow = right_hand_sides.d = n_;
     right_hand_sides.ncol = n;
@@ -273,22 +255,32 @@ public:
     cholmod_l_solve2(
       CHOLMOD_A, L_, &right_hand_sides, nullptr, &x_, nullptr, &y_, &e_, &workspace_.common);
     workspace_.check();
-    const double *const solution = static_cast<double *>(x_->x);
-    X.assign(solution, solution + n_ * n);
-  }
-  Long n_rows() const
-  {
-    return n_;
+    for (Long k = 0; k < n; ++k)
+      interiors_.expand(X.data() + k * n_rows, static_cast<double *>(x_->x) + k * n_);
   }
 
 private:
-  /** Postordering makes supernodes large; it keeps the chosen unknowns last wherever the others are
-   * connected. Elsewhere they are moved once more, behind the trees that came after them. */
-  void analyse(const Rows &A, const UpperTriangle &matrix, const std::vector<Index> &last)
+  static std::vector<bool> marks(const Long n, const std::vector<Index> &last)
   {
-    std::vector<bool> chosen(n_, false);
+    std::vector<bool> chosen(n, false);
     for (const Index i : last)
       chosen[i] = true;
+    return chosen;
+  }
+
+  /** The unknowns of the rest in the order of their elimination. */
+  const Long *order() const
+  {
+    return static_cast<Long *>(L_->Perm);
+  }
+
+  /** Postordering makes supernodes large; it keeps the chosen unknowns last wherever the others are
+   * connected. Elsewhere they are moved once more, behind the trees that came after them. */
+  void analyse(const Rows &A, const UpperTriangle &matrix)
+  {
+    std::vector<bool> chosen(n_, false);
+    for (Long i = 0; i < n_; ++i)
+      chosen[i] = chosen_[interiors_.unknowns()[i]];
     std::vector<Long> given = minimum_degree(workspace_, A);
     for (const bool postorder : {true, false})
     {
@@ -304,6 +296,9 @@ private:
   }
 
   Workspace workspace_;
+  /** The unknowns that are eliminated last. */
+  std::vector<bool> chosen_;
+  CellInteriors interiors_;
   Long n_;
   Long n_last_;
   cholmod_factor *L_ = nullptr;
@@ -320,7 +315,7 @@ CondensedInverse::CondensedInverse(const dealii::TrilinosWrappers::SparseMatrix 
 {
   const Long first = factor_->first_of_last();
   for (unsigned int row = 0; row < last.size(); ++row)
-    rows_[factor_->order()[first + row]] = row;
+    rows_[factor_->unknown_at(first + row)] = row;
   if (!(factor_->smallest_pivot(matrix) > doubtful_pivot))
     refuse_singular_matrix();
 }
@@ -345,13 +340,18 @@ CondensedInverse::trailing_factor(const std::vector<Index> &unknowns) const
 
 void CondensedInverse::apply(std::vector<Vector> &x, const std::vector<Vector> &b) const
 {
-  const auto n = static_cast<std::size_t>(factor_->n_rows());
-  std::vector<double> B, X;
-  B.reserve(n * b.size());
+  if (b.empty())
+    return;
+  std::vector<double> X;
+  X.reserve(b.size() * b[0].size());
   for (const Vector &right_hand_side : b)
-    B.insert(B.end(), right_hand_side.begin(), right_hand_side.end());
-  factor_->solve(X, B, static_cast<Long>(b.size()));
-  for (std::size_t k = 0; k < x.size(); ++k)
-    std::copy(X.begin() + k * n, X.begin() + (k + 1) * n, x[k].begin());
+    X.insert(X.end(), right_hand_side.begin(), right_hand_side.end());
+  factor_->solve(X, static_cast<Long>(b.size()));
+  auto begin = X.cbegin();
+  for (Vector &solution : x)
+  {
+    std::copy(begin, begin + solution.size(), solution.begin());
+    begin += static_cast<std::ptrdiff_t>(solution.size());
+  }
 }
 } // namespace Signorini

@@ -15,6 +15,7 @@
 #include <Epetra_Import.h>
 #include <Epetra_Vector.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -167,6 +168,7 @@ void StiffnessInverse::accurate_residual(Vector &r, const Vector &x, const Vecto
     columns.Import(*x.trilinos_vector()(0), *A.Importer(), Insert);
   else
     columns.Update(1., *x.trilinos_vector()(0), 0.);
+  const double *const x_values = columns.Values();
   const double *const right_hand_side = b.trilinos_vector()[0];
   double *const result = r.trilinos_vector()[0];
   for (int row = 0; row < A.NumMyRows(); ++row)
@@ -175,10 +177,15 @@ void StiffnessInverse::accurate_residual(Vector &r, const Vector &x, const Vecto
     double *values = nullptr;
     int *indices = nullptr;
     A.ExtractMyRowView(row, n_entries, values, indices);
-    long double sum = right_hand_side[row];
-    for (int i = 0; i < n_entries; ++i)
-      sum -= static_cast<long double>(values[i]) * columns[indices[i]];
-    result[row] = static_cast<double>(sum);
+    // Several sums: an addition need not wait for the one before.
+    std::array<long double, 4> sums = {{right_hand_side[row]}};
+    int i = 0;
+    for (; i + 4 <= n_entries; i += 4)
+      for (int k = 0; k < 4; ++k)
+        sums[k] -= static_cast<long double>(values[i + k]) * x_values[indices[i + k]];
+    for (; i < n_entries; ++i)
+      sums[0] -= static_cast<long double>(values[i]) * x_values[indices[i]];
+    result[row] = static_cast<double>((sums[0] + sums[1]) + (sums[2] + sums[3]));
   }
 }
 

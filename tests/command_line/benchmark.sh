@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# The script of the benchmark on tiny levels: its tables are complete. Nothing is asserted about speed.
+# The script of the benchmark on tiny levels: its tables are complete, and graded meshes reach the errors they are asked for.
+# Nothing is asserted about speed.
 # usage: benchmark.sh SCRIPT PROGRAM
 
 script=$(realpath "$1")
 program=$(realpath "$2")
 . "$(dirname "$0")/checks.sh"
 
-# every_row COLUMN CONDITION: every row of the table satisfies an awk condition on the column's value v and the row.
+# every_row COLUMN CONDITION [TABLE]: every row satisfies an awk condition on the column's value v, the row, and the first
+# columns scene or strategy.
 every_row() {
   awk -F, -v name="$1" "NR == 1 { for (c = 1; c <= NF; ++c) column[\$c] = c; if (!(name in column)) exit 1; next }
-    { v = \$(column[name]); scene = \$1; if (!($2)) { wrong = 1; print \$0 } } END { exit wrong }" "$directory/out/benchmark.csv"
+    { v = \$(column[name]); scene = strategy = \$1; request = \$4; if (!($2)) { wrong = 1; print \$0 } } END { exit wrong }" "$directory/out/${3:-benchmark.csv}"
 }
 
 # sum FILE COLUMN
@@ -22,7 +24,7 @@ sum() {
 pictures=(--no-pictures)
 if command -v gnuplot >/dev/null; then pictures=(); fi
 bash "$script" --program "$program" --output "$directory/out" --coarsest 4 --largest 6 --repetitions 2 \
-  --scenes "two_ends no_contact" --linear-solvers amesos_klu "${pictures[@]}" >stdout 2>stderr
+  --scenes "two_ends no_contact" --linear-solvers amesos_klu --strategies nested --targets "" "${pictures[@]}" >stdout 2>stderr
 check "exit code 0" [ $? -eq 0 ]
 check "no complaints" [ ! -s stderr ]
 # 2 scenes x 2 contact solvers x 1 linear solver x 3 levels, twice.
@@ -47,8 +49,30 @@ if [ "${#pictures[@]}" -eq 0 ]; then
     check "picture $picture" [ "$(stat -c %s "out/benchmark_$picture.png" 2>/dev/null || echo 0)" -gt 2000 ]
   done
 fi
+check "no times to an error" [ ! -e out/targets.csv ]
+
+# Time to an error: 3 scenes, of which one has two ends of contact, x (1 level and 2 targets).
+bash "$script" --program "$program" --output "$directory/out" --coarsest 4 --largest 4 --repetitions 1 --targets "1e-1 1e-3" \
+  --ends "0.7071067811865475 0.3" --scenes "two_ends b1 block" --linear-solvers condensed --contact-solvers "active set" \
+  "${pictures[@]}" >stdout 2>stderr
+check "times to an error: exit code 0" [ $? -eq 0 ]
+check "times to an error: no complaints" [ ! -s stderr ]
+check "one row per scene, end and request" [ "$(wc -l <out/targets.csv)" -eq 13 ]
+check "one row per run and request" [ "$(wc -l <out/target_runs.csv)" -eq 13 ]
+check "the worst end only" [ "$(wc -l <out/targets_worst.csv)" -eq 10 ]
+check "columns and fields agree in the times to an error" \
+  [ "$(cat out/targets.csv out/targets_worst.csv out/target_runs.csv | awk -F, '{ print NF }' | sort -u | wc -l)" -eq 1 ]
+for number in cpu dofs error t_assembly t_factor; do check "times to an error: $number" every_row "$number" "v > 0" targets.csv; done
+# The seminorm is at most a third more than the energy norm, which is estimated, relative to that of u.
+check "graded meshes reach the target" every_row error 'strategy == "nested" || v <= 1.5 * request' targets.csv
+check "pi u_h of nested meshes is better" every_row error_post 'strategy == "hp" || v < 0.12' targets.csv
+check "every scene reaches 1e-3 with graded meshes" [ "$(grep -c ' hp  *1e-3 ' out/targets.txt)" -eq 3 ]
+if [ "${#pictures[@]}" -eq 0 ]; then
+  check "picture targets" [ "$(stat -c %s out/benchmark_targets.png 2>/dev/null || echo 0)" -gt 2000 ]
+fi
+
 # Wrong options are refused with one sentence.
-for options in "--largest x" "--largest 2 --coarsest 3" "--scenes nowhere" "--frobnicate 1" "--program nothing"; do
+for options in "--largest x" "--largest 2 --coarsest 3" "--scenes nowhere" "--targets 2" "--strategies h" "--ends x" "--frobnicate 1" "--program nothing"; do
   # shellcheck disable=SC2086
   bash "$script" --program "$program" $options --output "$directory/refused" >stdout 2>stderr
   check "refuses $options" [ "$? $(wc -l <stderr)" = "1 1" ]

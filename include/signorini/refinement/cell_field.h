@@ -21,7 +21,7 @@ struct LineTable
 LineTable make_line_table(unsigned int degree, const std::vector<double> &points);
 
 /** The nodes of an edge, ascending from 0 to 1. */
-std::vector<double> nodes_of_edge(unsigned int degree);
+const std::vector<double> &nodes_of_edge(unsigned int degree);
 
 /** u_h on one cell as products of polynomials in the two reference coordinates. */
 class CellField

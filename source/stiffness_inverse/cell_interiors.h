@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace Signorini
+{
+/** The rows of a matrix on one rank, with columns in increasing order. */
+struct Rows
+{
+  Rows() = default;
+  explicit Rows(const dealii::TrilinosWrappers::SparseMatrix &A);
+
+  bool same_pattern(const int i, const int j) const
+  {
+    return std::equal(
+      column + start[i], column + start[i + 1], column + start[j], column + start[j + 1]);
+  }
+
+  int n = 0;
+  int *start = nullptr;
+  int *column = nullptr;
+  double *value = nullptr;
+};
+
+/**
+ * The unknowns G inside cells of high degree, eliminated by dense matrices: with A_GG = L L^T and
+ * W = L^{-1} A_GR for each cell,
+ *
+ *     A_RR - sum W^T W
+ *
+ * is left for the other unknowns R. These dense blocks are nearly all of the entries of A, of which
+ * a sparse factorisation makes several copies before it computes anything.
+ */
+class CellInteriors
+{
+public:
+  /**
+   * Finds groups of unknowns that follow each other and have the same couplings, of which none is
+   * in @p kept; without any of a worthwhile size nothing is eliminated and rest() is A.
+   * @throws ComputationError if A is not positive definite.
+   */
+  CellInteriors(const Rows &A, const std::vector<bool> &kept);
+
+  /** A_RR - sum W^T W. */
+  const Rows &rest() const
+  {
+    return rest_;
+  }
+  /** The unknown of A that an unknown of rest() is, in increasing order. */
+  const std::vector<int> &unknowns() const
+  {
+    return unknowns_;
+  }
+  /** The smallest L_jj^2 / A_jj of the eliminated unknowns, at most 1. */
+  double smallest_pivot() const
+  {
+    return smallest_pivot_;
+  }
+  /** From a right-hand side of A to that of rest(); @p b keeps L^{-1} b_G in its place. */
+  void reduce(double *b, double *rest) const;
+  /** From what reduce() left in @p x and the solution for rest() to that for A. */
+  void expand(double *x, const double *rest) const;
+
+private:
+  struct Group
+  {
+    int first;
+    int size;
+    /** R by numbers of rest(). */
+    std::vector<int> others;
+    /** L and W by columns. */
+    std::vector<double> L, W;
+  };
+
+  std::vector<std::pair<int, int>> find_groups(const Rows &A, const std::vector<bool> &kept) const;
+  void number_the_rest(const Rows &A, const std::vector<std::pair<int, int>> &groups);
+  void copy_the_rest(const Rows &A);
+  void eliminate(const Rows &A, int first, int size);
+  void subtract_from_rest(const Group &group);
+
+  std::vector<Group> groups_;
+  Rows rest_;
+  std::vector<int> unknowns_;
+  /** For every unknown of A its number in rest(), or -1. */
+  std::vector<int> numbers_;
+  std::vector<int> start_, column_;
+  std::vector<double> value_;
+  double smallest_pivot_ = 1.;
+};
+} // namespace Signorini
