@@ -103,7 +103,7 @@ private:
   bool is_checked(const LevelRecord &record) const
   {
     constexpr double rounding = 1e-10;
-    return n_steps_ > 0 || record.estimate->relative < rounding;
+    return history_.n_steps() > 1 || record.estimate->relative < rounding;
   }
 
   /** The estimate of the error, and what the next mesh is made from. */
@@ -118,6 +118,13 @@ private:
     findings.brackets = contact_brackets(multipliers, solution.P);
     findings.unseen_contact = unseen_contact(space, multipliers, solution.U, solution.P);
     const double scale = energy_scale(space, scene, solution.U);
+    findings.target = context_.judge.target_error() * scale;
+    if (!findings.unseen_contact.empty())
+    {
+      // The next mesh sees another problem.
+      history_ = ErrorHistory();
+      return findings;
+    }
     std::optional<double> difference;
     if (last_.discretization != nullptr)
       difference =
@@ -126,9 +133,7 @@ private:
     constexpr double rounding = 1e-12;
     findings.error = history_.add(total(findings.indicators), difference, plan_.aim);
     findings.error = std::max(findings.error, rounding * scale);
-    findings.target = context_.judge.target_error() * scale;
-    if (findings.unseen_contact.empty())
-      solution.record.estimate = ErrorEstimate{{}, findings.error, findings.error / scale, {}, {}};
+    solution.record.estimate = ErrorEstimate{{}, findings.error, findings.error / scale, {}, {}};
     return findings;
   }
 

@@ -29,6 +29,10 @@ public:
    */
   double add(double indicator, const std::optional<double> &difference, double planned);
 
+  std::size_t n_steps() const
+  {
+    return estimates_.size();
+  }
   /** Whether the estimates of the last steps do not fall: the solution has no finite energy, or the
    * mesh cannot be refined further where it is singular. */
   bool stagnates() const;
