@@ -107,13 +107,13 @@ double area_of(const dealii::Triangulation<2>::active_cell_iterator &cell)
   return 0.5 * std::abs(first[0] * second[1] - first[1] * second[0]);
 }
 
-/** A modulus for the energy of all strains but those that incompressible bodies avoid. */
-double modulus_at(const Scene<2> &scene, const dealii::Point<2> &x)
+} // namespace
+
+double indicator_modulus(const Scene<2> &scene, const dealii::Point<2> &x)
 {
   const dealii::SymmetricTensor<4, 2> E = scene.material->hooke(x);
   return std::min(std::max(E[0][0][0][0], E[1][1][1][1]), 4. * E[0][1][0][1]);
 }
-} // namespace
 
 std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
                                     const Scene<2> &scene,
@@ -127,7 +127,7 @@ std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
     const Analysis &analysis = analyses.try_emplace(u.degree(), u.degree()).first->second;
     const double lengths[] = {0.5 * (cell->face(2)->diameter() + cell->face(3)->diameter()),
                               0.5 * (cell->face(0)->diameter() + cell->face(1)->diameter())};
-    const double modulus = modulus_at(scene, cell->center());
+    const double modulus = indicator_modulus(scene, cell->center());
     CellIndicator indicator;
     double square = 0.;
     for (unsigned int d = 0; d < 2; ++d)

@@ -4,6 +4,7 @@
 #include <signorini/base/exceptions.h>
 #include <signorini/base/stage_timer.h>
 #include <signorini/elasticity/energy_norm.h>
+#include <signorini/refinement/contact_misfit.h>
 #include <signorini/refinement/error_history.h>
 #include <signorini/refinement/next_plan.h>
 #include <signorini/refinement/pressure_transfer.h>
@@ -115,6 +116,7 @@ private:
     const MultiplierSpace<2> &multipliers = next_->multipliers;
     StepFindings findings;
     findings.indicators = indicate(space, scene, solution.U);
+    add_contact_misfit(space, multipliers, scene, solution.U, solution.P, findings.indicators);
     findings.brackets = contact_brackets(multipliers, solution.P);
     findings.unseen_contact = unseen_contact(space, multipliers, solution.U, solution.P);
     const double scale = energy_scale(space, scene, solution.U);

@@ -32,6 +32,10 @@ std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
                                     const Scene<2> &scene,
                                     const NodalVector &U);
 
+/** A modulus for the energy of all strains but those that incompressible bodies avoid
+ * (force/area). */
+double indicator_modulus(const Scene<2> &scene, const dealii::Point<2> &x);
+
 /** The root of the sum of the squares of the errors. */
 double total(const std::vector<CellIndicator> &indicators);
 } // namespace Signorini
