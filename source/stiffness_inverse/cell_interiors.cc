@@ -66,7 +66,9 @@ std::vector<std::pair<int, int>> CellInteriors::find_groups(const Rows &A,
       continue;
     while (next < A.n && !kept[next] && A.same_pattern(first, next))
       ++next;
-    if (next - first < smallest_group || !is_inside_a_cell(first, next - first))
+    // A cell alone is the whole body: something is left for the sparse factorisation.
+    const bool has_others = A.start[first + 1] - A.start[first] > next - first;
+    if (next - first < smallest_group || !has_others || !is_inside_a_cell(first, next - first))
       continue;
     groups.emplace_back(first, next - first);
     std::fill(eliminated.begin() + first, eliminated.begin() + next, true);
@@ -139,13 +141,10 @@ void CellInteriors::eliminate(const Rows &A, const int first, const int size)
     smallest_pivot_ = std::min(smallest_pivot_, L_ii * L_ii / diagonal[i]);
   }
   const int n_others = static_cast<int>(group.others.size());
-  if (n_others > 0)
-  {
-    dealii::trtrs(
-      "L", "N", "N", &size, &n_others, group.L.data(), &size, group.W.data(), &size, &info);
-    AssertThrow(info == 0, dealii::ExcInternalError());
-    subtract_from_rest(group);
-  }
+  dealii::trtrs(
+    "L", "N", "N", &size, &n_others, group.L.data(), &size, group.W.data(), &size, &info);
+  AssertThrow(info == 0, dealii::ExcInternalError());
+  subtract_from_rest(group);
   groups_.push_back(std::move(group));
 }
 
@@ -180,8 +179,6 @@ void CellInteriors::reduce(double *b, double *rest) const
     double *const b_G = b + group.first;
     dealii::trtrs(
       "L", "N", "N", &group.size, &one, group.L.data(), &group.size, b_G, &group.size, &info);
-    if (n == 0)
-      continue;
     change.resize(n);
     dealii::gemv("T",
                  &group.size,
@@ -212,18 +209,17 @@ void CellInteriors::expand(double *x, const double *rest) const
     others.clear();
     for (const int i : group.others)
       others.push_back(rest[i]);
-    if (n > 0)
-      dealii::gemv("N",
-                   &group.size,
-                   &n,
-                   &minus,
-                   group.W.data(),
-                   &group.size,
-                   others.data(),
-                   &one,
-                   &plus,
-                   x_G,
-                   &one);
+    dealii::gemv("N",
+                 &group.size,
+                 &n,
+                 &minus,
+                 group.W.data(),
+                 &group.size,
+                 others.data(),
+                 &one,
+                 &plus,
+                 x_G,
+                 &one);
     dealii::trtrs(
       "L", "T", "N", &group.size, &one, group.L.data(), &group.size, x_G, &group.size, &info);
   }
