@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where nodes of multipliers press, and where contact ends between them.
+// Where contact ends between the nodes of multipliers.
 
-#include <signorini/postprocess/contact_pressure.h>
 #include <signorini/postprocess/pressed_intervals.h>
+#include <signorini/postprocess/side_nodes.h>
 
 #include <algorithm>
 
@@ -10,41 +10,6 @@ namespace Signorini
 {
 namespace
 {
-/** A node of a multiplier on its side. */
-struct SideNode
-{
-  double s;
-  bool presses;
-};
-
-/** The nodes of one side in the order of arc length. */
-struct SideNodes
-{
-  unsigned int number = 0;
-  double length = 0.;
-  bool closed = false;
-  std::vector<SideNode> nodes;
-};
-
-std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
-                                     const dealii::Vector<double> &P)
-{
-  const ContactSurface<2> &surface = multipliers.surface();
-  const double threshold = pressing_threshold(P);
-  std::vector<SideNodes> sides;
-  for (unsigned int k = 0; k < P.size(); ++k)
-  {
-    const Patch<2> &patch = surface.patches()[multipliers.patch_of(k)];
-    if (sides.empty() || sides.back().number != patch.side)
-    {
-      const Side<2> &side = surface.side(patch);
-      sides.push_back({patch.side, side.length(), side.is_closed(), {}});
-    }
-    sides.back().nodes.push_back({multipliers.node(k)[0], P[k] < threshold});
-  }
-  return sides;
-}
-
 /** The nodes around a closed side, the first one again at the end; they begin where two neighbours
  * are of the same kind, if there are such. */
 std::vector<SideNode> once_around(const SideNodes &side)

@@ -19,6 +19,9 @@ constexpr double reduction = 12.;
 constexpr double layers_per_step = 3.;
 constexpr double exponent_at_ends = 1.5;
 
+/** Smaller exponents would ask for more layers than a mesh can have. */
+constexpr double smallest_exponent = 0.2;
+
 /** How much the degree rises far away from singularities in a full step. */
 constexpr double rise_per_step = 1.5;
 
@@ -64,18 +67,18 @@ struct Goal
   double error;
   /** Of one cell. */
   double per_cell;
+  /** The share of a full step. */
   double length;
 };
 
 /** lambda as the error at the place shows it: 2^{-lambda} per layer. */
 double observed_exponent(const Singularity &known, const double error)
 {
-  constexpr double smallest = 0.2;
   const double more_layers = known.layers - known.last_layers;
   if (known.last_error <= 0. || more_layers < 1. || error <= 0.)
     return known.exponent;
   const double observed = std::log2(known.last_error / error) / more_layers;
-  return std::max(smallest, std::min(known.exponent, observed));
+  return std::max(smallest_exponent, std::min(known.exponent, observed));
 }
 
 /** Whether u_h does not look analytic in the cells at a place. */
@@ -141,6 +144,7 @@ const Singularity *end_before(const Singularity &end, const MeshPlan &plan)
   return found;
 }
 
+/** The singular places of the next mesh with their layers. */
 void grade(const MeshPlan &plan,
            const Scene<2> &scene,
            const Mesh<2> &mesh,
@@ -167,6 +171,7 @@ void grade(const MeshPlan &plan,
   next.singularities.insert(next.singularities.end(), ends.begin(), ends.end());
 }
 
+/** Splits or raises the degree of cells whose error the rest of the plan leaves too large. */
 void demand(const Scene<2> &scene,
             const Mesh<2> &mesh,
             const std::vector<unsigned int> &degrees,
@@ -197,10 +202,11 @@ void demand(const Scene<2> &scene,
     }
   }
 }
+
 /** A corner at which u may be singular. */
 void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan)
 {
-  constexpr double smallest = 0.2, of_logarithm = 1.;
+  constexpr double of_logarithm = 1.;
   const auto is_homogeneous = [&](const unsigned int side) {
     const Role role = scene.boundary[side].role;
     return role == Role::free || role == Role::clamped || role == Role::roller;
@@ -212,7 +218,7 @@ void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan)
   else
     // Data that does not fit together gives r log r; data of a smooth solution gives nothing.
     exponent = std::min(exponent, of_logarithm);
-  place.exponent = std::max(exponent, smallest);
+  place.exponent = std::max(exponent, smallest_exponent);
   if (exponent < largest_corner_exponent)
     plan.singularities.push_back(place);
 }

@@ -71,7 +71,8 @@ public:
     progress("errors");
     add_errors(parameters, context_.scene, discretization, nullptr, solution);
     last_ = {std::move(next_), solution.U, solution.P};
-    finished_ = context_.judge.reaches_target(record) && is_checked(record);
+    finished_ =
+      (context_.judge.reaches_target(record) && is_checked(record)) || history_.stagnates();
     if (!finished_)
       plan_next(findings);
     progress("output");
@@ -139,15 +140,14 @@ private:
     return findings;
   }
 
-  /** Makes the next mesh; without one the sequence is finished. */
+  /** Makes the next mesh; if it has too many unknowns, the sequence is finished. */
   void plan_next(const StepFindings &findings)
   {
     const Discretization<2> &discretization = *last_.discretization;
     plan_ =
       next_plan(plan_, scene_, discretization.mesh, degrees_of(discretization.space), findings);
     next_ = make_discretization();
-    finished_ = history_.stagnates() ||
-                next_->space.dofs().n_dofs() > context_.parameters.discretization.maximum_unknowns;
+    finished_ = next_->space.dofs().n_dofs() > context_.parameters.discretization.maximum_unknowns;
   }
 
   StudyContext<2> context_;

@@ -16,8 +16,8 @@ namespace
 /** The limit of Inf-sup constant = automatic: it needs a factorisation of its own. */
 constexpr unsigned int largest_automatic_inf_sup = 100000;
 
-/** Whether the constant of Lemma 1 is asked for on a level of this size. On graded meshes it has
- * the same value in each step. */
+/** Whether the constant of Lemma 1 is asked for on a level of this size; on graded meshes only if
+ * the user wants it. */
 bool wants_inf_sup(const Parameters &parameters, const unsigned long long n_dofs)
 {
   const Choice choice = parameters.output.inf_sup_constant;

@@ -142,7 +142,7 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
     write_file(contact, [&](std::ostream &stream) {
       write_contact_vtu(stream, line, solution.bound_fields.contact);
     });
-    if (discretization.space.largest_degree() > 1)
+    if (solution.record.sizes.is_graded())
       write_file(level_file("mesh", level, ".svg"), [&](std::ostream &stream) {
         write_mesh_svg(stream, discretization.space, scene, level);
       });

@@ -31,11 +31,6 @@ std::optional<double> bound_of(const LevelRecord &level)
   return level.bound ? level.bound->relative : std::nullopt;
 }
 
-bool is_graded(const LevelRecord &level)
-{
-  return level.sizes.max_degree > 1;
-}
-
 bool is_guaranteed(const LevelRecord &level)
 {
   return bound_of(level) && level.bound->guaranteed;
@@ -52,7 +47,7 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels)
 {
   const LevelRecord &finest = levels.back();
   std::ostringstream text;
-  if (is_graded(finest))
+  if (finest.sizes.is_graded())
   {
     if (!finest.estimate)
       return "nothing is known about the error: contact was not seen before this step";

@@ -102,10 +102,10 @@ StudyVerdict Judge::verdict(const std::vector<LevelRecord> &levels) const
   if (!objection.empty())
     return failed(levels, objection);
   const std::string doubt = first_objection(accuracy_checks, levels, *this);
-  const Outcome outcome = !doubt.empty()                 ? Outcome::not_resolved
-                          : is_guaranteed(levels.back()) ? Outcome::certified
-                          : is_graded(levels.back())     ? Outcome::accuracy_estimated
-                                                         : Outcome::equations_certified;
+  const Outcome outcome = !doubt.empty()                    ? Outcome::not_resolved
+                          : is_guaranteed(levels.back())    ? Outcome::certified
+                          : levels.back().sizes.is_graded() ? Outcome::accuracy_estimated
+                                                            : Outcome::equations_certified;
   return {outcome, doubt, describe_accuracy(levels), largest_residual_bound(levels)};
 }
 

@@ -95,8 +95,8 @@ std::string check_target(const std::vector<LevelRecord> &levels, const Judge &ju
   if (!judge.has_target() || judge.reaches_target(finest))
     return "";
   std::ostringstream text;
-  text << "The target error is not reached on " << (is_graded(finest) ? "step " : "level ")
-       << finest.sizes.level << ", the finest: the relative error is ";
+  text << "The target error is not reached on " << finest.sizes.word() << " " << finest.sizes.level
+       << ", the finest: the relative error is ";
   if (const std::optional<double> error = relative_error(finest))
     text << 100. * *error << " %"
          << (is_guaranteed(finest) ? " (energy norm, guaranteed)"
@@ -104,7 +104,7 @@ std::string check_target(const std::vector<LevelRecord> &levels, const Judge &ju
                                    : " (energy norm, estimated)");
   else
     text << "not known";
-  text << (is_graded(finest)
+  text << (finest.sizes.is_graded()
              ? "; raise Maximum unknowns, or see where the mesh is finest (mesh-LL.svg): "
                "data that contradict each other there have no solution."
              : "; raise Finest level.");
@@ -125,7 +125,7 @@ std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &)
 {
   const LevelRecord &finest = levels.back();
   // A bound sees more.
-  if (bound_of(finest) || is_graded(finest) || !locks(finest))
+  if (bound_of(finest) || finest.sizes.is_graded() || !locks(finest))
     return "";
   std::ostringstream text;
   text << "The body is nearly incompressible, and bilinear elements lock on a mesh as coarse as "
@@ -138,7 +138,8 @@ std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &)
 
 std::string check_estimate(const std::vector<LevelRecord> &levels, const Judge &)
 {
-  if (bound_of(levels.back()) || is_graded(levels.back()) || levels.size() < n_stagnant_levels)
+  if (bound_of(levels.back()) || levels.back().sizes.is_graded() ||
+      levels.size() < n_stagnant_levels)
     return "";
   // Solutions in V^h have estimates that are nothing but rounding.
   const double negligible = std::max(1e-8, 100. * levels.back().linear.rounding_error);

@@ -101,7 +101,7 @@ void check_too_few_unknowns(Checks &checks)
   const std::string &reason = result.verdict.reason;
   checks.that("3000 unknowns: one sentence names the parameter",
               reason.find("raise Maximum unknowns, ") != std::string::npos &&
-                reason.find('\n') == std::string::npos);
+                reason.find(". ") == std::string::npos && reason.find('\n') == std::string::npos);
 }
 } // namespace
 

@@ -4,21 +4,21 @@
 #include <signorini/mesh/mesh.h>
 #include <signorini/scene/scene.h>
 
-#include <optional>
 #include <vector>
 
 namespace Signorini
 {
 /**
- * A place on the boundary next to which u ~ r^lambda: a corner, or an end of contact, which is
- * known to lie between two points of a side.
+ * A place on the boundary next to which u ~ r^lambda: a corner, a kink, or an end of contact. An
+ * end of contact is known to lie between two points of a side.
  */
 struct Singularity
 {
   enum class Kind
   {
     corner,
-    /** Where a line of kinks meets a contact side. */
+    /** Where a line of kinks meets a side: a possible end of contact, or the end of an interface.
+     */
     kink,
     end_of_contact
   };

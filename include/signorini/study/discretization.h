@@ -20,7 +20,7 @@ struct Discretization
                  unsigned int level,
                  MPI_Comm communicator);
   /** A graded mesh: multipliers of degree p - 2 on every contact face of degree p. In the plane, on
-   * one rank. @throws ComputationError for more unknowns than Maximum unknowns. */
+   * one rank. @throws InputError for a multiplier that sees no free node. */
   Discretization(const Parameters &parameters, const Scene<dim> &scene, const MeshPlan &plan);
   Discretization(const Discretization &) = delete;
   Discretization &operator=(const Discretization &) = delete;

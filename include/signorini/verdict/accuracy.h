@@ -13,10 +13,6 @@ namespace Signorini
  * it is an estimated bound. */
 std::optional<double> bound_of(const LevelRecord &level);
 
-/** Whether the mesh is graded, with elements of higher degree: there is no bound, but an estimate
- * that the steps before have checked. */
-bool is_graded(const LevelRecord &level);
-
 /** Whether there is a bound that is guaranteed. */
 bool is_guaranteed(const LevelRecord &level);
 
