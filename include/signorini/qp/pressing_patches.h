@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/qp/compliance_operator.h>
+#include <signorini/qp/seen_motions.h>
+
+#include <optional>
+
+namespace Signorini
+{
+/** A pressure and motions, in the coordinates of SeenMotions. */
+struct MotionState
+{
+  dealii::Vector<double> P;
+  dealii::Vector<double> z;
+};
+
+/** The patches with P < 0, in ascending order. */
+ComplianceOperator::Indices pressing_patches(const dealii::Vector<double> &P);
+
+/** What solve_on_pressing() finds. */
+struct PressingSolution
+{
+  /** P may be positive. */
+  MotionState state;
+  /** B_A^T C_AA^{-1} B_A, n x n, of the unit 1/C. */
+  dealii::FullMatrix<double> stiffness;
+};
+
+/**
+ * With the patches A that press in @p start, exactly:
+ *
+ *   C_AA P_A + B_A z = F_A,   K z - B_A^T P_A = b,   P = 0 elsewhere.
+ *
+ * C_AA is factorised, and z follows from (K + B_A^T C_AA^{-1} B_A + delta) dz = imbalance, three
+ * times. delta, 1e-9 of the stiffness, keeps motions as they are that the patches of A do not see
+ * (a body that tips about one edge).
+ *
+ * @return nothing if C_AA is not positive definite within rounding.
+ */
+std::optional<PressingSolution> solve_on_pressing(const ComplianceOperator &C,
+                                                  const dealii::Vector<double> &F,
+                                                  const SeenMotions &motions,
+                                                  const MotionState &start);
+} // namespace Signorini
