@@ -2,6 +2,7 @@
 // V^h and its essential boundary conditions.
 
 #include <signorini/elasticity/displacement_space.h>
+#include <signorini/scene/rigid_motions.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -9,6 +10,8 @@
 #include <deal.II/numerics/vector_tools_constraints.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 namespace Signorini
 {
@@ -41,6 +44,76 @@ dealii::AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh,
       dofs, 0, rollers, conditions, mesh.mapping());
   conditions.close();
   return conditions;
+}
+
+/** Vertices of the coarse mesh that do not hang: off the contact sides, as far as there are any. */
+std::vector<DisplacementSpace<2>::Pin>
+pin_candidates(const dealii::DoFHandler<2> &dofs,
+               const Scene<2> &scene,
+               const dealii::AffineConstraints<double> &essential)
+{
+  std::set<unsigned int> coarse, touching;
+  for (const auto &cell : dofs.get_triangulation().cell_iterators_on_level(0))
+    for (const unsigned int v : cell->vertex_indices())
+      coarse.insert(cell->vertex_index(v));
+  for (const auto &face : dofs.get_triangulation().active_face_iterators())
+    if (face->at_boundary() && scene.boundary[face->boundary_id()].role == Role::contact)
+      touching.insert({face->vertex_index(0), face->vertex_index(1)});
+  std::vector<DisplacementSpace<2>::Pin> candidates, on_contact;
+  std::set<unsigned int> seen;
+  for (const auto &cell : dofs.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+    {
+      const unsigned int vertex = cell->vertex_index(v);
+      if (coarse.count(vertex) > 0 && seen.insert(vertex).second)
+        for (unsigned int c = 0; c < 2; ++c)
+        {
+          const auto dof = cell->vertex_dof_index(v, c, cell->active_fe_index());
+          if (!essential.is_constrained(dof))
+            (touching.count(vertex) > 0 ? on_contact : candidates)
+              .push_back({dof, cell->vertex(v), c});
+        }
+    }
+  // Three components at two vertices hold a body; more let them lie far from each other.
+  constexpr std::size_t enough = 6;
+  if (candidates.size() < enough)
+    candidates.insert(candidates.end(), on_contact.begin(), on_contact.end());
+  return candidates;
+}
+
+/** As many pins as there are motions, chosen one after the other where the motions that are left
+ * are largest. */
+std::vector<DisplacementSpace<2>::Pin>
+choose_pins(const dealii::DoFHandler<2> &dofs,
+            const Scene<2> &scene,
+            const dealii::AffineConstraints<double> &essential)
+{
+  std::vector<RigidMotion> motions = free_rigid_motions(scene);
+  const auto candidates = pin_candidates(dofs, scene, essential);
+  const auto speed = [](const RigidMotion &motion, const DisplacementSpace<2>::Pin &pin) {
+    return motion.velocity(pin.node)[pin.component];
+  };
+  std::vector<DisplacementSpace<2>::Pin> pins;
+  while (!motions.empty())
+  {
+    std::size_t best = 0, fastest = 0;
+    double largest = 0.;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      for (std::size_t k = 0; k < motions.size(); ++k)
+        if (std::abs(speed(motions[k], candidates[i])) > largest)
+        {
+          largest = std::abs(speed(motions[k], candidates[i]));
+          best = i;
+          fastest = k;
+        }
+    const DisplacementSpace<2>::Pin &pin = candidates[best];
+    const RigidMotion stopped = motions[fastest];
+    motions.erase(motions.begin() + fastest);
+    for (RigidMotion &motion : motions)
+      motion = combine({motion, stopped}, {1., -speed(motion, pin) / speed(stopped, pin)});
+    pins.push_back(pin);
+  }
+  return pins;
 }
 
 /** Constrained degrees of freedom and those that they follow: on an oblique roller both components
@@ -123,6 +196,17 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
   dofs_.distribute_dofs(elements);
   auto essential = essential_conditions(mesh_, dofs_, scene);
   supports_ = held_dofs(essential, dofs_.n_dofs());
+  if constexpr (dim == 2)
+    if (scene.is_held_by_contact)
+    {
+      pins_ = choose_pins(dofs_, scene, essential);
+      dealii::AffineConstraints<double> conditions;
+      conditions.merge(essential);
+      for (const Pin &pin : pins_)
+        conditions.add_line(pin.dof);
+      conditions.close();
+      essential = std::move(conditions);
+    }
   continuity_ = continuity_conditions(dofs_);
   constraints_ = merge(std::move(essential), continuity_);
 }
@@ -139,6 +223,14 @@ NodalVector DisplacementSpace<dim>::complete(const DistributedVector &free_value
   NodalVector values(free_values);
   constraints_.distribute(values);
   return values;
+}
+
+template <int dim>
+NodalVector DisplacementSpace<dim>::prescribed(const Scene<dim> &scene) const
+{
+  NodalVector k(dofs_.n_dofs());
+  merge(essential_conditions(mesh_, dofs_, scene), continuity_).distribute(k);
+  return k;
 }
 
 template <int dim>

@@ -92,6 +92,27 @@ public:
       lines_.add("Reaction of " + force.side, force_parts(force));
   }
 
+  void print_plates()
+  {
+    const double scale = scale_of_forces();
+    for (const PlateRecord &record : level_.motions.plates)
+    {
+      const Plate &plate = record.plate;
+      std::vector<std::string> parts = {"travel " +
+                                          digits(rounded(record.motion.travel, answer_.size)),
+                                        "along " + vector_text(plate.direction, 1.) + ",",
+                                        "force " + digits(rounded(record.force, scale))};
+      if (plate.turns)
+        parts.insert(parts.end(),
+                     {"rotation " + digits(rounded(record.motion.rotation, 1.)),
+                      "about " + vector_text(plate.centre, answer_.size) + ",",
+                      "moment " + digits(rounded(record.moment, scale * answer_.size))});
+      lines_.add("Plate on " + record.side, parts);
+    }
+    for (const std::string &motion : level_.motions.undetermined)
+      lines_.add("Undetermined", {motion + ":", "nothing resists it,", "it is taken as zero"});
+  }
+
   void print_pressure()
   {
     if (!answer_.peak_pressure)
@@ -232,6 +253,7 @@ void print_answer(std::ostream &stream,
          << ", per unit of thickness (pressure: positive in compression)\n";
   AnswerBlock block(stream, levels);
   block.print_forces();
+  block.print_plates();
   block.print_pressure();
   block.print_zones();
   block.print_penetration();

@@ -92,6 +92,20 @@ AnswerJson zones_of(const Answer &answer)
   return json;
 }
 
+AnswerJson plates_of(const MotionRecord &motions)
+{
+  AnswerJson json = AnswerJson::array();
+  for (const PlateRecord &plate : motions.plates)
+    json.push_back({{"side", plate.side},
+                    {"direction", components(plate.plate.direction)},
+                    {"travel", plate.motion.travel},
+                    {"force", plate.force},
+                    {"centre", components(plate.plate.centre)},
+                    {"rotation", plate.motion.rotation},
+                    {"moment", plate.moment}});
+  return json;
+}
+
 AnswerJson penetration_of(const Answer &answer)
 {
   if (!answer.penetration)
@@ -117,6 +131,8 @@ void write_answer(std::ostream &stream,
                            {"contact_force", total},
                            {"contact_by_side", describe(answer.contact_by_side)},
                            {"reactions", describe(answer.reactions)},
+                           {"plates", plates_of(finest.motions)},
+                           {"undetermined_motions", finest.motions.undetermined},
                            {"peak_pressure", peak_of(levels)},
                            {"contact_zones", zones_of(answer)},
                            {"penetration", penetration_of(answer)},

@@ -48,6 +48,7 @@ Json describe(const LevelRecord &level, const Judge &judge)
           {"complementarity", c.complementarity},
           {"duality_gap", c.duality_gap},
           {"force_balance", c.force_balance},
+          {"motion_balance", c.motion_balance},
           {"support", c.support},
           {"moment_balance", c.moment_balance},
           {"moment_balance_is_exact", c.moments_are_exact},

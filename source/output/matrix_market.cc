@@ -19,6 +19,16 @@ void write_symmetric_matrix_market(std::ostream &stream, const dealii::FullMatri
       stream << matrix(i, j) << "\n";
 }
 
+void write_matrix_market(std::ostream &stream, const dealii::FullMatrix<double> &matrix)
+{
+  stream << "%%MatrixMarket matrix array real general\n"
+         << matrix.m() << " " << matrix.n() << "\n"
+         << std::setprecision(17);
+  for (unsigned int j = 0; j < matrix.n(); ++j)
+    for (unsigned int i = 0; i < matrix.m(); ++i)
+      stream << matrix(i, j) << "\n";
+}
+
 std::string lower_triangle(const dealii::TrilinosWrappers::SparseMatrix &matrix,
                            const double factor)
 {

@@ -180,6 +180,11 @@ void Declarations::declare_boundary(BoundaryParameters &boundary)
       boundary.traction,
       "Surface traction (force/area) by side: left: tx; ty | right: tx; ty. Sides without a role "
       "are free.");
+  add(
+    "Plates",
+    boundary.plates,
+    "Sides to which rigid plates are bonded, with the direction in which each travels: "
+    "top: 0, -1 | right: 1, 0 turning. A plate that is turning may also rotate about its middle.");
   leave();
 }
 
@@ -189,6 +194,16 @@ void Declarations::declare_data(Parameters &parameters)
   add("Body force",
       parameters.load.body_force,
       "Force per volume: fx; fy, expressions in x, y (force/volume).");
+  add("Plate force",
+      parameters.load.plate_force,
+      "Force on a plate along its direction (force per thickness) by side: top: 35.");
+  add("Plate moment",
+      parameters.load.plate_moment,
+      "Moment on a turning plate about its middle, counter-clockwise (force x length per "
+      "thickness) by side; zero where nothing is given.");
+  add("Plate travel",
+      parameters.load.plate_travel,
+      "Travel of a plate along its direction (length) by side, in the place of a force.");
   leave();
   enter("Contact");
   add("Gap",

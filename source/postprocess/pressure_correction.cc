@@ -39,7 +39,8 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<2> &multipl
   free.F -= D.transpose_product(data.U_free);
   if (free.nothing_touches())
     return dealii::Vector<double>(multipliers.n_multipliers());
-  return data.solve_dual(condensed_D,
+  return data.solve_dual(D,
+                         condensed_D,
                          free.F,
                          transfer_pressure({data.multipliers.surface().patches(), data.P},
                                            multipliers.surface().patches()));

@@ -54,6 +54,7 @@ Columns<LevelRecord> columns_of_parts()
         columns_of(&LevelRecord::lemmas),
         columns_of(&LevelRecord::bound),
         columns_of(&LevelRecord::answer),
+        columns_of(&LevelRecord::motions),
         columns_of(&LevelRecord::times),
         columns_of(&LevelRecord::resources)})
     all.insert(all.end(), columns.begin(), columns.end());

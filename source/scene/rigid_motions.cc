@@ -21,35 +21,79 @@ std::array<double, 3> normal_motion(const dealii::Tensor<1, 2> &relative,
   return {{n[0], n[1], (-relative[1] * n[0] + relative[0] * n[1]) / size}};
 }
 
-/** Sum of r r^T over all conditions r.motion = 0 that the sides impose. */
-dealii::LAPACKFullMatrix<double> normal_equations(const Scene<2> &scene,
-                                                  const dealii::Point<2> &centre,
-                                                  const double size)
+/** Sum of r r^T over conditions r.motion = 0. */
+class Conditions
 {
-  dealii::LAPACKFullMatrix<double> matrix(3, 3);
-  const auto impose = [&](const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) {
-    const auto row = normal_motion(x - centre, n, size);
+public:
+  explicit Conditions(const Geometry<2> &geometry)
+    : centre_(geometry.lower + 0.5 * (geometry.upper - geometry.lower))
+    , size_(geometry.diameter())
+    , matrix_(3, 3)
+  {
+  }
+
+  /** v(x).n = 0. */
+  void forbid_velocity(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n)
+  {
+    add(normal_motion(x - centre_, n, size_));
+  }
+  void forbid_rotation()
+  {
+    add({{0., 0., 1.}});
+  }
+  /** All motions that obey. */
+  std::vector<RigidMotion> solutions()
+  {
+    dealii::Vector<double> eigenvalues(3);
+    dealii::FullMatrix<double> vectors(3, 3);
+    matrix_.compute_eigenvalues_symmetric(-1., 1e6, 1e-15, eigenvalues, vectors);
+    std::vector<RigidMotion> motions;
+    for (unsigned int k = 0; k < 3; ++k)
+      // A clamped side of the length l holds a rotation with (l / size)² at least, see
+      // largest_slenderness; rounding leaves 1e-15.
+      if (eigenvalues[k] < 1e-14)
+        motions.push_back(
+          {dealii::Tensor<1, 2>({vectors(0, k), vectors(1, k)}), vectors(2, k), centre_, size_});
+    return motions;
+  }
+
+private:
+  void add(const std::array<double, 3> &row)
+  {
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
-        matrix(i, j) += row[i] * row[j];
-  };
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-  {
-    const Side<2> &side = scene.geometry.sides[i];
-    const Role role = scene.boundary[i].role;
-    // Two points tell all about a segment, three about a circle.
-    for (const double share : {0., 1. / 3., 2. / 3., 1.})
-    {
-      const double s = share * side.length();
-      const dealii::Point<2> x = side.point(s);
-      if (role == Role::roller)
-        impose(x, side.normal(s));
-      if (role == Role::clamped || role == Role::displacement)
-        for (unsigned int d = 0; d < 2; ++d)
-          impose(x, dealii::Point<2>::unit_vector(d));
-    }
+        matrix_(i, j) += row[i] * row[j];
   }
-  return matrix;
+
+  dealii::Point<2> centre_;
+  double size_;
+  dealii::LAPACKFullMatrix<double> matrix_;
+};
+
+/** What a side of this role forbids; two points tell all about a segment, three about a circle. */
+void hold_side(const Side<2> &side, const Role role, Conditions &conditions)
+{
+  for (const double share : {0., 1. / 3., 2. / 3., 1.})
+  {
+    const double s = share * side.length();
+    const dealii::Point<2> x = side.point(s);
+    if (role == Role::roller)
+      conditions.forbid_velocity(x, side.normal(s));
+    if (role == Role::clamped || role == Role::displacement)
+      for (unsigned int d = 0; d < 2; ++d)
+        conditions.forbid_velocity(x, dealii::Point<2>::unit_vector(d));
+  }
+}
+
+/** What a plate forbids to a body that moves as a whole. */
+void hold_plate(const Plate &plate, Conditions &conditions)
+{
+  const dealii::Tensor<1, 2> across({-plate.direction[1], plate.direction[0]});
+  conditions.forbid_velocity(plate.centre, across);
+  if (!plate.is_pushed)
+    conditions.forbid_velocity(plate.centre, plate.direction);
+  if (!plate.turns)
+    conditions.forbid_rotation();
 }
 
 /** Plain numbers for messages: no -0, no 1e-17. */
@@ -58,42 +102,76 @@ double rounded(const double value)
   return std::round(value * 1e4) / 1e4 + 0.;
 }
 
-RigidMotion name_motion(const dealii::Tensor<1, 2> &t,
-                        const double rotation,
-                        const dealii::Point<2> &centre,
-                        const double size)
+std::string point_text(const double x, const double y)
 {
-  std::ostringstream name;
-  const double omega = rotation / size;
-  if (std::abs(rotation) < 1e-6)
-  {
-    const double sign = (std::abs(t[0]) > 1e-6 ? t[0] : t[1]) < 0 ? -1. : 1.;
-    name << "the translation along (" << rounded(sign * t[0]) << ", " << rounded(sign * t[1])
-         << ")";
-  }
-  else
-    name << "the rotation about (" << rounded(centre[0] - t[1] / omega) << ", "
-         << rounded(centre[1] + t[0] / omega) << ")";
-  return {t, rotation, name.str()};
+  std::ostringstream text;
+  text << "(" << rounded(x) << ", " << rounded(y) << ")";
+  return text.str();
+}
+
+bool is_translation(const RigidMotion &motion)
+{
+  return std::abs(motion.rotation) < 1e-6 * motion.translation.norm();
+}
+
+/** The point that does not move. */
+std::string pole(const RigidMotion &motion)
+{
+  const double omega = motion.rotation / motion.size;
+  return point_text(motion.centre[0] - motion.translation[1] / omega,
+                    motion.centre[1] + motion.translation[0] / omega);
 }
 } // namespace
 
-std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene)
+dealii::Tensor<1, 2> RigidMotion::velocity(const dealii::Point<2> &x) const
 {
-  const dealii::Point<2> centre =
-    scene.geometry.lower + 0.5 * (scene.geometry.upper - scene.geometry.lower);
-  const double size = scene.geometry.diameter();
-  auto matrix = normal_equations(scene, centre, size);
-  dealii::Vector<double> eigenvalues(3);
-  dealii::FullMatrix<double> vectors(3, 3);
-  matrix.compute_eigenvalues_symmetric(-1., 1e6, 1e-15, eigenvalues, vectors);
-  std::vector<RigidMotion> motions;
-  for (unsigned int k = 0; k < 3; ++k)
-    // A clamped side of the length l holds a rotation with (l / size)² at least, see
-    // largest_slenderness; rounding leaves 1e-15.
-    if (eigenvalues[k] < 1e-14)
-      motions.push_back(name_motion(
-        dealii::Tensor<1, 2>({vectors(0, k), vectors(1, k)}), vectors(2, k), centre, size));
-  return motions;
+  const dealii::Tensor<1, 2> arm = (x - centre) / size;
+  return translation + rotation * dealii::Tensor<1, 2>({-arm[1], arm[0]});
+}
+
+std::string RigidMotion::name() const
+{
+  if (!is_translation(*this))
+    return "the rotation about " + pole(*this);
+  const dealii::Tensor<1, 2> &t = translation;
+  const double sign = (std::abs(t[0]) > 1e-6 ? t[0] : t[1]) < 0 ? -1. : 1.;
+  return "the translation along " + point_text(sign * t[0], sign * t[1]);
+}
+
+std::string RigidMotion::direction() const
+{
+  if (!is_translation(*this))
+    return std::string(rotation > 0. ? "counter-clockwise" : "clockwise") + " about " + pole(*this);
+  const double length = translation.norm();
+  return "along " + point_text(translation[0] / length, translation[1] / length);
+}
+
+RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<double> &weights)
+{
+  RigidMotion sum = motions.front();
+  sum.translation = 0.;
+  sum.rotation = 0.;
+  for (std::size_t i = 0; i < motions.size(); ++i)
+  {
+    sum.translation += weights[i] * motions[i].translation;
+    sum.rotation += weights[i] * motions[i].rotation;
+  }
+  return sum;
+}
+
+std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates plates)
+{
+  Conditions conditions(scene.geometry);
+  std::vector<bool> is_released(scene.boundary.size(), false);
+  if (plates == Plates::released)
+    for (const Plate &plate : scene.plates)
+    {
+      is_released[plate.side] = true;
+      hold_plate(plate, conditions);
+    }
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+    if (!is_released[i])
+      hold_side(scene.geometry.sides[i], scene.boundary[i].role, conditions);
+  return conditions.solutions();
 }
 } // namespace Signorini

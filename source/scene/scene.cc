@@ -24,6 +24,29 @@ bool Scene<dim>::has_exact_pressure() const
   return true;
 }
 
+template <int dim>
+Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions)
+{
+  if constexpr (dim == 2)
+    for (std::size_t p = 0; p < scene.plates.size(); ++p)
+      scene.boundary[scene.plates[p].side].data =
+        std::make_shared<PlateDisplacement>(scene.plates[p], motions[p]);
+  return scene;
+}
+
+template <int dim>
+Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions)
+{
+  for (BoundaryCondition<dim> &condition : scene.boundary)
+    if (condition.role == Role::displacement)
+      condition.data = std::make_shared<const dealii::Functions::ZeroFunction<dim>>(dim);
+  return with_plates_moved(std::move(scene), motions);
+}
+
+template Scene<2> with_only_plates_moved(Scene<2>, const std::vector<PlateMotion> &);
+template Scene<3> with_only_plates_moved(Scene<3>, const std::vector<PlateMotion> &);
+template Scene<2> with_plates_moved(Scene<2>, const std::vector<PlateMotion> &);
+template Scene<3> with_plates_moved(Scene<3>, const std::vector<PlateMotion> &);
 template struct Scene<2>;
 template struct Scene<3>;
 } // namespace Signorini

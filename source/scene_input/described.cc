@@ -8,6 +8,7 @@
 
 #include "described_checks.h"
 #include "geometry_input.h"
+#include "plate_input.h"
 #include "side_lists.h"
 
 namespace Signorini
@@ -131,7 +132,10 @@ private:
   std::vector<const Entry *> entries_;
 };
 
-void read_boundary(const BoundaryParameters &given, const SceneReader &reader, Scene<2> &scene)
+void read_boundary(const BoundaryParameters &given,
+                   const LoadParameters &load,
+                   const SceneReader &reader,
+                   Scene<2> &scene)
 {
   const std::vector<std::string> sides = scene.geometry.side_names();
   RoleReader roles(scene);
@@ -148,6 +152,10 @@ void read_boundary(const BoundaryParameters &given, const SceneReader &reader, S
   };
   assign_data(given.displacement, Role::displacement);
   assign_data(given.traction, Role::traction);
+  scene.plates = read_plates(given.plates, load, scene.geometry);
+  for (const Plate &plate : scene.plates)
+    roles.assign(scene.geometry.sides[plate.side].name(), Role::displacement, given.plates).data =
+      std::make_shared<PlateDisplacement>(plate, PlateMotion{plate.travel, 0.});
   if (scene.contact_sides().empty())
     throw InputError(given.contact.where() +
                      ": no contact side is given, allowed: one or more of " + join(sides) + ".");
@@ -215,7 +223,7 @@ Scene<2> make_described_scene(const Parameters &parameters)
   scene.title = "described by expressions";
   scene.geometry = make_geometry(parameters.geometry);
   scene.material = read_material(parameters.material, reader, scene.geometry);
-  read_boundary(parameters.boundary, reader, scene);
+  read_boundary(parameters.boundary, parameters.load, reader, scene);
   read_contact_data(parameters.contact.gap, parameters.exact.pressure, reader, scene);
   const std::vector<Expression<2>> force = reader.components(parameters.load.body_force, 2);
   if (!is_zero(force))

@@ -28,16 +28,31 @@ void refuse_description(const Parameters &parameters)
                    described + ".");
 }
 
-void refuse_free_motions(const Scene<2> &scene, const std::string &where)
+/** Whether anything could press the body onto the foundation. */
+bool is_loaded(const Scene<2> &scene)
 {
+  const bool is_pushed = std::any_of(scene.plates.begin(), scene.plates.end(), [](const auto &p) {
+    return p.force != 0. || p.moment != 0.;
+  });
+  const bool has_traction =
+    std::any_of(scene.boundary.begin(), scene.boundary.end(), [](const auto &condition) {
+      return condition.role == Role::traction;
+    });
+  return is_pushed || has_traction || scene.body_force != nullptr;
+}
+
+/** Where supports leave the body free, contact has to hold it against a load. */
+void judge_free_motions(Scene<2> &scene, const std::string &where)
+{
+  scene.is_held_by_contact = !free_rigid_motions(scene, Plates::held).empty();
   std::vector<std::string> names;
-  for (const RigidMotion &motion : free_rigid_motions(scene))
-    names.push_back(motion.name);
-  if (!names.empty())
+  for (const RigidMotion &motion : free_rigid_motions(scene, Plates::released))
+    names.push_back(motion.name());
+  if (!names.empty() && !is_loaded(scene))
     throw InputError(where + ": the clamped, prescribed and roller sides leave " +
                      join(names, " and ") +
-                     " of the body free (the stiffness matrix is singular); hold the body with "
-                     "Clamped, Displacement or Rollers.");
+                     " of the body free, and no load presses it onto the foundation; hold the "
+                     "body with Clamped, Displacement or Rollers, or load it.");
 }
 
 /** Kinks that are closer than this share of the body cut off slivers, each of which is integrated
@@ -103,7 +118,7 @@ Scene<2> make_scene(const Parameters &parameters)
     scene.title = found->title;
     scene.description = describe_scene(name);
   }
-  refuse_free_motions(scene, parameters.boundary.where);
+  judge_free_motions(scene, parameters.boundary.where);
   const DiscretizationParameters &discretization = parameters.discretization;
   refuse_bad_kinks(scene, discretization);
   std::vector<KinkLine<2>> lines = scene.kinks.lines();

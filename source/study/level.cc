@@ -24,6 +24,31 @@ LevelSizes sizes_of(const Discretization<dim> &discretization)
           discretization.space.largest_degree(),
           discretization.mesh.shortest_edge()};
 }
+/** What the dual problem is told of free motions. */
+template <int dim>
+FreeMotions motions_of(const MotionModes<dim> &modes,
+                       const Scene<dim> &scene,
+                       const Coupling &D,
+                       const DistributedVector &loads,
+                       const NodalVector &U_0)
+{
+  const MotionWork work = modes.work(scene.plates, 1., NodalVector(loads), U_0);
+  return {modes.couple(D), modes.K, work.value, work.magnitude};
+}
+
+/** Makes q part of what is prescribed: U_0 + Z q is the body without contact then. */
+template <int dim>
+void prescribe_motions(const MotionModes<dim> &modes,
+                       const LevelSolution<dim> &solution,
+                       FreeState &free)
+{
+  if (modes.size() == 0)
+    return;
+  modes.add_to(free.U, solution.q);
+  dealii::Vector<double> B_q(free.F.size());
+  solution.motions.B.vmult(B_q, solution.q);
+  free.F -= B_q;
+}
 } // namespace
 
 template <int dim>
@@ -57,27 +82,37 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
                      contact_unknowns(discretization.condensed_D));
   });
 
-  const FreeState free = timed(times.compliance, [&]() {
+  FreeState free = timed(times.compliance, [&]() {
     return solve_free_state(*inverse, space, system.f, discretization.D, discretization.G);
   });
   solution.F = free.F;
+  const MotionModes<dim> modes =
+    timed(times.compliance, [&]() { return make_motion_modes(space, scene, *inverse); });
+  if (modes.size() > 0)
+    solution.motions = motions_of(modes, scene, discretization.D, system.loads, free.U);
+  const bool may_touch = modes.size() > 0 || !free.nothing_touches();
 
   Pressure pressure = {
     dealii::Vector<double>(discretization.multipliers.n_multipliers()), {}, {}, {}, {}};
-  if (!free.nothing_touches())
-    pressure = find_pressure(parameters, discretization, *inverse, start, progress, solution);
+  if (may_touch)
+    pressure =
+      find_pressure(parameters, discretization, *inverse, modes, start, progress, solution);
   solution.P = pressure.P;
-  solution.U = free.nothing_touches() ? free.U : timed(times.recovery, [&]() {
-    return recover_displacement(*inverse, space, discretization.condensed_D, solution.P, system.f);
-  });
-  if (pressure.C)
-    correct_rounding(parameters, discretization, *inverse, system.f, pressure, solution);
+  solution.U =
+    may_touch
+      ? timed(times.recovery,
+              [&]() { return recover(discretization, *inverse, modes, system.f, solution); })
+      : free.U;
+  if (may_touch)
+    correct_rounding(parameters, discretization, *inverse, modes, system.f, pressure, solution);
   solution.P = pressure.P;
+  solution.scene = with_plates_moved(scene, modes.plate_motions(scene.plates, solution.q));
+  prescribe_motions(modes, solution, free);
   solution.loads = system.loads;
   record.linear = {inverse->n_solves(), inverse->largest_residual(), inverse->rounding_error()};
 
   examine(
-    parameters, scene, discretization, {system, *inverse, free, pressure}, progress, solution);
+    parameters, discretization, {system, *inverse, free, pressure, modes}, progress, solution);
   return solution;
 }
 

@@ -7,7 +7,11 @@
 #include <signorini/bound/error_bound.h>
 #include <signorini/compliance/compliance.h>
 #include <signorini/postprocess/inf_sup.h>
+#include <signorini/postprocess/plate_forces.h>
 #include <signorini/qp/dual_solver.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
@@ -34,13 +38,72 @@ bool wants_bound(const DiscretizationParameters &given, const unsigned int level
   return level == given.finest_level || given.target_error > 0.;
 }
 
+/** Where plates are and what holds them there. */
+template <int dim>
+void add_plates(const DisplacementSpace<dim> &space,
+                const SolvedSystem<dim> &solved,
+                const NodalForces &nodal,
+                LevelSolution<dim> &solution)
+{
+  const Scene<dim> &scene = solution.scene;
+  if (scene.plates.empty())
+    return;
+  const std::vector<PlateMotion> motions = solved.modes.plate_motions(scene.plates, solution.q);
+  const std::vector<PlateForce> forces = plate_forces(space, scene, nodal);
+  for (std::size_t p = 0; p < scene.plates.size(); ++p)
+    solution.record.motions.plates.push_back({scene.geometry.sides[scene.plates[p].side].name(),
+                                              scene.plates[p],
+                                              motions[p],
+                                              forces[p].force,
+                                              forces[p].moment});
+}
+
+/** The largest part of a force or moment on a free motion that nothing balances: the residual's
+ * work on z_j against that of what drives the plates. */
+template <int dim>
+double motion_balance(const std::vector<Plate> &plates,
+                      const MotionModes<dim> &modes,
+                      const NodalForces &forces)
+{
+  double largest = 0.;
+  for (unsigned int j = 0; j < modes.size(); ++j)
+  {
+    const double work = modes.motions[j].work_of_plates(plates);
+    const double scale = std::max(std::abs(work), forces.largest() * modes.Z[j].linfty_norm());
+    if (scale > 0.)
+      largest = std::max(largest, std::abs(modes.Z[j] * forces.residual - work) / scale);
+  }
+  return largest;
+}
+
+/** The work of forces and moments that drive plates. */
+double work_of_plates(const MotionRecord &record)
+{
+  double work = 0.;
+  for (const PlateRecord &plate : record.plates)
+    work += plate.plate.force * plate.motion.travel + plate.plate.moment * plate.motion.rotation;
+  return work;
+}
+
+/** The energy is that of the problem with given forces: they lose what they do. */
+void subtract_work_of_plates(LevelRecord &record)
+{
+  const double work = work_of_plates(record.motions);
+  record.certificate.energy -= work;
+  if (record.bound && record.bound->energy_lower && record.bound->energy_upper)
+  {
+    *record.bound->energy_lower -= work;
+    *record.bound->energy_upper -= work;
+  }
+}
+
 /** The certificate, and the answer, which needs the same nodal forces. */
 template <int dim>
-void add_certificate_and_answer(const Scene<dim> &scene,
-                                const Discretization<dim> &discretization,
+void add_certificate_and_answer(const Discretization<dim> &discretization,
                                 const SolvedSystem<dim> &solved,
                                 LevelSolution<dim> &solution)
 {
+  const Scene<dim> &scene = solution.scene;
   const DisplacementSpace<dim> &space = discretization.space;
   LevelRecord &record = solution.record;
   record.contact = summarise_contact(discretization.multipliers, solution.P);
@@ -54,34 +117,51 @@ void add_certificate_and_answer(const Scene<dim> &scene,
                                ContactSolution<dim>{solution.U,
                                                     solved.free.U,
                                                     solution.P,
-                                                    solution.F,
+                                                    solved.free.F,
                                                     discretization.G,
                                                     solved.pressure.C_P,
                                                     solved.pressure.diagonal_P},
                                forces);
+  record.certificate.motion_balance = motion_balance(scene.plates, solved.modes, forces);
+  add_plates(space, solved, forces, solution);
   record.answer =
     compute_answer(space, scene, discretization.multipliers, forces, solution.U, solution.P);
 }
 
-/** The dual problem on other patches, for the estimate. */
-DualProblem dual_problem(const StiffnessInverse &inverse)
+/** The dual problem on other patches, for the estimate. Motions begin at q. */
+template <int dim>
+DualProblem dual_problem(const SolvedSystem<dim> &solved, const LevelSolution<dim> &solution)
 {
-  return [&inverse](const Coupling &condensed_D,
-                    const dealii::Vector<double> &F,
-                    const dealii::Vector<double> &start) -> std::optional<dealii::Vector<double>> {
+  return [&solved,
+          &solution](const Coupling &D,
+                     const Coupling &condensed_D,
+                     const dealii::Vector<double> &F,
+                     const dealii::Vector<double> &start) -> std::optional<dealii::Vector<double>> {
     double seconds = 0.;
-    const QPResult result =
-      solve_dual_problem(make_compliance(inverse, condensed_D, seconds), F, start, {});
+    const auto C = make_compliance(solved.inverse, condensed_D, seconds);
+    QPResult result;
+    if (solved.modes.size() == 0)
+      result = solve_dual_problem(C, F, start, {});
+    else
+    {
+      FreeMotions motions = solution.motions;
+      motions.B = solved.modes.couple(D);
+      dealii::Vector<double> K_q(solution.q.size());
+      motions.K.vmult(K_q, solution.q);
+      motions.b -= K_q;
+      result = solve_dual_problem(C, F, motions, start, {}).qp;
+    }
     return result.converged ? std::optional<dealii::Vector<double>>(result.P) : std::nullopt;
   };
 }
+
 /** The estimate of the error. */
 template <int dim>
-void add_estimate(const Scene<dim> &scene,
-                  const Discretization<dim> &discretization,
+void add_estimate(const Discretization<dim> &discretization,
                   const SolvedSystem<dim> &solved,
                   LevelSolution<dim> &solution)
 {
+  const Scene<dim> &scene = solution.scene;
   const PressureCorrection correction = correct_pressure({discretization.space,
                                                           scene,
                                                           discretization.multipliers,
@@ -90,20 +170,19 @@ void add_estimate(const Scene<dim> &scene,
                                                           discretization.condensed_D,
                                                           solved.inverse,
                                                           discretization.n_points,
-                                                          dual_problem(solved.inverse)});
+                                                          dual_problem(solved, solution)});
   solution.record.estimate = estimate_error(discretization.space, scene, solution.U, correction);
 }
 
 /** The bound of the error of U and P, and where it comes from. */
 template <int dim>
-void add_bound(const Scene<dim> &scene,
-               const Discretization<dim> &discretization,
+void add_bound(const Discretization<dim> &discretization,
                const StiffnessInverse &inverse,
                LevelSolution<dim> &solution)
 {
   const StageTimer timer(solution.record.times.bound);
   LocatedBound located = compute_located_bound({{discretization.space,
-                                                 scene,
+                                                 solution.scene,
                                                  discretization.multipliers,
                                                  solution.U,
                                                  solution.P,
@@ -118,7 +197,6 @@ void add_bound(const Scene<dim> &scene,
 
 template <int dim>
 void examine(const Parameters &parameters,
-             const Scene<dim> &scene,
              const Discretization<dim> &discretization,
              const SolvedSystem<dim> &solved,
              const Progress &progress,
@@ -136,18 +214,18 @@ void examine(const Parameters &parameters,
                                      parameters.solver.linear_solver);
   }
   progress("certificate");
-  add_certificate_and_answer(scene, discretization, solved, solution);
+  add_certificate_and_answer(discretization, solved, solution);
   if (discretization.mesh.has_parents())
-    add_estimate(scene, discretization, solved, solution);
+    add_estimate(discretization, solved, solution);
   if (wants_bound(parameters.discretization, record.sizes.level))
   {
     progress("bound of the error");
-    add_bound(scene, discretization, solved.inverse, solution);
+    add_bound(discretization, solved.inverse, solution);
   }
+  subtract_work_of_plates(record);
 }
 
 template void examine(const Parameters &,
-                      const Scene<2> &,
                       const Discretization<2> &,
                       const SolvedSystem<2> &,
                       const Progress &,

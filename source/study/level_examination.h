@@ -14,15 +14,16 @@ struct SolvedSystem
 {
   const LinearSystem<dim> &system;
   const StiffnessInverse &inverse;
+  /** With plates and body where they have moved to. */
   const FreeState &free;
   const Pressure &pressure;
+  const MotionModes<dim> &modes;
 };
 
 /** What follows from U and P: beta, the certificate, the answer, and the estimate and the bound of
  * the error, as far as they are asked for. Collective. */
 template <int dim>
 void examine(const Parameters &parameters,
-             const Scene<dim> &scene,
              const Discretization<dim> &discretization,
              const SolvedSystem<dim> &solved,
              const Progress &progress,

@@ -3,6 +3,7 @@
 
 #include "level_pressure.h"
 
+#include <signorini/base/exceptions.h>
 #include <signorini/base/stage_timer.h>
 #include <signorini/compliance/compliance.h>
 #include <signorini/qp/dual_solver.h>
@@ -38,22 +39,80 @@ ColumnProgress column_progress(const Progress &progress, const unsigned int n_co
   };
 }
 
+/** Tells which motion of the body nothing stops. */
 template <int dim>
-QPResult solve_contact(const std::shared_ptr<const ComplianceOperator> &C,
+[[noreturn]] void refuse_escape(const Parameters &parameters,
+                                const MotionModes<dim> &modes,
+                                const FreeMotions &motions,
+                                const dealii::Vector<double> &v)
+{
+  std::vector<RigidMotion> rigid;
+  std::vector<double> weights;
+  for (unsigned int j = 0; j < modes.size(); ++j)
+    if (modes.motions[j].rigid)
+    {
+      rigid.push_back(*modes.motions[j].rigid);
+      weights.push_back(v[j]);
+    }
+  const RigidMotion motion = combine(rigid, weights);
+  dealii::Vector<double> opening(motions.B.m());
+  motions.B.vmult(opening, v);
+  const bool slides = opening.linfty_norm() <= 1e-8 * motions.B.linfty_norm() * v.linfty_norm();
+  const bool turns = motion.direction().find("about") != std::string::npos;
+  throw InputError(parameters.boundary.where + ": the loads move the body " + motion.direction() +
+                   ", and no pressure of the foundation balances them (" +
+                   (slides  ? "it slides"
+                    : turns ? "it tips over"
+                            : "it lifts off") +
+                   "); allowed: loads that press it onto the foundation, or more sides that hold "
+                   "it.");
+}
+
+/** Rigid motions that nothing determines. */
+template <int dim>
+std::vector<std::string> names_of(const std::vector<dealii::Vector<double>> &unseen,
+                                  const MotionModes<dim> &modes)
+{
+  std::vector<std::string> names;
+  for (const dealii::Vector<double> &v : unseen)
+  {
+    std::vector<RigidMotion> rigid;
+    std::vector<double> weights;
+    for (unsigned int j = 0; j < modes.size(); ++j)
+      if (modes.motions[j].rigid)
+      {
+        rigid.push_back(*modes.motions[j].rigid);
+        weights.push_back(v[j]);
+      }
+    names.push_back(combine(rigid, weights).name());
+  }
+  return names;
+}
+
+/** P, and q where motions are free. */
+template <int dim>
+QPResult solve_contact(const Parameters &parameters,
+                       const Discretization<dim> &discretization,
+                       const MotionModes<dim> &modes,
+                       const std::shared_ptr<const ComplianceOperator> &C,
                        const dealii::Vector<double> &F,
                        const dealii::Vector<double> &start,
-                       const Parameters &parameters,
-                       const Discretization<dim> &discretization)
+                       LevelSolution<dim> &solution)
 {
   const SolverParameters &solver = parameters.solver;
-  return solve_dual_problem(C,
-                            F,
-                            start,
-                            {solver.contact_solver,
-                             solver.relaxation,
-                             solver.tolerance,
-                             solver.maximum_iterations,
-                             is_unstable(discretization)});
+  const DualSolverOptions options = {solver.contact_solver,
+                                     solver.relaxation,
+                                     solver.tolerance,
+                                     solver.maximum_iterations,
+                                     is_unstable(discretization)};
+  if (modes.size() == 0)
+    return solve_dual_problem(C, F, start, options);
+  const MotionResult result = solve_dual_problem(C, F, solution.motions, start, options);
+  if (result.escape)
+    refuse_escape(parameters, modes, solution.motions, *result.escape);
+  solution.q = result.q;
+  solution.record.motions.undetermined = names_of(result.unseen, modes);
+  return result.qp;
 }
 } // namespace
 
@@ -61,6 +120,7 @@ template <int dim>
 Pressure find_pressure(const Parameters &parameters,
                        const Discretization<dim> &discretization,
                        const StiffnessInverse &inverse,
+                       const MotionModes<dim> &modes,
                        const dealii::Vector<double> &start,
                        const Progress &progress,
                        LevelSolution<dim> &solution)
@@ -72,15 +132,31 @@ Pressure find_pressure(const Parameters &parameters,
     solution.C = C->dense();
   progress("dual problem");
   const StageTimer timer(solution.record.times.qp);
-  const QPResult result = solve_contact(C, solution.F, start, parameters, discretization);
+  const QPResult result =
+    solve_contact(parameters, discretization, modes, C, solution.F, start, solution);
   solution.record.dual = summary_of(result, parameters.solver.contact_solver);
   return {result.P, C->apply(result.P), diagonal_times(*C, result.P), C, {}};
+}
+
+template <int dim>
+NodalVector recover(const Discretization<dim> &discretization,
+                    const StiffnessInverse &inverse,
+                    const MotionModes<dim> &modes,
+                    const DistributedVector &f,
+                    const LevelSolution<dim> &solution)
+{
+  NodalVector U =
+    recover_displacement(inverse, discretization.space, discretization.condensed_D, solution.P, f);
+  if (modes.size() > 0)
+    modes.add_to(U, solution.q);
+  return U;
 }
 
 template <int dim>
 void correct_rounding(const Parameters &parameters,
                       const Discretization<dim> &discretization,
                       const StiffnessInverse &inverse,
+                      const MotionModes<dim> &modes,
                       const DistributedVector &f,
                       Pressure &pressure,
                       LevelSolution<dim> &solution)
@@ -90,35 +166,44 @@ void correct_rounding(const Parameters &parameters,
   const double measure = discretization.multipliers.integrals().l2_norm();
   for (unsigned int pass = 0; pass < most_passes; ++pass)
   {
-    dealii::Vector<double> W = discretization.D.transpose_product(solution.U);
-    W -= discretization.G;
+    // F - r = C P + B q - W
     dealii::Vector<double> corrected_F(pressure.C_P);
-    corrected_F -= W;
+    if (modes.size() > 0)
+      solution.motions.B.vmult_add(corrected_F, solution.q);
+    corrected_F -= discretization.D.transpose_product(solution.U);
+    corrected_F += discretization.G;
     dealii::Vector<double> r(corrected_F);
     r -= pass == 0 ? solution.F : pressure.corrected_F;
     if (r.l2_norm() <= negligible * measure * solution.U.linfty_norm())
       return;
     pressure.corrected_F = corrected_F;
-    const QPResult result =
-      solve_contact(pressure.C, corrected_F, pressure.P, parameters, discretization);
+    const QPResult result = solve_contact(
+      parameters, discretization, modes, pressure.C, corrected_F, pressure.P, solution);
     solution.record.dual = summary_of(result, parameters.solver.contact_solver);
     pressure.P = result.P;
     pressure.C_P = pressure.C->apply(result.P);
     pressure.diagonal_P = diagonal_times(*pressure.C, result.P);
-    solution.U = recover_displacement(
-      inverse, discretization.space, discretization.condensed_D, pressure.P, f);
+    solution.P = pressure.P;
+    solution.U = recover(discretization, inverse, modes, f, solution);
   }
 }
 
 template Pressure find_pressure(const Parameters &,
                                 const Discretization<2> &,
                                 const StiffnessInverse &,
+                                const MotionModes<2> &,
                                 const dealii::Vector<double> &,
                                 const Progress &,
                                 LevelSolution<2> &);
+template NodalVector recover(const Discretization<2> &,
+                             const StiffnessInverse &,
+                             const MotionModes<2> &,
+                             const DistributedVector &,
+                             const LevelSolution<2> &);
 template void correct_rounding(const Parameters &,
                                const Discretization<2> &,
                                const StiffnessInverse &,
+                               const MotionModes<2> &,
                                const DistributedVector &,
                                Pressure &,
                                LevelSolution<2> &);

@@ -178,6 +178,15 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
     write_vector("G", G);
     write_vector("F", solution.F);
     write_vector("P", solution.P);
+    if (solution.q.size() > 0)
+    {
+      write_vector("b", solution.motions.b);
+      write_vector("q", solution.q);
+      write("B", [&](std::ostream &stream) { write_matrix_market(stream, solution.motions.B); });
+      write("K", [&](std::ostream &stream) {
+        write_symmetric_matrix_market(stream, solution.motions.K);
+      });
+    }
     if (solution.C.m() > 0)
       write("C", [&](std::ostream &stream) { write_symmetric_matrix_market(stream, solution.C); });
   });

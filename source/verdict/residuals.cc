@@ -18,6 +18,7 @@ double largest_residual(const Certificate &certificate)
                                 certificate.complementarity,
                                 certificate.duality_gap,
                                 certificate.force_balance,
+                                certificate.motion_balance,
                                 certificate.moments_are_exact ? certificate.moment_balance : 0.})
   {
     // For std::max a residual that is not a number would be a small one.

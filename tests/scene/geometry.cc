@@ -51,7 +51,7 @@ void test_rigid_motions(Checks &checks)
     {
       bool found = false;
       for (const RigidMotion &motion : motions)
-        found = found || motion.name == expected;
+        found = found || motion.name() == expected;
       checks.that(name + ": " + expected, found);
     }
   }
@@ -62,7 +62,7 @@ void test_rigid_motions(Checks &checks)
                                                         "Boundary/Contact=side0",
                                                         "Boundary/Rollers=side2"})));
   checks.that("slanted roller",
-              slide.size() == 1 && slide[0].name == "the translation along (0.8, 0.6)" &&
+              slide.size() == 1 && slide[0].name() == "the translation along (0.8, 0.6)" &&
                 std::abs(slide[0].translation * Point(-0.6, 0.8)) < 1e-12 &&
                 std::abs(slide[0].rotation) < 1e-12);
 }
@@ -196,7 +196,7 @@ void test_curved_geometry(Checks &checks)
   scene.boundary[0].role = Role::roller;
   checks.that("ring on rollers: the rotation about its centre",
               free_rigid_motions(scene).size() == 1 &&
-                free_rigid_motions(scene)[0].name == "the rotation about (0, 0)");
+                free_rigid_motions(scene)[0].name() == "the rotation about (0, 0)");
   scene.boundary[0].role = Role::clamped;
   checks.that("clamped ring", free_rigid_motions(scene).empty());
 }

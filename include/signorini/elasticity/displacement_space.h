@@ -119,6 +119,23 @@ public:
   {
     return supports_;
   }
+  /** A degree of freedom that holds a body, which contact alone stops, while the system is solved.
+   */
+  struct Pin
+  {
+    dealii::types::global_dof_index dof;
+    dealii::Point<dim> node;
+    unsigned int component;
+  };
+  /** One for each rigid motion that supports leave free, where Scene::is_held_by_contact. They are
+   * no supports: the solution leaves no reaction there. */
+  const std::vector<Pin> &pins() const
+  {
+    return pins_;
+  }
+  /** What a scene with the same roles prescribes: k at constrained degrees of freedom (those on
+   * pins are zero), zero at all others. */
+  NodalVector prescribed(const Scene<dim> &scene) const;
   const dealii::IndexSet &locally_owned() const
   {
     return dofs_.locally_owned_dofs();
@@ -156,5 +173,6 @@ private:
   /** Those that keep u_h continuous; empty where no node hangs and all degrees are equal. */
   dealii::AffineConstraints<double> continuity_;
   dealii::IndexSet supports_;
+  std::vector<Pin> pins_;
 };
 } // namespace Signorini

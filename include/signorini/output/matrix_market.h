@@ -16,6 +16,9 @@ namespace Signorini
  * after another). */
 void write_symmetric_matrix_market(std::ostream &stream, const dealii::FullMatrix<double> &matrix);
 
+/** A dense matrix in Matrix Market's array format. */
+void write_matrix_market(std::ostream &stream, const dealii::FullMatrix<double> &matrix);
+
 /** A vector as an m x 1 matrix. */
 void write_matrix_market(std::ostream &stream, const dealii::Vector<double> &vector);
 

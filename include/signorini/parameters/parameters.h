@@ -56,12 +56,16 @@ struct BoundaryParameters
   Given<std::string> contact;
   Given<std::string> displacement;
   Given<std::string> traction;
+  Given<std::string> plates;
 };
 
 /** Subsection Load. */
 struct LoadParameters
 {
   Given<std::string> body_force{"0; 0"};
+  Given<std::string> plate_force;
+  Given<std::string> plate_moment;
+  Given<std::string> plate_travel;
 };
 
 /** Subsection Contact. */

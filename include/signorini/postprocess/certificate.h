@@ -26,6 +26,9 @@ struct Certificate
   double force_balance = 0.;
   /** The same for the moments about the body's centre. */
   double moment_balance = 0.;
+  /** What free motions of plates and of the body leave unbalanced of forces and moments, relative
+   * to the largest force. */
+  double motion_balance = 0.;
   /** Whether moments must balance exactly: V^h of curved cells holds rotations up to O(h^2) only.
    */
   bool moments_are_exact = true;

@@ -18,10 +18,11 @@ struct PressureCorrection
   double energy_norm = 0.;
 };
 
-/** P of the dual problem with C = D^T A^{-1} D for a condensed D, with F, from a start; none where
- * the solver fails. */
+/** P of the dual problem with C = D^T A^{-1} D for a D and its condensed form, with F, from a
+ * start; none where the solver fails. */
 using DualProblem =
-  std::function<std::optional<dealii::Vector<double>>(const Coupling &condensed_D,
+  std::function<std::optional<dealii::Vector<double>>(const Coupling &D,
+                                                      const Coupling &condensed_D,
                                                       const dealii::Vector<double> &F,
                                                       const dealii::Vector<double> &start)>;
 

@@ -12,6 +12,7 @@
 #include <signorini/postprocess/error_estimate.h>
 #include <signorini/record/costs.h>
 #include <signorini/record/level_sizes.h>
+#include <signorini/record/motion_record.h>
 #include <signorini/record/solves.h>
 
 #include <optional>
@@ -29,6 +30,7 @@ struct LevelRecord
   DualSolve dual;
   ContactSummary contact;
   Answer answer;
+  MotionRecord motions;
   Certificate certificate;
   std::optional<ErrorEstimate> estimate;
   /** Where it was asked for. */

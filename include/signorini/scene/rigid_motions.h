@@ -11,15 +11,36 @@ namespace Signorini
 /** A velocity field t + omega (-(y - y0), x - x0) of the plane, of size one on the body. */
 struct RigidMotion
 {
+  /** t. */
   dealii::Tensor<1, 2> translation;
-  double rotation;
+  /** omega L. */
+  double rotation = 0.;
+  /** (x0, y0), the centre of the box around the body. */
+  dealii::Point<2> centre;
+  /** L, the diameter of the body (length). */
+  double size = 1.;
+
+  /** The velocity at a point. */
+  dealii::Tensor<1, 2> velocity(const dealii::Point<2> &x) const;
   /** "the translation along (0, 1)" or "the rotation about (1, 2)". */
-  std::string name;
+  std::string name() const;
+  /** "along (0, -1)" or "clockwise about (1, 2)": the direction counts. */
+  std::string direction() const;
+};
+
+/** Sum of weights times motions of the same body. */
+RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<double> &weights);
+
+/** Whether plates that a force or a moment drives are held, or move as the force lets them. */
+enum class Plates
+{
+  held,
+  released
 };
 
 /**
  * The rigid motions that clamped, prescribed and roller sides leave free; A is singular exactly if
- * there are any. (Contact sides do not hold: they may open.)
+ * there are any with plates held. (Contact sides do not hold: they may open.)
  */
-std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene);
+std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, Plates plates = Plates::held);
 } // namespace Signorini

@@ -4,6 +4,7 @@
 #include <signorini/scene/geometry.h>
 #include <signorini/scene/kinks.h>
 #include <signorini/scene/material.h>
+#include <signorini/scene/plate.h>
 
 #include <deal.II/base/function.h>
 
@@ -56,6 +57,12 @@ struct Scene
   Geometry<dim> geometry;
   /** boundary[i] belongs to geometry.sides[i]. */
   std::vector<BoundaryCondition<dim>> boundary;
+  /** Sides that rigid plates move (in the plane). Their role is displacement; their data is what is
+   * given of the motion, and all of it once it is known (with_plates_moved()). */
+  std::vector<Plate> plates;
+  /** Whether rigid motions are left that contact alone can stop: then single degrees of freedom are
+   * pinned while the system is solved, and the motions are unknowns of the dual problem. */
+  bool is_held_by_contact = false;
   std::shared_ptr<const Material<dim>> material;
   /** f of (1), dim components; empty means zero. */
   FunctionPointer<dim> body_force;
@@ -69,4 +76,13 @@ struct Scene
   /** Whether p is known on every contact side. */
   bool has_exact_pressure() const;
 };
+
+/** The scene with the plates where they have moved to: an ordinary scene with prescribed
+ * displacements. @param motions one for each plate. */
+template <int dim>
+Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions);
+
+/** The same with nothing else prescribed: all other given displacements are zero. */
+template <int dim>
+Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions);
 } // namespace Signorini

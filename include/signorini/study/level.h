@@ -3,6 +3,7 @@
 
 #include <signorini/elasticity/linear_system.h>
 #include <signorini/errors/dual_norm_errors.h>
+#include <signorini/qp/free_motions.h>
 #include <signorini/record/level_record.h>
 #include <signorini/study/discretization.h>
 
@@ -27,6 +28,11 @@ struct LevelSolution
   dealii::Vector<double> F;
   /** Only with Output/Compliance, and empty if nothing touches. */
   dealii::FullMatrix<double> C;
+  /** B, K and b of free motions, and q; empty without. */
+  FreeMotions motions;
+  dealii::Vector<double> q;
+  /** The scene with plates where they have moved to. */
+  Scene<dim> scene;
   /** f_j for all j, not condensed. */
   DistributedVector loads;
   /** A and f. Only with Output/Compliance. */

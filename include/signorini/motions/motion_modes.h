@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/multiplier/coupling.h>
+#include <signorini/scene/free_motions.h>
+#include <signorini/stiffness_inverse/stiffness_inverse.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <vector>
+
+namespace Signorini
+{
+/** Virtual work on each of several motions (force times length per thickness over the unit of q).
+ */
+struct MotionWork
+{
+  dealii::Vector<double> value;
+  /** The sum of the absolute values of its terms, for what is rounding. */
+  dealii::Vector<double> magnitude;
+};
+
+/**
+ * Z: the displacements that free motions of plates and bodies cause. u = u_0 + sum_j q_j z_j, where
+ * u_0 vanishes on pins and moves plates by what is given of their motion. z_j moves the plates and
+ * pins as free motion j does, and a(z_j, v) = 0 for all v in V^h that vanish there. A rigid motion
+ * is its own z_j (on curved cells up to what V^h lacks of a rotation).
+ */
+template <int dim>
+struct MotionModes
+{
+  std::vector<FreeMotion> motions;
+  /** z_j, complete. */
+  std::vector<NodalVector> Z;
+  /** (a(z_j, phi_i))_i; empty for a rigid motion on straight cells: zero. */
+  std::vector<NodalVector> forces;
+  /** K_ij = a(z_i, z_j). */
+  dealii::FullMatrix<double> K;
+
+  std::size_t size() const
+  {
+    return motions.size();
+  }
+  /** B = D^T Z, m x k. */
+  dealii::FullMatrix<double> couple(const Coupling &D) const;
+  /**
+   * Work on z_j: of the forces on plates, times @p share_of_plates, and of the loads f_i (not
+   * condensed) less a(z_j, u_0). @param U_0 complete.
+   */
+  MotionWork work(const std::vector<Plate> &plates,
+                  double share_of_plates,
+                  const NodalVector &loads,
+                  const NodalVector &U_0) const;
+  /** U += sum_j q_j z_j. */
+  void add_to(NodalVector &U, const dealii::Vector<double> &q) const;
+  /** How the plates move with q, beside what is given. */
+  std::vector<PlateMotion> plate_motions(const std::vector<Plate> &plates,
+                                         const dealii::Vector<double> &q) const;
+};
+
+/** One solve for each mode that strains the body. Collective. */
+template <int dim>
+MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
+                                   const Scene<dim> &scene,
+                                   const StiffnessInverse &inverse);
+} // namespace Signorini

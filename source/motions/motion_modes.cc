@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Z = k - A^{-1} A k for the lifts k of free motions.
+
+#include <signorini/elasticity/cell_stiffness.h>
+#include <signorini/elasticity/node_positions.h>
+#include <signorini/motions/motion_modes.h>
+#include <signorini/recovery/recovery.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+/** The nodal values of a rigid motion. */
+NodalVector interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space)
+{
+  NodalVector values(space.dofs().n_dofs());
+  NodePositions<2> positions(space);
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    const std::vector<dealii::Point<2>> &nodes = positions(cell);
+    const std::vector<dealii::types::global_dof_index> indices = space.cell_dofs(cell);
+    for (unsigned int i = 0; i < indices.size(); ++i)
+    {
+      const auto [component, node] = cell->get_fe().system_to_component_index(i);
+      values[indices[i]] = motion.velocity(nodes[node])[component];
+    }
+  }
+  return values;
+}
+
+/** What the motion says about plates, pins and other supports; zero elsewhere. */
+NodalVector lift(const FreeMotion &motion, const DisplacementSpace<2> &space, const Scene<2> &scene)
+{
+  NodalVector k = space.prescribed(with_only_plates_moved(scene, motion.plates));
+  if (motion.rigid)
+    for (const auto &pin : space.pins())
+      k[pin.dof] = motion.rigid->velocity(pin.node)[pin.component];
+  return k;
+}
+
+/** (a(u, phi_i))_i for all i. */
+NodalVector forces_of(const NodalVector &U,
+                      const DisplacementSpace<2> &space,
+                      const Scene<2> &scene)
+{
+  return NodalVector(internal_forces(space, scene, U).forces);
+}
+
+/** k - A^{-1} A k. */
+NodalVector extend(const NodalVector &k,
+                   const DisplacementSpace<2> &space,
+                   const Scene<2> &scene,
+                   const StiffnessInverse &inverse)
+{
+  const NodalVector condensed = space.condense(forces_of(k, space, scene));
+  DistributedVector b = space.make_vector();
+  for (const auto i : space.locally_owned())
+    b(i) = -condensed[i];
+  NodalVector z = solve_homogeneous(inverse, space, b);
+  z += k;
+  return z;
+}
+} // namespace
+
+template <int dim>
+dealii::FullMatrix<double> MotionModes<dim>::couple(const Coupling &D) const
+{
+  dealii::FullMatrix<double> B(D.n_columns(), size());
+  for (unsigned int j = 0; j < size(); ++j)
+  {
+    const dealii::Vector<double> column = D.transpose_product(Z[j]);
+    for (unsigned int i = 0; i < column.size(); ++i)
+      B(i, j) = column[i];
+  }
+  return B;
+}
+
+template <int dim>
+MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates,
+                                  const double share_of_plates,
+                                  const NodalVector &loads,
+                                  const NodalVector &U_0) const
+{
+  MotionWork work = {dealii::Vector<double>(size()), dealii::Vector<double>(size())};
+  for (unsigned int j = 0; j < size(); ++j)
+  {
+    const auto add = [&](const double term) {
+      work.value[j] += term;
+      work.magnitude[j] += std::abs(term);
+    };
+    add(share_of_plates * motions[j].work_of_plates(plates));
+    for (unsigned int i = 0; i < loads.size(); ++i)
+      add(Z[j][i] * loads[i]);
+    if (forces[j].size() > 0)
+      for (unsigned int i = 0; i < U_0.size(); ++i)
+        add(-forces[j][i] * U_0[i]);
+  }
+  return work;
+}
+
+template <int dim>
+void MotionModes<dim>::add_to(NodalVector &U, const dealii::Vector<double> &q) const
+{
+  for (unsigned int j = 0; j < size(); ++j)
+    U.add(q[j], Z[j]);
+}
+
+template <int dim>
+std::vector<PlateMotion> MotionModes<dim>::plate_motions(const std::vector<Plate> &plates,
+                                                         const dealii::Vector<double> &q) const
+{
+  std::vector<PlateMotion> sum =
+    combine_plates(motions, std::vector<double>(q.begin(), q.end()), plates.size());
+  for (std::size_t p = 0; p < plates.size(); ++p)
+    sum[p].travel += plates[p].travel;
+  return sum;
+}
+
+template <int dim>
+MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
+                                   const Scene<dim> &scene,
+                                   const StiffnessInverse &inverse)
+{
+  MotionModes<dim> modes;
+  if (scene.plates.empty() && !scene.is_held_by_contact)
+    return modes;
+  static_assert(dim == 2, "Plates and rigid motions are those of the plane.");
+  modes.motions = free_motions(scene);
+  for (const FreeMotion &motion : modes.motions)
+  {
+    const bool strains = !motion.rigid || space.mesh().is_curved();
+    modes.Z.push_back(strains ? extend(lift(motion, space, scene), space, scene, inverse)
+                              : interpolate(*motion.rigid, space));
+    modes.forces.push_back(strains ? forces_of(modes.Z.back(), space, scene) : NodalVector());
+  }
+  const unsigned int k = modes.size();
+  modes.K.reinit(k, k);
+  for (unsigned int i = 0; i < k; ++i)
+    for (unsigned int j = 0; j < k; ++j)
+      if (modes.forces[i].size() > 0 && modes.forces[j].size() > 0)
+        modes.K(i, j) = 0.5 * (modes.Z[i] * modes.forces[j] + modes.Z[j] * modes.forces[i]);
+  return modes;
+}
+
+template struct MotionModes<2>;
+template MotionModes<2> make_motion_modes(const DisplacementSpace<2> &,
+                                          const Scene<2> &,
+                                          const StiffnessInverse &);
+} // namespace Signorini
