@@ -133,7 +133,7 @@ std::string RigidMotion::name() const
 {
   if (!is_translation(*this))
     return "the rotation about " + pole(*this);
-  const dealii::Tensor<1, 2> &t = translation;
+  const dealii::Tensor<1, 2> t = translation / translation.norm();
   const double sign = (std::abs(t[0]) > 1e-6 ? t[0] : t[1]) < 0 ? -1. : 1.;
   return "the translation along " + point_text(sign * t[0], sign * t[1]);
 }
