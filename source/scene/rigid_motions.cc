@@ -27,27 +27,30 @@ dealii::LAPACKFullMatrix<double> normal_equations(const Scene<2> &scene,
                                                   const double size)
 {
   dealii::LAPACKFullMatrix<double> matrix(3, 3);
-  const auto impose = [&](const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) {
-    const auto row = normal_motion(x - centre, n, size);
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        matrix(i, j) += row[i] * row[j];
-  };
+  const auto impose =
+    [&](const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n, const double weight) {
+      const auto row = normal_motion(x - centre, n, size);
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          matrix(i, j) += weight * row[i] * row[j];
+    };
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
   {
     const Side<2> &side = scene.geometry.sides[i];
     const Role role = scene.boundary[i].role;
     // Two points tell all about a segment, three about a circle.
-    for (const double share : {0., 1. / 3., 2. / 3., 1.})
-    {
-      const double s = share * side.length();
-      const dealii::Point<2> x = side.point(s);
-      if (role == Role::roller)
-        impose(x, side.normal(s));
-      if (role == Role::clamped || role == Role::displacement)
-        for (unsigned int d = 0; d < 2; ++d)
-          impose(x, dealii::Point<2>::unit_vector(d));
-    }
+    for (unsigned int k = 0; k < side.n_pieces(); ++k)
+      for (const double share : {0., 1. / 3., 2. / 3., 1.})
+      {
+        const Curve &piece = side.piece(k);
+        const double s = share * piece.length(), weight = 1. / side.n_pieces();
+        const dealii::Point<2> x = piece.point(s);
+        if (role == Role::roller)
+          impose(x, piece.normal(s), weight);
+        if (role == Role::clamped || role == Role::displacement)
+          for (unsigned int d = 0; d < 2; ++d)
+            impose(x, dealii::Point<2>::unit_vector(d), weight);
+      }
   }
   return matrix;
 }
