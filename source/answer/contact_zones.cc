@@ -88,7 +88,8 @@ public:
       return {place(edge), 0.};
     const double inner_edge = step > 0 ? lower(last) : upper(last);
     double s = edge;
-    if (presses(last - step) && std::abs(mean(last)) < std::abs(mean(last - step)))
+    if (presses(last - step) && std::abs(mean(last)) < std::abs(mean(last - step)) &&
+        !side().has_corner(inner_edge) && !side().has_corner(edge))
     {
       const double next_edge = step > 0 ? lower(last - step) : upper(last - step);
       s = inner_edge + step * root_end({std::abs(inner_edge - next_edge),

@@ -88,7 +88,9 @@ std::optional<PeakPressure> peak_pressure(const MultiplierSpace<2> &multipliers,
         peak = {candidate.value, {side.name(), candidate.s, side.point(candidate.s)}, means[tau]};
       }
     };
-    if (tau > 0 && presses(tau - 1, patch.side) && presses(tau + 1, patch.side))
+    const bool has_corner = surface.side(patch).has_corner(patch.lower[0]) ||
+                            surface.side(patch).has_corner(patch.upper[0]);
+    if (tau > 0 && presses(tau - 1, patch.side) && presses(tau + 1, patch.side) && !has_corner)
       compare(Parabola({{&patches[tau - 1], &patch, &patches[tau + 1]}},
                        {{means[tau - 1], means[tau], means[tau + 1]}})
                 .maximum());

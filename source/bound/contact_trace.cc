@@ -169,7 +169,7 @@ double ContactTrace::penetration(const PenetrationFace &face, const double t) co
   if (!space_.mesh().is_curved())
     return face.normal_value(U_, t) + 4. * t * (1. - t) * face.field.bubble - gap;
   const Side<2> &side = scene_.geometry.sides[face.side];
-  return face.component(U_, t, side.normal(side.arc_length(x))) - gap;
+  return face.component(U_, t, side.normal_at(x, face.point(0.5))) - gap;
 }
 
 ContactTrace::TractionChange ContactTrace::traction_change(const dealii::Tensor<1, 2> &c) const

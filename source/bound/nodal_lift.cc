@@ -119,8 +119,10 @@ NodalVector interpolate_layers(const DisplacementSpace<2> &space,
                                const Vector &omega)
 {
   std::vector<Layer> layers;
+  // A chain turns: there, w lives at the contact nodes alone.
   for (const unsigned int side : scene.contact_sides())
-    layers.emplace_back(scene, trace, side, omega);
+    if (scene.geometry.sides[side].n_pieces() == 1)
+      layers.emplace_back(scene, trace, side, omega);
   NodalVector w(space.dofs().n_dofs());
   std::vector<bool> done(space.mesh().triangulation().n_vertices(), false);
   for (const auto &cell : space.dofs().active_cell_iterators())

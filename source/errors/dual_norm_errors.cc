@@ -43,7 +43,8 @@ SampledFunction sample(const dealii::Function<2> &p,
   return samples;
 }
 
-/** Ends of n equal intervals of a side, with the kinks and intervals that shrink towards them. */
+/** Ends of n equal intervals of a side and of its pieces, with the kinks and intervals that shrink
+ * towards them. */
 std::vector<double> cut_side(const Side<2> &side,
                              const Kinks<2> &kinks,
                              const unsigned int n_intervals)
@@ -51,6 +52,8 @@ std::vector<double> cut_side(const Side<2> &side,
   std::vector<double> cuts;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     cuts.push_back(i * side.length() / n_intervals);
+  for (unsigned int k = 1; k < side.n_pieces(); ++k)
+    cuts.push_back(side.start_of(k));
   for (const double s : kinks.cut(side, 0., side.length()))
   {
     cuts.push_back(s);

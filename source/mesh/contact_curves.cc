@@ -50,10 +50,11 @@ Patch<2> make_patch(const unsigned int side, const double start, const double en
   return {side, dealii::Point<1>(start), dealii::Point<1>(end), end - start};
 }
 
-/** The patches of a side that has the given faces. */
+/** The patches of a side that has the given faces; groups of faces end at corners of the side. */
 std::vector<Patch<2>> divide_side(const std::vector<FaceInterval> &faces,
                                   const std::size_t first,
                                   const std::size_t last,
+                                  const Curve &curve,
                                   const Partition &partition)
 {
   const unsigned int side = faces[first].face.side;
@@ -65,12 +66,17 @@ std::vector<Patch<2>> divide_side(const std::vector<FaceInterval> &faces,
       patches.push_back(make_patch(side, t * length / n, (t + 1) * length / n));
     return patches;
   }
-  const std::size_t n = std::max<std::size_t>(1, (last - first) / partition.ratio);
-  for (std::size_t t = 0; t < n; ++t)
+  for (std::size_t begin = first, end = first; begin < last; begin = end)
   {
-    const std::size_t begin = first + t * partition.ratio;
-    const std::size_t end = t + 1 == n ? last : begin + partition.ratio;
-    patches.push_back(make_patch(side, faces[begin].start, faces[end - 1].end));
+    while (end < last && (end == begin || !curve.has_corner(faces[end].start)))
+      ++end;
+    const std::size_t n = std::max<std::size_t>(1, (end - begin) / partition.ratio);
+    for (std::size_t t = 0; t < n; ++t)
+    {
+      const std::size_t from = begin + t * partition.ratio;
+      const std::size_t to = t + 1 == n ? end : from + partition.ratio;
+      patches.push_back(make_patch(side, faces[from].start, faces[to - 1].end));
+    }
   }
   return patches;
 }
@@ -141,12 +147,13 @@ SurfaceRule<2> points_at(const Piece<2> &piece,
 {
   SurfaceRule<2> rule;
   rule.on_side = arc_lengths;
+  const double middle = 0.5 * (piece.lower[0] + piece.upper[0]);
   for (const dealii::Point<1> &s : arc_lengths)
   {
     const double r = (s[0] - piece.lower[0]) / (piece.upper[0] - piece.lower[0]);
     rule.on_face.emplace_back((1. - r) * piece.lower_on_face[0] + r * piece.upper_on_face[0]);
     rule.points.push_back(side.point(s));
-    rule.normals.push_back(side.normal(s));
+    rule.normals.push_back(side.normal(s[0], middle));
   }
   return rule;
 }
@@ -165,7 +172,8 @@ void ContactSurface<2>::divide(const Partition &partition)
   {
     while (last < faces.size() && faces[last].face.side == faces[first].face.side)
       ++last;
-    const std::vector<Patch<2>> patches = divide_side(faces, first, last, partition);
+    const std::vector<Patch<2>> patches =
+      divide_side(faces, first, last, scene_.geometry.sides[faces[first].face.side], partition);
     patches_.insert(patches_.end(), patches.begin(), patches.end());
   }
   pieces_ = intersect(faces, patches_);

@@ -96,10 +96,12 @@ void MultiplierSpace<dim>::number(const std::vector<unsigned int> &n_nodes,
       patch + 1 == patches.size() || patches[patch + 1].side != patches[patch].side;
     if (starts_side)
       first_on_side = patch;
+    // On both faces of a corner the pressures have different directions.
+    const bool is_alone = starts_side || starts_at_corner(patches[patch]);
     unknowns_.emplace_back();
     Unknowns &unknowns = unknowns_.back();
     for (unsigned int node = 0; node < n_nodes[patch]; ++node)
-      if (nodes_ == Nodes::lobatto && node == 0 && !starts_side)
+      if (nodes_ == Nodes::lobatto && node == 0 && !is_alone)
         unknowns.push_back(unknowns_[patch - 1].back());
       else if (nodes_ == Nodes::lobatto && node + 1 == n_nodes[patch] && ends_side &&
                closes(patches[patch]))
@@ -114,7 +116,16 @@ template <int dim>
 bool MultiplierSpace<dim>::closes(const Patch<dim> &last) const
 {
   if constexpr (dim == 2)
-    return surface_.side(last).is_closed();
+    return surface_.side(last).is_closed() && !surface_.side(last).has_corner(0.);
+  else
+    return false;
+}
+
+template <int dim>
+bool MultiplierSpace<dim>::starts_at_corner(const Patch<dim> &patch) const
+{
+  if constexpr (dim == 2)
+    return surface_.side(patch).has_corner(patch.lower[0]);
   else
     return false;
 }

@@ -118,7 +118,8 @@ double support_error(const DisplacementSpace<dim> &space,
           if (rolls)
           {
             const Side<dim> &side = scene.geometry.sides[number];
-            const double normal = std::abs(rest * side.normal(side.coordinates(face->vertex(v))));
+            // On straight sides the normal of a face is that at its middle.
+            const double normal = std::abs(rest * side.normal(side.coordinates(face->center())));
             of_rollers[vertex] = std::max(of_rollers[vertex], normal);
           }
           else

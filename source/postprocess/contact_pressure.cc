@@ -54,10 +54,13 @@ RecoveredPressure::Neighbour RecoveredPressure::neighbour(const unsigned int pat
     return t >= 0 && t < static_cast<int>(patches.size()) && patches[t].side == patches[patch].side;
   };
   int next = static_cast<int>(patch) + step;
-  if (on_side(next))
-    return {static_cast<unsigned int>(next), patches[next].centre()[0]};
   const Side<2> &side = surface_.side(patches[patch]);
-  if (!side.is_closed())
+  // Beyond a corner, the pressure is that of another direction.
+  const bool has_corner =
+    side.has_corner(step > 0 ? patches[patch].upper[0] : patches[patch].lower[0]);
+  if (on_side(next) && !has_corner)
+    return {static_cast<unsigned int>(next), patches[next].centre()[0]};
+  if (!side.is_closed() || has_corner)
     return {patch, patches[patch].centre()[0]};
   // The patch at the other end of the list.
   for (next = static_cast<int>(patch); on_side(next - step);)

@@ -14,7 +14,7 @@ namespace
 {
 using dealii::numbers::PI;
 
-/** An end of a side, with the direction in which the side leaves it. */
+/** An end of a smooth part of a side, with the direction in which the side leaves it. */
 struct SideEnd
 {
   unsigned int side;
@@ -24,16 +24,28 @@ struct SideEnd
   bool leaves;
 };
 
-/** The end at s = 0 or s = length(). */
-SideEnd side_end(const std::vector<Side<2>> &sides, const unsigned int number, const bool at_start)
+/** The end at s of the part that lies in the direction of @p towards. */
+SideEnd
+side_end(const Side<2> &side, const unsigned int number, const double s, const double towards)
 {
-  const Side<2> &side = sides[number];
-  const dealii::Tensor<1, 2> normal = side.normal(at_start ? 0. : side.length());
+  const dealii::Tensor<1, 2> normal = side.normal(s, towards);
   const dealii::Tensor<1, 2> along_walk({-normal[1], normal[0]});
-  const dealii::Point<2> &end = at_start ? side.start() : side.end();
-  const dealii::Point<2> near_by = side.point((at_start ? 0.01 : 0.99) * side.length());
-  const bool leaves = along_walk * (near_by - end) > 0.;
-  return {number, end, leaves ? along_walk : -along_walk, leaves};
+  const dealii::Tensor<1, 2> direction = (towards > s ? 1. : -1.) * side.tangent(s, towards);
+  const bool leaves = along_walk * direction > 0.;
+  return {number, side.point(s), leaves ? along_walk : -along_walk, leaves};
+}
+
+/** The ends of a side, and those of its smooth parts at corners inside. */
+std::vector<SideEnd> ends_of(const Side<2> &side, const unsigned int number)
+{
+  std::vector<SideEnd> ends;
+  const double length = side.length();
+  if (!side.is_closed())
+    ends = {side_end(side, number, 0., length), side_end(side, number, length, 0.)};
+  for (const double s : side.corners())
+    for (const double towards : {s - length, s + length})
+      ends.push_back(side_end(side, number, s, towards));
+  return ends;
 }
 
 /** From the direction of one end counter-clockwise to that of the other, in (0, 2 pi]. */
@@ -50,20 +62,15 @@ std::vector<Corner> corners(const Geometry<2> &geometry)
 {
   std::vector<SideEnd> leaving, arriving;
   for (unsigned int i = 0; i < geometry.sides.size(); ++i)
-    if (!geometry.sides[i].is_closed())
-      for (const bool at_start : {true, false})
-      {
-        const SideEnd end = side_end(geometry.sides, i, at_start);
-        (end.leaves ? leaving : arriving).push_back(end);
-      }
+    for (const SideEnd &end : ends_of(geometry.sides[i], i))
+      (end.leaves ? leaving : arriving).push_back(end);
   std::vector<Corner> found;
   for (const SideEnd &first : leaving)
   {
     // Where the body touches itself, it lies between a side and the next one.
     std::vector<Corner> here;
     for (const SideEnd &second : arriving)
-      if (first.side != second.side &&
-          first.position.distance(second.position) < 1e-8 * geometry.diameter())
+      if (first.position.distance(second.position) < 1e-8 * geometry.diameter())
         here.push_back({first.position, opening(first, second), {{first.side, second.side}}});
     const auto next = std::min_element(
       here.begin(), here.end(), [](const Corner &a, const Corner &b) { return a.angle < b.angle; });

@@ -84,18 +84,29 @@ std::vector<double> steps_with_lines(const double from,
   return steps;
 }
 
-/** Whether a face lies on a side, from end to end. */
+/** Whether a face lies on a segment or an arc, from end to end. */
 template <typename Face>
-bool lies_on(const Face &face, const Side<2> &side)
+bool lies_on_piece(const Face &face, const Curve &piece, const double margin)
 {
-  const double length = side.length(), margin = 1e-8 * length;
+  const double length = piece.length();
   for (unsigned int v = 0; v < 2; ++v)
   {
-    const double s = side.arc_length(face->vertex(v));
-    if (side.point(s).distance(face->vertex(v)) > margin || s < -margin || s > length + margin)
+    const double s = piece.arc_length(face->vertex(v));
+    if (piece.point(s).distance(face->vertex(v)) > margin || s < -margin || s > length + margin)
       return false;
   }
   return true;
+}
+
+/** Whether a face lies on one piece of a side, from end to end. */
+template <typename Face>
+bool lies_on(const Face &face, const Side<2> &side)
+{
+  const double margin = 1e-8 * side.length();
+  for (const unsigned int k : side.pieces_near(face->vertex(0), margin))
+    if (lies_on_piece(face, side.piece(k), margin))
+      return true;
+  return false;
 }
 
 /** The number of the side that a face lies on, or sides.size(). */
@@ -131,6 +142,8 @@ void number_boundary(const std::vector<Side<2>> &sides, dealii::Triangulation<2>
 template <int dim>
 dealii::Point<dim> Geometry<dim>::inner_point() const
 {
+  if (inside)
+    return *inside;
   dealii::Point<dim> mean;
   for (const Side<dim> &side : sides)
     mean += side.centre() / static_cast<double>(sides.size());

@@ -33,13 +33,15 @@ public:
   }
 
   /** v(x).n = 0. */
-  void forbid_velocity(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n)
+  void forbid_velocity(const dealii::Point<2> &x,
+                       const dealii::Tensor<1, 2> &n,
+                       const double weight = 1.)
   {
-    add(normal_motion(x - centre_, n, size_));
+    add(normal_motion(x - centre_, n, size_), weight);
   }
   void forbid_rotation()
   {
-    add({{0., 0., 1.}});
+    add({{0., 0., 1.}}, 1.);
   }
   /** All motions that obey. */
   std::vector<RigidMotion> solutions()
@@ -58,11 +60,11 @@ public:
   }
 
 private:
-  void add(const std::array<double, 3> &row)
+  void add(const std::array<double, 3> &row, const double weight)
   {
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
-        matrix_(i, j) += row[i] * row[j];
+        matrix_(i, j) += weight * row[i] * row[j];
   }
 
   dealii::Point<2> centre_;
@@ -73,16 +75,19 @@ private:
 /** What a side of this role forbids; two points tell all about a segment, three about a circle. */
 void hold_side(const Side<2> &side, const Role role, Conditions &conditions)
 {
-  for (const double share : {0., 1. / 3., 2. / 3., 1.})
-  {
-    const double s = share * side.length();
-    const dealii::Point<2> x = side.point(s);
-    if (role == Role::roller)
-      conditions.forbid_velocity(x, side.normal(s));
-    if (role == Role::clamped || role == Role::displacement)
-      for (unsigned int d = 0; d < 2; ++d)
-        conditions.forbid_velocity(x, dealii::Point<2>::unit_vector(d));
-  }
+  const double weight = 1. / side.n_pieces();
+  for (unsigned int k = 0; k < side.n_pieces(); ++k)
+    for (const double share : {0., 1. / 3., 2. / 3., 1.})
+    {
+      const Curve &piece = side.piece(k);
+      const double s = share * piece.length();
+      const dealii::Point<2> x = piece.point(s);
+      if (role == Role::roller)
+        conditions.forbid_velocity(x, piece.normal(s), weight);
+      if (role == Role::clamped || role == Role::displacement)
+        for (unsigned int d = 0; d < 2; ++d)
+          conditions.forbid_velocity(x, dealii::Point<2>::unit_vector(d), weight);
+    }
 }
 
 /** What a plate forbids to a body that moves as a whole. */

@@ -109,6 +109,8 @@ public:
 private:
   /** Whether the last node of a side is its first one, too. */
   bool closes(const Patch<dim> &last) const;
+  /** Whether a corner of the side lies before the patch. */
+  bool starts_at_corner(const Patch<dim> &patch) const;
   /** Numbers the unknowns, patch after patch. */
   void number(const std::vector<unsigned int> &n_nodes, const std::vector<unsigned int> &without);
 

@@ -9,19 +9,20 @@
 
 namespace Signorini
 {
-/** A point where two sides of a plane body meet, at a straight angle, too. */
+/** A point where two sides of a plane body meet, at a straight angle, too, or where one side has a
+ * corner (Curve::corners()). */
 struct Corner
 {
   dealii::Point<2> position;
   /** The angle between the tangents inside the body, 0 < angle <= 2 pi (radians). */
   double angle;
   /** Numbers of the sides. Counter-clockwise about the corner the first one comes before the body,
-   * the second one after it. */
+   * the second one after it. They are equal inside of a side. */
   std::array<unsigned int, 2> sides;
 };
 
 /** All corners of a body, in the order of their first sides. Ends of sides are one point if they
- * are closer than 1e-8 diameters; whole circles have no ends. */
+ * are closer than 1e-8 diameters; closed sides have no ends. */
 std::vector<Corner> corners(const Geometry<2> &geometry);
 
 /** How a side of this role may be supported at its ends: a contact side is free or sliding, all

@@ -4,6 +4,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -17,8 +18,9 @@ enum class Body
 };
 
 /**
- * A segment or a circular arc on the boundary of a plane body. Its coordinate is the arc length s
- * from its start, 0 <= s <= length().
+ * A segment, a circular arc or a chain of them on the boundary of a plane body. Its coordinate is
+ * the arc length s from its start, 0 <= s <= length(). Lookups in a chain cost about the logarithm
+ * of the number of its pieces.
  */
 class Curve
 {
@@ -29,11 +31,21 @@ public:
         const dealii::Tensor<1, 2> &normal);
 
   /**
-   * The arc about @p centre from the angle @p first to the angle @p last > first (radians, counted
-   * from the x-axis); a whole circle where they differ by 2 pi.
+   * The arc about @p centre from the angle @p first to the angle @p last (radians, counted from the
+   * x-axis), clockwise if last < first; a whole circle where they differ by 2 pi.
    */
   static Curve
   arc(const dealii::Point<2> &centre, double radius, double first, double last, Body body);
+
+  /**
+   * The chain of segments and arcs, each of which begins where the one before it ends, all with the
+   * body on the same hand. Segments in a row on one line become one.
+   */
+  static Curve chain(const std::vector<Curve> &pieces);
+
+  /** Two pieces of a chain that turn by more than this (radians) meet in a corner. Others are taken
+   * as parts of a smooth side, which a polygon may stand for. */
+  static constexpr double smallest_turn = 0.1;
 
   const dealii::Point<2> &start() const
   {
@@ -51,15 +63,35 @@ public:
   /** Whether the normal is the same everywhere. */
   bool is_flat() const
   {
-    return !circle_;
+    return !circle_ && !chain_;
   }
-  /** Whether this is a whole circle: s and s + length() are the same point. */
+  /** Whether this is a whole circle, or a chain that returns to its start: s and s + length() are
+   * the same point. */
   bool is_closed() const;
 
-  /** x(s); segments and circles go on beyond their ends. */
+  /** 1 unless this is a chain. */
+  unsigned int n_pieces() const;
+  /** The curve itself unless this is a chain. */
+  const Curve &piece(unsigned int k) const;
+  /** s where a piece begins; for k = n_pieces() the length. */
+  double start_of(unsigned int k) const;
+  /** s of the corners, sorted: inside of a chain, and at 0 if it is closed with a corner there. */
+  const std::vector<double> &corners() const;
+  /** Whether there is a corner at s, but for rounding. */
+  bool has_corner(double s) const;
+  /** The numbers of the pieces that are not farther than @p distance from a point. */
+  std::vector<unsigned int> pieces_near(const dealii::Point<2> &x, double distance) const;
+
+  /** x(s); segments and circles go on beyond their ends, and so do the outer pieces of a chain. */
   dealii::Point<2> point(double s) const;
-  /** n(s), the outward unit normal. */
+  /** n(s), the outward unit normal; where pieces of a chain meet, that of the piece behind. */
   dealii::Tensor<1, 2> normal(double s) const;
+  /** n(s) on the piece that lies in the direction of @p towards; these two are different points. */
+  dealii::Tensor<1, 2> normal(double s, double towards) const;
+  /** n at a point @p x of the curve, on the piece to which @p inside belongs. */
+  dealii::Tensor<1, 2> normal_at(const dealii::Point<2> &x, const dealii::Point<2> &inside) const;
+  /** x'(s), on the piece that lies in the direction of @p towards. */
+  dealii::Tensor<1, 2> tangent(double s, double towards) const;
   /** The same with s as a point of the real line. */
   dealii::Point<2> point(const dealii::Point<1> &s) const
   {
@@ -77,7 +109,7 @@ public:
   {
     return point(0.5 * length_);
   }
-  /** s of a point on the curve; on a circle from 0 (included) to its circumference. */
+  /** s of a point on the curve; on a closed one from 0 (included) to its length. */
   double arc_length(const dealii::Point<2> &x) const;
 
   /** All s in [from, to], sorted, at which the curve, continued beyond its ends, meets the line
@@ -94,13 +126,17 @@ private:
     double first;
     /** 1 if the body lies inside, -1 outside. */
     double orientation;
+    /** 1 if the angle grows with s, -1 if it falls. */
+    double turn;
   };
+  class Chain;
 
   dealii::Point<2> start_;
   dealii::Point<2> end_;
   double length_;
-  /** Of a segment; of a circle the one at s = 0. */
+  /** Of a segment; of others the one at s = 0. */
   dealii::Tensor<1, 2> normal_;
   std::optional<Circle> circle_;
+  std::shared_ptr<const Chain> chain_;
 };
 } // namespace Signorini

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ struct Geometry
     make_mesh_with_lines;
   /** Whether cells are curved. */
   bool curved = false;
+  /** Whether the segments from inner_point() to the boundary lie in the body. */
+  bool star_shaped = true;
+  /** A point inside of the body; none: inner_point() is the mean of the sides. */
+  std::optional<dealii::Point<dim>> inside;
   /** Numbers the boundary faces of a refined mesh, where sides end inside coarse faces; else empty.
    */
   std::function<void(dealii::Triangulation<dim> &)> number_after_refinement;
@@ -48,7 +53,8 @@ struct Geometry
   {
     return lower.distance(upper);
   }
-  /** The mean of the centres of the sides; inside of a convex body. */
+  /** A point inside of the body: the given one, or the mean of the centres of the sides, which is
+   * inside of a convex body. */
   dealii::Point<dim> inner_point() const;
   /** The shortest edge of the box around the body (length). */
   double shortest_extent() const;
