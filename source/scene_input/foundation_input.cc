@@ -28,8 +28,8 @@ struct Part
   std::string text;
 };
 
-/** "circle 0,1 radius 2" is {circle: 0,1} {radius: 2}. What stands before the first word becomes a
- * part without a word. */
+/** "circle 0,1 radius 2" is {circle: 0,1} {radius: 2}. What stands before the first word counts
+ * as a word, which is none that is known. */
 std::vector<Part> split_at_words(const std::string &text)
 {
   const std::vector<std::string> words = {
@@ -53,6 +53,8 @@ std::vector<Part> split_at_words(const std::string &text)
   }
   if (trim(parts.front().text).empty())
     parts.erase(parts.begin());
+  else
+    parts.front().word = trim(parts.front().text);
   return parts;
 }
 
@@ -123,7 +125,7 @@ private:
   dealii::Point<2> point(const Part &part) const
   {
     const dealii::Point<2> x(vector_of(part));
-    check_distance(x.distance(geometry_.inner_point()), "a " + part.word + " at the distance ");
+    check_length(x.distance(geometry_.inner_point()), "a distance", part);
     return x;
   }
 
@@ -148,19 +150,20 @@ private:
     if (!(r >= smallest_magnitude))
       throw InputError(entry_.where() + ": found the radius " + number_text(r) +
                        ", allowed: numbers from " + number_text(smallest_magnitude) + ".");
-    check_distance(r, "a circle of the radius ");
+    check_length(r, "the radius", part);
     return r;
   }
 
-  /** Gaps of far circles lose digits: |x - c| - r. */
-  void check_distance(const double length, const std::string &what) const
+  /** Gaps of large and of far circles lose digits: |x - c| - r. */
+  void check_length(const double length, const std::string &what, const Part &part) const
   {
     const double diameter = geometry_.diameter();
     if (!(length <= largest_distance * diameter))
-      throw InputError(entry_.where() + ": found " + what + number_text(length) +
-                       " from a body of the size " + number_text(diameter) + ", allowed: at most " +
+      throw InputError(entry_.where() + ": found " + quote(trim(part.text)) + " after '" +
+                       part.word + "', " + what + " of " + number_text(length) +
+                       " for a body of the size " + number_text(diameter) + ", allowed: at most " +
                        number_text(largest_distance) +
-                       " times its size; a plane or a parabola begins near the body.");
+                       " times its size; take a plane or a parabola that begins near the body.");
   }
 
   const Entry &entry_;
