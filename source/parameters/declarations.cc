@@ -210,6 +210,17 @@ void Declarations::declare_data(Parameters &parameters)
       parameters.contact.gap,
       "Initial gap along the outward normal (length), an expression for all contact sides, or "
       "per side: bottom: ... | left: ...");
+  add("Foundation",
+      parameters.contact.foundation,
+      "Rigid things in place of the gap, separated by '|': plane x,y normal nx,ny; circle x,y "
+      "radius r; circle x,y radius r inside (the body lies in a round hole); parabola x,y normal "
+      "nx,ny curvature k. Numbers may be formulas of the constants. Normals point towards the body "
+      "and may have any length. 'bottom: circle ...' is for one contact side, others are for all. "
+      "The gap is the distance along the outward normal of the body; where that meets nothing, it "
+      "is ten diameters of the body.");
+  add("Foundation position",
+      parameters.contact.foundation_position,
+      "dx, dy by which the whole foundation is moved (length).");
   leave();
   enter("Exact solution");
   add("Displacement",

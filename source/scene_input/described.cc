@@ -7,6 +7,7 @@
 #include <signorini/scene_input/described.h>
 
 #include "described_checks.h"
+#include "foundation_input.h"
 #include "geometry_input.h"
 #include "plate_input.h"
 #include "side_lists.h"
@@ -51,6 +52,11 @@ public:
                               const Entry &entry) const
   {
     return std::make_shared<ExpressionFunction<2>>(components(text, n, entry));
+  }
+
+  const Constants &constants() const
+  {
+    return constants_;
   }
 
 private:
@@ -161,25 +167,28 @@ void read_boundary(const BoundaryParameters &given,
                      ": no contact side is given, allowed: one or more of " + join(sides) + ".");
 }
 
-/** Gap and exact pressure: one expression for all contact sides, or one per side. */
-void read_contact_data(const Given<std::string> &gap,
-                       const Given<std::string> &exact_pressure,
-                       const SceneReader &reader,
-                       Scene<2> &scene)
+/** The gaps of all contact sides: rigid things or expressions. */
+void read_gaps(const ContactParameters &given, const SceneReader &reader, Scene<2> &scene)
 {
+  read_foundation(given, reader.constants(), scene);
+  for (const auto &[side, text] : gaps_without_foundation(given, scene))
+    scene.boundary[scene.geometry.find_side(side)].data = reader.function(text, 1, given.gap);
+}
+
+/** One expression for all contact sides, or one per side. */
+void read_exact_pressure(const Given<std::string> &given,
+                         const SceneReader &reader,
+                         Scene<2> &scene)
+{
+  if (given.value.empty())
+    return;
   std::vector<std::string> names;
   for (const unsigned int side : scene.contact_sides())
     names.push_back(scene.geometry.sides[side].name());
-  const auto per_side = [&](const Given<std::string> &list) {
-    return read_contact_list(list.value, list.where(), scene.geometry.side_names(), names);
-  };
-  for (const auto &[side, text] : per_side(gap))
-    scene.boundary[scene.geometry.find_side(side)].data = reader.function(text, 1, gap);
-  if (exact_pressure.value.empty())
-    return;
-  for (const auto &[side, text] : per_side(exact_pressure))
+  for (const auto &[side, text] :
+       read_contact_list(given.value, given.where(), scene.geometry.side_names(), names))
     scene.boundary[scene.geometry.find_side(side)].exact_pressure =
-      std::make_shared<ExpressionFunction<2>>(reader.components(text, 1, exact_pressure),
+      std::make_shared<ExpressionFunction<2>>(reader.components(text, 1, given),
                                               std::vector<Expression<2>>(),
                                               1e-4 * scene.geometry.shortest_extent());
 }
@@ -224,7 +233,8 @@ Scene<2> make_described_scene(const Parameters &parameters)
   scene.geometry = make_geometry(parameters.geometry);
   scene.material = read_material(parameters.material, reader, scene.geometry);
   read_boundary(parameters.boundary, parameters.load, reader, scene);
-  read_contact_data(parameters.contact.gap, parameters.exact.pressure, reader, scene);
+  read_gaps(parameters.contact, reader, scene);
+  read_exact_pressure(parameters.exact.pressure, reader, scene);
   const std::vector<Expression<2>> force = reader.components(parameters.load.body_force, 2);
   if (!is_zero(force))
     scene.body_force = std::make_shared<ExpressionFunction<2>>(force);

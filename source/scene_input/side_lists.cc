@@ -27,6 +27,12 @@ bool looks_like_a_name(const std::string &text)
 }
 } // namespace
 
+bool begins_with_a_name(const std::string &text)
+{
+  const auto colon = text.find(':');
+  return colon != std::string::npos && looks_like_a_name(trim(text.substr(0, colon)));
+}
+
 SideTexts read_side_list(const std::string &text,
                          const std::string &where,
                          const std::vector<std::string> &sides)
@@ -49,9 +55,8 @@ SideTexts read_contact_list(const std::string &text,
                             const std::vector<std::string> &sides,
                             const std::vector<std::string> &contact_sides)
 {
-  const std::string first = trim(text.substr(0, text.find(':')));
   SideTexts entries;
-  if (text.find(':') == std::string::npos || !looks_like_a_name(first))
+  if (!begins_with_a_name(text))
   {
     for (const std::string &side : contact_sides)
       entries.emplace_back(side, trim(text));

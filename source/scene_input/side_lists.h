@@ -15,6 +15,9 @@ SideTexts read_side_list(const std::string &text,
                          const std::string &where,
                          const std::vector<std::string> &sides);
 
+/** Whether a text begins with a word and ':', so that it is for one side. */
+bool begins_with_a_name(const std::string &text);
+
 /**
  * Reads "expression" for all contact sides or "bottom: ... | left: ...", one for each.
  * @throws InputError if a contact side has none or two, or another side is named.

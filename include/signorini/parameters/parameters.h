@@ -72,6 +72,9 @@ struct LoadParameters
 struct ContactParameters
 {
   Given<std::string> gap{"0"};
+  /** Rigid things in place of the gap. */
+  Given<std::string> foundation;
+  Given<std::string> foundation_position{"0, 0"};
 };
 
 /** Subsection Exact solution: turns the error columns on. */

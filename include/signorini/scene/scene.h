@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/scene/foundation.h>
 #include <signorini/scene/geometry.h>
 #include <signorini/scene/kinks.h>
 #include <signorini/scene/material.h>
@@ -43,6 +44,10 @@ struct BoundaryCondition
   FunctionPointer<dim> data;
   /** Exact contact pressure p = sigma_n of a contact side, if known. */
   FunctionPointer<dim> exact_pressure;
+  /** Of a contact side whose gap is the distance to rigid things: these things, so that the gap can
+   * be had for another position of theirs, foundation_gap(side, foundation, position). Else empty.
+   */
+  std::shared_ptr<const Foundation> foundation = nullptr;
 };
 
 /** Problem (1): a body, its material, what holds it, loads it and stops it. */
@@ -68,6 +73,8 @@ struct Scene
   FunctionPointer<dim> body_force;
   /** u of (1) with its gradient, dim components; empty means unknown. */
   FunctionPointer<dim> exact_displacement;
+  /** By how much the foundations of all sides are moved in `data` (length). */
+  dealii::Tensor<1, dim> foundation_position;
   /** Where the data is not smooth. */
   Kinks<dim> kinks;
 
