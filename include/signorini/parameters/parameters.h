@@ -126,6 +126,7 @@ struct OutputParameters
   Given<bool> compliance{false};
   Given<bool> errors{true};
   Given<bool> lemmas{false};
+  Given<bool> pictures{false};
 };
 
 /**
