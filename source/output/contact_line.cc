@@ -96,6 +96,7 @@ public:
       const dealii::Point<1> &s = rule.on_side[q];
       point.s = s[0];
       point.x = rule.points[q];
+      point.n = rule.normals[q];
       point.p_H = multipliers_.value(P_, piece.patch, s);
       point.p_recovered = recovered_(piece.patch, s);
       point.u = u[q];
@@ -120,9 +121,13 @@ private:
 std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
                                                const NodalVector &U,
-                                               const dealii::Vector<double> &P)
+                                               const dealii::Vector<double> &P,
+                                               const unsigned int n_parts)
 {
   const ContactSurface<2> &surface = multipliers.surface();
+  Positions along_piece;
+  for (unsigned int i = 0; i <= n_parts; ++i)
+    along_piece.emplace_back(static_cast<double>(i) / n_parts);
   ContactTracer tracer(space, multipliers, U, P);
   std::vector<ContactSegment> line;
   for (const Piece<2> &piece : surface.pieces())
@@ -133,7 +138,7 @@ std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space
     if (multipliers.is_piecewise_constant())
     {
       segment.rows = tracer.trace(piece, {dealii::Point<1>(0.5)});
-      segment.curve = tracer.trace(piece, {dealii::Point<1>(0.), dealii::Point<1>(1.)});
+      segment.curve = tracer.trace(piece, along_piece);
     }
     else
       segment.rows = segment.curve =

@@ -176,7 +176,9 @@ bool is_name_of_result(const std::string &name)
 {
   static const std::regex names(
     "convergence\\.(csv|md|tex)|answer\\.json|(solution|contact)\\.pvd|contact-[0-9]{2}\\.csv|"
-    "(solution|contact)-[0-9]{2}\\.vtu|mesh-[0-9]{2}\\.svg|[ACDFGPf]-[0-9]{2}\\.mtx");
+    "(solution|contact)-[0-9]{2}\\.vtu|mesh-[0-9]{2}\\.svg|(pressure|deformed|convergence|travel)"
+    "\\.svg|"
+    "[ACDFGPf]-[0-9]{2}\\.mtx");
   return std::regex_match(name, names) || name == parameters_name || name == certificate_name;
 }
 

@@ -391,6 +391,12 @@ void Declarations::declare_output(OutputParameters &output)
     "(27), (30), where the exact solution is known.",
     Patterns::Bool(),
     "true, false");
+  add("Pictures",
+      output.pictures,
+      "Draw the finest level as pressure.svg, deformed.svg and convergence.svg, with gnuplot if it "
+      "is installed.",
+      Patterns::Bool(),
+      "true, false");
   leave();
 }
 } // namespace Signorini

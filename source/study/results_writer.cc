@@ -12,6 +12,9 @@
 #include <signorini/output/mesh_svg.h>
 #include <signorini/output/solution_vtu.h>
 #include <signorini/output/tables.h>
+#include <signorini/pictures/convergence_picture.h>
+#include <signorini/pictures/deformed_picture.h>
+#include <signorini/pictures/pressure_picture.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -122,6 +125,8 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization,
   const VtuLevels vtu = parameters_.output.vtu;
   if (vtu == VtuLevels::all || (vtu == VtuLevels::finest && last_level))
     write_vtu(discretization, scene, solution, line);
+  if (parameters_.output.pictures && last_level)
+    prepare_pictures(discretization, scene, solution);
   if (solution.system != nullptr)
     write_dual_problem(discretization, solution);
 }
@@ -148,6 +153,19 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
       });
     write_pvd(directory_ / "solution.pvd", solution_files_);
     write_pvd(directory_ / "contact.pvd", contact_files_);
+  });
+}
+
+template <int dim>
+void ResultsWriter::prepare_pictures(const Discretization<dim> &discretization,
+                                     const Scene<dim> &scene,
+                                     const LevelSolution<dim> &solution)
+{
+  write_on_first_rank([&]() {
+    const std::vector<ContactSegment> line =
+      trace_for_pictures(discretization.space, discretization.multipliers, solution.U, solution.P);
+    pictures_ = {pressure_picture(scene, line),
+                 deformed_picture(discretization.space, scene, solution.U, line)};
   });
 }
 
@@ -218,6 +236,19 @@ void ResultsWriter::write_answer(const std::vector<LevelRecord> &levels,
     write_file(directory_ / "answer.json",
                [&](std::ostream &stream) { Signorini::write_answer(stream, levels, verdict); });
   });
+}
+
+std::string ResultsWriter::write_pictures(const std::vector<LevelRecord> &levels)
+{
+  std::string missing;
+  if (directory_.empty() || !parameters_.output.pictures)
+    return missing;
+  write_on_first_rank([&]() {
+    if (const std::optional<Picture> convergence = convergence_picture(levels))
+      pictures_.push_back(*convergence);
+    missing = Signorini::write_pictures(directory_, pictures_);
+  });
+  return missing;
 }
 
 void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,

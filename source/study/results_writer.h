@@ -3,12 +3,14 @@
 
 #include <signorini/output/contact_line.h>
 #include <signorini/output/files.h>
+#include <signorini/pictures/gnuplot.h>
 #include <signorini/study/level.h>
 #include <signorini/verdict/judge.h>
 
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,9 @@ public:
   void write_tables(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
   /** answer.json, after the last level. Collective. */
   void write_answer(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
+  /** The pictures, after the last level, where they are asked for. Collective. @return one sentence
+   * about what is missing, on the first rank; empty if nothing is. */
+  std::string write_pictures(const std::vector<LevelRecord> &levels);
 
   /** write_tables() for a study that an error ended. Without a finished level the results of an
    * earlier run stay as they are. */
@@ -60,6 +65,11 @@ private:
                  const Scene<dim> &scene,
                  const LevelSolution<dim> &solution,
                  const std::vector<ContactSegment> &line);
+  /** Keeps what write_pictures() needs of the finest level. */
+  template <int dim>
+  void prepare_pictures(const Discretization<dim> &discretization,
+                        const Scene<dim> &scene,
+                        const LevelSolution<dim> &solution);
   /** Collective. */
   template <int dim>
   void write_dual_problem(const Discretization<dim> &discretization,
@@ -86,5 +96,7 @@ private:
   /** Whether the results of this run have taken the place of earlier ones. */
   bool started_ = false;
   std::vector<std::pair<double, std::string>> solution_files_, contact_files_;
+  /** Those of the finest level, on the first rank. */
+  std::vector<Picture> pictures_;
 };
 } // namespace Signorini

@@ -71,6 +71,9 @@ StudyResult run_study(const Parameters &parameters,
       if (last)
       {
         writer.write_answer(result.levels, result.verdict);
+        const std::string missing = writer.write_pictures(result.levels);
+        if (!missing.empty())
+          report.screen << "Pictures: " << missing << "\n";
         result.pressure = sequence->pressure();
       }
     }

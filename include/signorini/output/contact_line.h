@@ -18,6 +18,8 @@ struct ContactPoint
   /** Arc length along the side. */
   double s;
   dealii::Point<2> x;
+  /** Outward. */
+  dealii::Tensor<1, 2> n;
   double p_H;
   double p_recovered;
   dealii::Tensor<1, 2> u;
@@ -37,15 +39,20 @@ struct ContactSegment
   /** What tables show, in the order of arc length. Of constants the middle. Of polynomials the
    * ends, the nodes of the multipliers, and the middles between all of these. */
   std::vector<ContactPoint> rows;
-  /** What curves join: of constants the ends, of polynomials the same points as in tables. */
+  /** What curves join: of constants the ends and points between them, of polynomials the same
+   * points as in tables. */
   std::vector<ContactPoint> curve;
 };
 
-/** The contact boundary piece by piece, side after side, in the order of arc length. */
+/**
+ * The contact boundary piece by piece, side after side, in the order of arc length.
+ * @param n_parts into which points divide the curve of a piece with a constant.
+ */
 std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
                                                const NodalVector &U,
-                                               const dealii::Vector<double> &P);
+                                               const dealii::Vector<double> &P,
+                                               unsigned int n_parts = 1);
 
 /** contact-LL.csv. */
 void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment> &line);

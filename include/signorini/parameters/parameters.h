@@ -133,6 +133,7 @@ struct OutputParameters
   Given<bool> compliance{false};
   Given<bool> errors{true};
   Given<bool> lemmas{false};
+  Given<bool> pictures{false};
 };
 
 /**

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/** A picture before it is drawn. */
+struct Picture
+{
+  /** "pressure.svg". */
+  std::string file;
+  /** What it shows, as plain text. */
+  std::string title;
+  /** What gnuplot is told: data and commands, without the choice of the terminal's kind. */
+  std::string script;
+};
+
+/** The text of an SVG file, or one sentence why there is none. */
+struct Drawing
+{
+  std::string svg;
+  std::string failure;
+};
+
+/**
+ * Lets gnuplot draw a script. The script is its standard input and the picture its standard output:
+ * no shell, no files, no settings of the user. The same script gives the same text.
+ */
+Drawing draw_with_gnuplot(const Picture &picture);
+
+/**
+ * Draws the pictures and writes them into a directory. After a failure no further one is tried.
+ * @return one sentence about what is missing and what to do; empty if nothing is.
+ * @throws ComputationError if a file cannot be written.
+ */
+std::string write_pictures(const std::filesystem::path &directory,
+                           const std::vector<Picture> &pictures);
+} // namespace Signorini
