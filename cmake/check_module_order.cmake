@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 
 # Every module with what it may include. qp is algebra only and includes nothing of the others.
 set(order base parameters scene catalogue scene_input mesh elasticity stiffness_inverse multiplier norms qp
-          compliance recovery postprocess refinement bound answer errors record verdict output pictures study runs)
+          compliance recovery motions postprocess refinement bound answer load_cases errors record verdict output pictures study runs)
 set(allowed_qp base qp)
 set(allowed_stiffness_inverse base stiffness_inverse)
 set(allowed_scene base scene)
@@ -17,9 +17,9 @@ foreach(module ${order})
     set(allowed_${module} ${above})
   endif()
 endforeach()
-# Only the study and the bound, which solves a dual problem of its own, know both the finite elements and the
-# quadratic program.
-foreach(module recovery postprocess refinement answer errors record verdict output pictures)
+# Only the study, load cases and the bound, which solves a dual problem of its own, know both the finite elements and
+# the quadratic program.
+foreach(module recovery motions postprocess refinement answer errors record verdict output pictures)
   list(REMOVE_ITEM allowed_${module} qp)
 endforeach()
 

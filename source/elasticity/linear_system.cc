@@ -159,6 +159,27 @@ void add_cells(const DisplacementSpace<dim> &space,
     });
 }
 
+/** Adds f_i of all owned cells. */
+template <int dim>
+void add_loads(const DisplacementSpace<dim> &space,
+               const Scene<dim> &scene,
+               const unsigned int n_points,
+               DistributedVector &loads)
+{
+  CellLoads<dim> cell_loads(space, scene, n_points);
+  Resultant<dim> resultant;
+  dealii::Vector<double> of_cell;
+  std::vector<dealii::types::global_dof_index> indices;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (cell->is_locally_owned() && (scene.body_force != nullptr || cell->at_boundary()))
+    {
+      indices.resize(cell->get_fe().n_dofs_per_cell());
+      cell->get_dof_indices(indices);
+      of_cell.reinit(indices.size());
+      cell_loads.add(cell, of_cell, resultant);
+      loads.add(indices, of_cell);
+    }
+}
 } // namespace
 
 template <int dim>
@@ -182,6 +203,23 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
   return system;
 }
 
+template <int dim>
+DistributedVector assemble_loads(const DisplacementSpace<dim> &space,
+                                 const Scene<dim> &scene,
+                                 const unsigned int n_points)
+{
+  DistributedVector loads = space.make_vector();
+  agree(space.mesh().communicator(), [&]() { add_loads(space, scene, n_points, loads); });
+  loads.compress(dealii::VectorOperation::add);
+  return loads;
+}
+
+template DistributedVector assemble_loads(const DisplacementSpace<2> &,
+                                          const Scene<2> &,
+                                          unsigned int);
+template DistributedVector assemble_loads(const DisplacementSpace<3> &,
+                                          const Scene<3> &,
+                                          unsigned int);
 template LinearSystem<2> assemble_linear_system(const DisplacementSpace<2> &,
                                                 const Scene<2> &,
                                                 unsigned int);

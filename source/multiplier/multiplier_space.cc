@@ -213,12 +213,13 @@ dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) cons
 
 template <int dim>
 dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
+                                    const std::vector<BoundaryCondition<dim>> &boundary,
                                     const unsigned int n_points,
                                     const Grading grading)
 {
   const auto gap_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
     std::vector<double> g(rule.size());
-    space.surface().condition(piece).data->value_list(rule.points, g);
+    boundary[space.surface().patches()[piece.patch].side].data->value_list(rule.points, g);
     for (std::size_t q = 0; q < rule.size(); ++q)
       if (!std::isfinite(g[q]))
       {
@@ -235,6 +236,12 @@ dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
 
 template class MultiplierSpace<2>;
 template class MultiplierSpace<3>;
-template dealii::Vector<double> assemble_gap(const MultiplierSpace<2> &, unsigned int, Grading);
-template dealii::Vector<double> assemble_gap(const MultiplierSpace<3> &, unsigned int, Grading);
+template dealii::Vector<double> assemble_gap(const MultiplierSpace<2> &,
+                                             const std::vector<BoundaryCondition<2>> &,
+                                             unsigned int,
+                                             Grading);
+template dealii::Vector<double> assemble_gap(const MultiplierSpace<3> &,
+                                             const std::vector<BoundaryCondition<3>> &,
+                                             unsigned int,
+                                             Grading);
 } // namespace Signorini

@@ -186,6 +186,19 @@ public:
     lines_.add("Energy", parts);
   }
 
+  void print_load_cases()
+  {
+    if (!level_.load_cases)
+      return;
+    const CaseSummary &cases = *level_.load_cases;
+    std::vector<std::string> parts = {std::to_string(cases.n_cases) + " in cases.csv,",
+                                      "KKT residuals up to " + digits(cases.largest_kkt) +
+                                        (cases.n_escapes > 0 ? ";" : "")};
+    if (cases.n_escapes > 0)
+      parts.push_back("in " + std::to_string(cases.n_escapes) + " of them nothing stops the body");
+    lines_.add("Load cases", parts);
+  }
+
   void print_end(const std::filesystem::path &directory)
   {
     // Tests of runs leave out lines of this form.
@@ -259,6 +272,7 @@ void print_answer(std::ostream &stream,
   block.print_penetration();
   block.print_stress();
   block.print_energy();
+  block.print_load_cases();
   block.print_end(directory);
 }
 } // namespace Signorini

@@ -222,6 +222,17 @@ void Declarations::declare_data(Parameters &parameters)
       parameters.contact.foundation_position,
       "dx, dy by which the whole foundation is moved (length).");
   leave();
+  enter("Load cases");
+  add("Cases",
+      parameters.load_cases.cases,
+      "Other loads that the finest level is solved for, from the same factorisation: factors of "
+      "force (tractions, plates), weight (body force), travel (prescribed displacements) and gap, "
+      "and shift x, shift y of the foundation (length): force 0.5, weight 2 | force 0 to 3 in 100 "
+      "cases. What is not named keeps the factor 1 and the shift 0.");
+  add("Fields",
+      parameters.load_cases.fields,
+      "Numbers of the cases for which VTU files are written, separated by blanks; the first is 1.");
+  leave();
   enter("Exact solution");
   add("Displacement",
       parameters.exact.displacement,

@@ -114,11 +114,6 @@ std::string point_text(const double x, const double y)
   return text.str();
 }
 
-bool is_translation(const RigidMotion &motion)
-{
-  return std::abs(motion.rotation) < 1e-6 * motion.translation.norm();
-}
-
 /** The point that does not move. */
 std::string pole(const RigidMotion &motion)
 {
@@ -134,9 +129,14 @@ dealii::Tensor<1, 2> RigidMotion::velocity(const dealii::Point<2> &x) const
   return translation + rotation * dealii::Tensor<1, 2>({-arm[1], arm[0]});
 }
 
+bool RigidMotion::is_translation() const
+{
+  return std::abs(rotation) < 1e-6 * translation.norm();
+}
+
 std::string RigidMotion::name() const
 {
-  if (!is_translation(*this))
+  if (!is_translation())
     return "the rotation about " + pole(*this);
   const dealii::Tensor<1, 2> t = translation / translation.norm();
   const double sign = (std::abs(t[0]) > 1e-6 ? t[0] : t[1]) < 0 ? -1. : 1.;
@@ -145,7 +145,7 @@ std::string RigidMotion::name() const
 
 std::string RigidMotion::direction() const
 {
-  if (!is_translation(*this))
+  if (!is_translation())
     return std::string(rotation > 0. ? "counter-clockwise" : "clockwise") + " about " + pole(*this);
   const double length = translation.norm();
   return "along " + point_text(translation[0] / length, translation[1] / length);

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+#include "load_case_input.h"
+
 namespace Signorini
 {
 namespace
@@ -128,6 +130,7 @@ Scene<2> make_scene(const Parameters &parameters)
   scene.kinks = Kinks<2>(lines);
   for (const unsigned int side : scene.contact_sides())
     scene.kinks.add_ends_on(scene.geometry.sides[side]);
+  scene.load_cases = read_load_cases(parameters.load_cases, scene);
   return scene;
 }
 } // namespace Signorini

@@ -129,6 +129,7 @@ Discretization<dim>::Discretization(const Parameters &parameters,
                   return DisplacementSpace<dim>(
                     mesh, scene, strain_operator(parameters.discretization.element));
                 }))
+  , is_graded(false)
   , surface(timed(times.setup,
                   [&]() {
                     return ContactSurface<dim>(mesh,
@@ -139,7 +140,7 @@ Discretization<dim>::Discretization(const Parameters &parameters,
   , multipliers(surface)
   , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
   , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
-  , G(timed(times.setup, [&]() { return assemble_gap(multipliers, n_points); }))
+  , G(timed(times.setup, [&]() { return assemble_gap_of(scene); }))
 {
   refuse_blind_patches(parameters, condensed_D);
   refuse_needless_patches(parameters, level, surface);
@@ -154,6 +155,7 @@ Discretization<2>::Discretization(const Parameters &parameters,
   , n_points(parameters.discretization.quadrature_points)
   , space(timed(times.setup,
                 [&]() { return DisplacementSpace<2>(mesh, scene, plan_degrees(plan, mesh)); }))
+  , is_graded(true)
   , surface(
       timed(times.setup,
             [&]() { return make_surface(space, scene, parameters.discretization.multipliers); }))
@@ -162,9 +164,17 @@ Discretization<2>::Discretization(const Parameters &parameters,
       [&]() { return make_multipliers(space, surface, parameters.discretization.multipliers); }))
   , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
   , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
-  , G(timed(times.setup, [&]() { return assemble_gap(multipliers, n_points + 2, Grading::none); }))
+  , G(timed(times.setup, [&]() { return assemble_gap_of(scene); }))
 {
   refuse_blind_patches(parameters, condensed_D);
+}
+
+template <int dim>
+dealii::Vector<double> Discretization<dim>::assemble_gap_of(const Scene<dim> &scene) const
+{
+  if (is_graded)
+    return assemble_gap(multipliers, scene.boundary, n_points + 2, Grading::none);
+  return assemble_gap(multipliers, scene.boundary, n_points);
 }
 
 std::vector<unsigned int> degrees_of(const DisplacementSpace<2> &space)

@@ -11,6 +11,7 @@
 #include <signorini/refinement/step_difference.h>
 #include <signorini/refinement/unseen_contact.h>
 
+#include "load_case_study.h"
 #include "sequence.h"
 
 namespace Signorini
@@ -75,6 +76,8 @@ public:
       (context_.judge.reaches_target(record) && is_checked(record)) || history_.stagnates();
     if (!finished_)
       plan_next(findings);
+    if (finished_)
+      solve_load_cases(parameters, scene_, *last_.discretization, progress, writer, solution);
     progress("output");
     {
       const StageTimer timer(record.times.output);

@@ -75,7 +75,7 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
     solution.system = owned_system;
 
   progress("factorisation");
-  const auto inverse = timed(times.factor, [&]() {
+  const std::shared_ptr<const StiffnessInverse> inverse = timed(times.factor, [&]() {
     return factorise(system.matrix,
                      system.unit,
                      parameters.solver.linear_solver,
@@ -113,6 +113,9 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
 
   examine(
     parameters, discretization, {system, *inverse, free, pressure, modes}, progress, solution);
+  if (!scene.load_cases.empty())
+    solution.factors =
+      std::make_shared<const LevelFactors<dim>>(LevelFactors<dim>{owned_system, inverse, modes});
   return solution;
 }
 

@@ -6,6 +6,7 @@
 #include <signorini/base/exceptions.h>
 #include <signorini/base/stage_timer.h>
 #include <signorini/compliance/compliance.h>
+#include <signorini/motions/escape.h>
 #include <signorini/qp/dual_solver.h>
 #include <signorini/recovery/recovery.h>
 
@@ -40,52 +41,26 @@ ColumnProgress column_progress(const Progress &progress, const unsigned int n_co
 }
 
 /** Tells which motion of the body nothing stops. */
-template <int dim>
 [[noreturn]] void refuse_escape(const Parameters &parameters,
-                                const MotionModes<dim> &modes,
-                                const FreeMotions &motions,
+                                const MotionModes<2> &modes,
+                                const dealii::FullMatrix<double> &B,
                                 const dealii::Vector<double> &v)
 {
-  std::vector<RigidMotion> rigid;
-  std::vector<double> weights;
-  for (unsigned int j = 0; j < modes.size(); ++j)
-    if (modes.motions[j].rigid)
-    {
-      rigid.push_back(*modes.motions[j].rigid);
-      weights.push_back(v[j]);
-    }
-  const RigidMotion motion = combine(rigid, weights);
-  dealii::Vector<double> opening(motions.B.m());
-  motions.B.vmult(opening, v);
-  const bool slides = opening.linfty_norm() <= 1e-8 * motions.B.linfty_norm() * v.linfty_norm();
-  const bool turns = motion.direction().find("about") != std::string::npos;
+  const RigidMotion motion = rigid_part(modes, v);
   throw InputError(parameters.boundary.where + ": the loads move the body " + motion.direction() +
                    ", and no pressure of the foundation balances them (" +
-                   (slides  ? "it slides"
-                    : turns ? "it tips over"
-                            : "it lifts off") +
+                   word_for_escape(motion, opens(B, v)) +
                    "); allowed: loads that press it onto the foundation, or more sides that hold "
                    "it.");
 }
 
 /** Rigid motions that nothing determines. */
-template <int dim>
 std::vector<std::string> names_of(const std::vector<dealii::Vector<double>> &unseen,
-                                  const MotionModes<dim> &modes)
+                                  const MotionModes<2> &modes)
 {
   std::vector<std::string> names;
   for (const dealii::Vector<double> &v : unseen)
-  {
-    std::vector<RigidMotion> rigid;
-    std::vector<double> weights;
-    for (unsigned int j = 0; j < modes.size(); ++j)
-      if (modes.motions[j].rigid)
-      {
-        rigid.push_back(*modes.motions[j].rigid);
-        weights.push_back(v[j]);
-      }
-    names.push_back(combine(rigid, weights).name());
-  }
+    names.push_back(rigid_part(modes, v).name());
   return names;
 }
 
@@ -109,7 +84,7 @@ QPResult solve_contact(const Parameters &parameters,
     return solve_dual_problem(C, F, start, options);
   const MotionResult result = solve_dual_problem(C, F, solution.motions, start, options);
   if (result.escape)
-    refuse_escape(parameters, modes, solution.motions, *result.escape);
+    refuse_escape(parameters, modes, solution.motions.B, *result.escape);
   solution.q = result.q;
   solution.record.motions.undetermined = names_of(result.unseen, modes);
   return result.qp;

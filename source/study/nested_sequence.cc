@@ -4,6 +4,7 @@
 #include <signorini/base/stage_timer.h>
 #include <signorini/postprocess/locking.h>
 
+#include "load_case_study.h"
 #include "memory_limit.h"
 #include "sequence.h"
 
@@ -49,6 +50,9 @@ public:
     if (finished_ && discretization.space.strain_operator() == StrainOperator::symmetric_gradient)
       solution.record.locking_number =
         locking_number(discretization.mesh, *context_.scene.material);
+    if constexpr (dim == 2)
+      if (finished_)
+        solve_load_cases(parameters, context_.scene, discretization, progress, writer, solution);
     progress("output");
     {
       const StageTimer timer(solution.record.times.output);

@@ -7,6 +7,7 @@
 #include <signorini/base/exceptions.h>
 #include <signorini/base/gather.h>
 #include <signorini/output/answer_output.h>
+#include <signorini/output/cases_csv.h>
 #include <signorini/output/contact_line.h>
 #include <signorini/output/matrix_market.h>
 #include <signorini/output/mesh_svg.h>
@@ -15,6 +16,7 @@
 #include <signorini/pictures/convergence_picture.h>
 #include <signorini/pictures/deformed_picture.h>
 #include <signorini/pictures/pressure_picture.h>
+#include <signorini/pictures/travel_picture.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -32,6 +34,38 @@ std::string commented(const std::string &text)
   for (std::string line; std::getline(lines, line);)
     result += "# " + line + "\n";
   return result;
+}
+
+/** Curves know the gap and the exact pressure of the surface's scene; a load case has others. */
+void use_gap_of(const Scene<2> &scene, std::vector<ContactSegment> &line)
+{
+  for (ContactSegment &segment : line)
+    for (auto *const points : {&segment.rows, &segment.curve})
+      for (ContactPoint &point : *points)
+      {
+        point.g = scene.boundary[segment.side_number].data->value(point.x);
+        point.p_exact.reset();
+      }
+}
+
+/** The load cases with a solution as curves. */
+TravelCurve travel_curve(const std::vector<CaseResult> &cases)
+{
+  TravelCurve curve;
+  for (const CaseResult &result : cases)
+  {
+    if (!result.escape.empty())
+      continue;
+    const LoadCase &load_case = result.load_case;
+    curve.travel.push_back(!result.plates.empty()        ? result.plates.front().travel
+                           : load_case.shift.norm() > 0. ? load_case.shift.norm()
+                                                         : load_case.travel);
+    curve.force_x.push_back(result.contact.force[0]);
+    curve.force_y.push_back(result.contact.force[1]);
+    curve.peak.push_back(result.peak_pressure);
+    curve.zone_length.push_back(result.zone_length);
+  }
+  return curve;
 }
 } // namespace
 
@@ -170,6 +204,43 @@ void ResultsWriter::prepare_pictures(const Discretization<dim> &discretization,
 }
 
 template <int dim>
+void ResultsWriter::write_case_fields(const Discretization<dim> &discretization,
+                                      const Scene<dim> &scene,
+                                      const NodalVector &U,
+                                      const dealii::Vector<double> &P,
+                                      const unsigned int number)
+{
+  if (directory_.empty())
+    return;
+  start_directory();
+  const std::string ending = "-case-" + dealii::Utilities::int_to_string(number, 6);
+  if (parameters_.output.vtu != VtuLevels::none)
+    write_solution_vtu(
+      directory_ / ("solution" + ending + ".vtu"), discretization.space, scene, U, {}, number);
+  write_on_first_rank([&]() {
+    std::vector<ContactSegment> line =
+      trace_contact_line(discretization.space, discretization.multipliers, U, P);
+    use_gap_of(scene, line);
+    write_file(directory_ / ("contact" + ending + ".csv"),
+               [&](std::ostream &stream) { write_contact_csv(stream, line); });
+  });
+}
+
+void ResultsWriter::write_cases(const std::vector<CaseResult> &cases)
+{
+  if (directory_.empty())
+    return;
+  start_directory();
+  write_on_first_rank([&]() {
+    if (parameters_.output.pictures)
+      if (std::optional<Picture> travel = travel_picture(travel_curve(cases)))
+        case_pictures_.push_back(std::move(*travel));
+    write_file(directory_ / "cases.csv",
+               [&](std::ostream &stream) { write_cases_csv(stream, cases); });
+  });
+}
+
+template <int dim>
 void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization,
                                        const LevelSolution<dim> &solution)
 {
@@ -246,6 +317,7 @@ std::string ResultsWriter::write_pictures(const std::vector<LevelRecord> &levels
   write_on_first_rank([&]() {
     if (const std::optional<Picture> convergence = convergence_picture(levels))
       pictures_.push_back(*convergence);
+    pictures_.insert(pictures_.end(), case_pictures_.begin(), case_pictures_.end());
     missing = Signorini::write_pictures(directory_, pictures_);
   });
   return missing;
@@ -287,6 +359,11 @@ void ResultsWriter::abandon(const std::vector<LevelRecord> &levels, const std::s
   }
 }
 
+template void ResultsWriter::write_case_fields(const Discretization<2> &,
+                                               const Scene<2> &,
+                                               const NodalVector &,
+                                               const dealii::Vector<double> &,
+                                               unsigned int);
 template void ResultsWriter::write_fields(const Discretization<2> &,
                                           const Scene<2> &,
                                           const LevelSolution<2> &,

@@ -40,6 +40,17 @@ public:
                     const LevelSolution<dim> &solution,
                     bool last_level);
 
+  /** solution-case-NNNNNN.vtu and contact-case-NNNNNN.csv of a load case. @param scene that of the
+   * case. */
+  template <int dim>
+  void write_case_fields(const Discretization<dim> &discretization,
+                         const Scene<dim> &scene,
+                         const NodalVector &U,
+                         const dealii::Vector<double> &P,
+                         unsigned int number);
+  /** cases.csv. */
+  void write_cases(const std::vector<CaseResult> &cases);
+
   /** convergence.csv and certificate.json for the levels so far. */
   void write_tables(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
   /** answer.json, after the last level. Collective. */
@@ -97,6 +108,6 @@ private:
   bool started_ = false;
   std::vector<std::pair<double, std::string>> solution_files_, contact_files_;
   /** Those of the finest level, on the first rank. */
-  std::vector<Picture> pictures_;
+  std::vector<Picture> pictures_, case_pictures_;
 };
 } // namespace Signorini

@@ -16,6 +16,8 @@ std::string check_overflow(const LevelRecord &level, const Judge &judge);
 std::string check_rounding(const LevelRecord &level, const Judge &judge);
 /** The KKT residual of the dual problem is above the tolerance. */
 std::string check_dual_problem(const LevelRecord &level, const Judge &judge);
+/** The dual problem of a load case was not solved. */
+std::string check_load_cases(const LevelRecord &level, const Judge &judge);
 /** A residual of the certificate is above its bound. */
 std::string check_residuals(const LevelRecord &level, const Judge &judge);
 

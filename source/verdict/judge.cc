@@ -20,6 +20,7 @@ using Check = std::string (*)(const Subject &, const Judge &);
 constexpr Check<LevelRecord> level_checks[] = {check_overflow,
                                                check_rounding,
                                                check_dual_problem,
+                                               check_load_cases,
                                                check_residuals};
 constexpr Check<std::vector<LevelRecord>> equation_checks[] = {check_finest_level,
                                                                check_uniqueness};

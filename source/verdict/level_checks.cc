@@ -67,6 +67,15 @@ std::string check_dual_problem(const LevelRecord &level, const Judge &judge)
   return text.str();
 }
 
+std::string check_load_cases(const LevelRecord &level, const Judge &)
+{
+  if (!level.load_cases || level.load_cases->first_failure == 0)
+    return "";
+  return "the contact solver stopped early in load case " +
+         std::to_string(level.load_cases->first_failure) +
+         " (cases.csv): raise Maximum iterations, or take the active set.";
+}
+
 std::string check_residuals(const LevelRecord &level, const Judge &judge)
 {
   const double residual = largest_residual(level.certificate);

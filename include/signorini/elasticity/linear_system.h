@@ -38,4 +38,10 @@ template <int dim>
 LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
                                          const Scene<dim> &scene,
                                          unsigned int n_points);
+
+/** LinearSystem::loads alone. Collective. */
+template <int dim>
+DistributedVector assemble_loads(const DisplacementSpace<dim> &space,
+                                 const Scene<dim> &scene,
+                                 unsigned int n_points);
 } // namespace Signorini

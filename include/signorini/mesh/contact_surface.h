@@ -124,6 +124,10 @@ public:
                  const std::vector<unsigned int> &n_points,
                  FaceRule rule = FaceRule::gauss);
 
+  const Scene<dim> &scene() const
+  {
+    return scene_;
+  }
   const std::vector<ContactFace<dim>> &faces() const
   {
     return faces_;

@@ -152,9 +152,20 @@ dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> 
 }
 
 /** G_k = int g psi_k (length^dim), with @p n_points Gauss points per direction and part of a piece
- * for constants; @p grading of the rules. @throws InputError where g has no value. */
+ * for constants; @p grading of the rules. @p boundary holds the gap of every side. @throws
+ * InputError where g has no value. */
 template <int dim>
 dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
+                                    const std::vector<BoundaryCondition<dim>> &boundary,
                                     unsigned int n_points,
                                     Grading grading = Grading::towards_kinks);
+
+/** The same for the gap of the surface's own scene. */
+template <int dim>
+dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
+                                    const unsigned int n_points,
+                                    const Grading grading = Grading::towards_kinks)
+{
+  return assemble_gap(space, space.surface().scene().boundary, n_points, grading);
+}
 } // namespace Signorini

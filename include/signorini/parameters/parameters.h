@@ -77,6 +77,13 @@ struct ContactParameters
   Given<std::string> foundation_position{"0, 0"};
 };
 
+/** Subsection Load cases. */
+struct LoadCasesParameters
+{
+  Given<std::string> cases;
+  Given<std::string> fields;
+};
+
 /** Subsection Exact solution: turns the error columns on. */
 struct ExactSolutionParameters
 {
@@ -151,6 +158,7 @@ struct Parameters
   BoundaryParameters boundary;
   LoadParameters load;
   ContactParameters contact;
+  LoadCasesParameters load_cases;
   ExactSolutionParameters exact;
   DiscretizationParameters discretization;
   SolverParameters solver;

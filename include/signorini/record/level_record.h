@@ -10,6 +10,7 @@
 #include <signorini/postprocess/certificate.h>
 #include <signorini/postprocess/contact_pressure.h>
 #include <signorini/postprocess/error_estimate.h>
+#include <signorini/record/case_summary.h>
 #include <signorini/record/costs.h>
 #include <signorini/record/level_sizes.h>
 #include <signorini/record/motion_record.h>
@@ -46,6 +47,8 @@ struct LevelRecord
   /** See contact_end_error() (length). */
   std::optional<double> endpoint_error;
   std::optional<LemmaNumbers> lemmas;
+  /** On the finest level, if there are load cases. */
+  std::optional<CaseSummary> load_cases;
 
   StageTimes times;
   Resources resources;

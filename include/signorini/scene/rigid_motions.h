@@ -22,6 +22,7 @@ struct RigidMotion
 
   /** The velocity at a point. */
   dealii::Tensor<1, 2> velocity(const dealii::Point<2> &x) const;
+  bool is_translation() const;
   /** "the translation along (0, 1)" or "the rotation about (1, 2)". */
   std::string name() const;
   /** "along (0, -1)" or "clockwise about (1, 2)": the direction counts. */

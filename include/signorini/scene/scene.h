@@ -4,6 +4,7 @@
 #include <signorini/scene/foundation.h>
 #include <signorini/scene/geometry.h>
 #include <signorini/scene/kinks.h>
+#include <signorini/scene/load_case.h>
 #include <signorini/scene/material.h>
 #include <signorini/scene/plate.h>
 
@@ -68,6 +69,8 @@ struct Scene
   /** Whether rigid motions are left that contact alone can stop: then single degrees of freedom are
    * pinned while the system is solved, and the motions are unknowns of the dual problem. */
   bool is_held_by_contact = false;
+  /** Other loads that the finest level is solved for, too. */
+  std::vector<LoadCase> load_cases;
   std::shared_ptr<const Material<dim>> material;
   /** f of (1), dim components; empty means zero. */
   FunctionPointer<dim> body_force;

@@ -32,12 +32,17 @@ struct Discretization
    * take more. */
   unsigned int n_points;
   DisplacementSpace<dim> space;
+  /** Whether this is a graded mesh. */
+  bool is_graded;
   ContactSurface<dim> surface;
   MultiplierSpace<dim> multipliers;
   Coupling D;
   /** D seen from the unconstrained degrees of freedom. */
   Coupling condensed_D;
   dealii::Vector<double> G;
+
+  /** G for the gap of another scene with the same contact sides. */
+  dealii::Vector<double> assemble_gap_of(const Scene<dim> &scene) const;
 };
 
 /** Whether patches of a single face have multipliers of a degree that is not inf-sup stable. */

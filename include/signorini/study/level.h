@@ -3,8 +3,10 @@
 
 #include <signorini/elasticity/linear_system.h>
 #include <signorini/errors/dual_norm_errors.h>
+#include <signorini/motions/motion_modes.h>
 #include <signorini/qp/free_motions.h>
 #include <signorini/record/level_record.h>
+#include <signorini/stiffness_inverse/stiffness_inverse.h>
 #include <signorini/study/discretization.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -15,6 +17,15 @@
 
 namespace Signorini
 {
+/** What load cases are solved with. */
+template <int dim>
+struct LevelFactors
+{
+  std::shared_ptr<const LinearSystem<dim>> system;
+  std::shared_ptr<const StiffnessInverse> inverse;
+  MotionModes<dim> modes;
+};
+
 /** The answer of one level with what it was computed from. */
 template <int dim>
 struct LevelSolution
@@ -31,6 +42,8 @@ struct LevelSolution
   /** B, K and b of free motions, and q; empty without. */
   FreeMotions motions;
   dealii::Vector<double> q;
+  /** Only for scenes with load cases. */
+  std::shared_ptr<const LevelFactors<dim>> factors;
   /** The scene with plates where they have moved to. */
   Scene<dim> scene;
   /** f_j for all j, not condensed. */
