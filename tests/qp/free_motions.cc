@@ -196,6 +196,9 @@ void escaping_beams(Checks &checks)
   moment.K(1, 1) = 3.;
   found = solve(tipping, moment);
   checks.that("a moment against a spring", found.qp.converged && !found.escape);
+  moment.K(0, 0) = -1e-15;
+  checks.that("resistance that is rounding", solve(tipping, moment).qp.converged);
+  moment.K(0, 0) = 0.;
   moment.b[0] = -1.;
   checks.that("lifted in spite of that spring", escapes(solve(tipping, moment), moment));
   // Held by both: nothing escapes.
