@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The dual problem with free motions against an enumeration of all active sets; escapes against
-// Caratheodory's theorem; units, order of patches, columns on demand, singular compliances.
-
-#include <signorini/qp/free_motions.h>
+// Caratheodory's theorem; units.
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <numeric>
-#include <set>
-#include <stdexcept>
 #include <vector>
 
+#include "motion_problem.h"
 #include "random_numbers.h"
 #include "tests.h"
 
@@ -22,32 +17,6 @@ using Matrix = dealii::FullMatrix<double>;
 
 namespace
 {
-struct Problem
-{
-  Matrix C;
-  Vector F;
-  FreeMotions motions;
-
-  unsigned int m() const
-  {
-    return F.size();
-  }
-  unsigned int k() const
-  {
-    return motions.b.size();
-  }
-};
-
-MotionResult solve(const Problem &problem,
-                   const ContactSolver method = ContactSolver::active_set,
-                   const Vector &start = Vector())
-{
-  DualSolverOptions options;
-  options.method = method;
-  return solve_dual_problem(
-    std::make_shared<const DenseCompliance>(problem.C), problem.F, problem.motions, start, options);
-}
-
 /** M^T M + I for a random M. */
 Matrix random_matrix(const unsigned int m, RandomNumbers &random)
 {
@@ -62,12 +31,12 @@ Matrix random_matrix(const unsigned int m, RandomNumbers &random)
 }
 
 /** b = K q - B^T P for some P <= 0, so that there is a solution. */
-Problem random_problem(const unsigned int m,
-                       const unsigned int k,
-                       const unsigned int n_springs,
-                       RandomNumbers &random)
+MotionProblem random_problem(const unsigned int m,
+                             const unsigned int k,
+                             const unsigned int n_springs,
+                             RandomNumbers &random)
 {
-  Problem problem{
+  MotionProblem problem{
     random_matrix(m, random), random.vector(m), {Matrix(m, k), Matrix(k, k), Vector(k)}};
   for (unsigned int i = 0; i < m; ++i)
     for (unsigned int j = 0; j < k; ++j)
@@ -94,7 +63,7 @@ Problem random_problem(const unsigned int m,
 }
 
 /** The worst violation of all conditions. */
-double violation(const Problem &problem, const Vector &P, const Vector &q)
+double violation(const MotionProblem &problem, const Vector &P, const Vector &q)
 {
   Vector W(problem.m());
   problem.C.vmult(W, P);
@@ -119,7 +88,7 @@ double violation(const Problem &problem, const Vector &P, const Vector &q)
 }
 
 /** The saddle point system with the patches in the bits of @p set; false if it is singular. */
-bool solve_on(const Problem &problem, const unsigned int set, Vector &P, Vector &q)
+bool solve_on(const MotionProblem &problem, const unsigned int set, Vector &P, Vector &q)
 {
   const unsigned int m = problem.m(), k = problem.k();
   Matrix system(m + k, m + k);
@@ -159,7 +128,7 @@ bool solve_on(const Problem &problem, const unsigned int set, Vector &P, Vector 
 }
 
 /** Tries all active sets with a regular system. @return the P with the smallest violation. */
-Vector enumerate(const Problem &problem, double &smallest)
+Vector enumerate(const MotionProblem &problem, double &smallest)
 {
   Vector best(problem.m()), P(problem.m()), q(problem.k());
   smallest = std::numeric_limits<double>::max();
@@ -176,12 +145,6 @@ Vector enumerate(const Problem &problem, double &smallest)
   return best;
 }
 
-double difference(Vector a, const Vector &b)
-{
-  a -= b;
-  return a.linfty_norm();
-}
-
 void against_enumeration(Checks &checks)
 {
   RandomNumbers random(11);
@@ -192,7 +155,7 @@ void against_enumeration(Checks &checks)
       for (unsigned int springs = 0; springs <= k; ++springs)
         for (unsigned int repeat = 0; repeat < 4; ++repeat, ++all)
         {
-          const Problem problem = random_problem(m, k, springs, random);
+          const MotionProblem problem = random_problem(m, k, springs, random);
           double smallest = 0.;
           const Vector P = enumerate(problem, smallest);
           const MotionResult sets = solve(problem), sweeps = solve(problem, ContactSolver::psor),
@@ -252,7 +215,7 @@ void escapes(Checks &checks)
     for (unsigned int k = 2; k <= 3; ++k)
       for (unsigned int repeat = 0; repeat < 50; ++repeat, ++all)
       {
-        Problem problem = random_problem(m, k, 0, random);
+        MotionProblem problem = random_problem(m, k, 0, random);
         problem.motions.b = random.vector(k);
         problem.motions.b[0] += 1.;
         const MotionResult found = solve(problem);
@@ -282,8 +245,8 @@ void units(Checks &checks)
   for (const double length : {1e-9, 1., 1e9})
     for (const double force : {1e-9, 1e9})
     {
-      const Problem problem = random_problem(8, 3, 1, random);
-      Problem scaled = problem;
+      const MotionProblem problem = random_problem(8, 3, 1, random);
+      MotionProblem scaled = problem;
       scaled.C *= length / force;
       scaled.F *= length;
       for (unsigned int j = 0; j < 3; ++j)
@@ -311,194 +274,6 @@ void units(Checks &checks)
     }
 }
 
-/** int int -log|x - y| over pairs of m equal patches of [0, 1], as in random_problems.cc. */
-Matrix half_plane(const unsigned int m)
-{
-  const auto antiderivative = [](const double t) {
-    return t == 0. ? 0. : 0.75 * t * t - 0.5 * t * t * std::log(std::abs(t));
-  };
-  const double H = 1. / m;
-  Matrix C(m, m);
-  for (unsigned int i = 0; i < m; ++i)
-    for (unsigned int j = 0; j < m; ++j)
-    {
-      const double d = H * (static_cast<double>(i) - j);
-      C(i, j) = antiderivative(d + H) - 2. * antiderivative(d) + antiderivative(d - H);
-    }
-  return C;
-}
-
-/** A parabola, pressed by a force at the place e, that may rotate. */
-Problem indenter(const unsigned int m, const double curvature, const double force, const double e)
-{
-  Problem problem{half_plane(m), Vector(m), {Matrix(m, 2), Matrix(2, 2), Vector(2)}};
-  for (unsigned int i = 0; i < m; ++i)
-  {
-    const double x = (i + 0.5) / m - 0.5;
-    problem.F[i] = curvature * x * x / m;
-    problem.motions.B(i, 0) = 1. / m;
-    problem.motions.B(i, 1) = x / m;
-  }
-  problem.motions.b[0] = force;
-  problem.motions.b[1] = force * e;
-  return problem;
-}
-
-/** Hands out columns, and counts them. */
-class Columns final : public ComplianceOperator
-{
-public:
-  explicit Columns(const Matrix &from)
-    : from_(from)
-  {
-  }
-  unsigned int size() const override
-  {
-    return from_.m();
-  }
-  Vector apply(const Vector &P) const override
-  {
-    Vector product(size());
-    for (unsigned int j = 0; j < size(); ++j)
-      if (P[j] != 0.)
-      {
-        asked.insert(j);
-        for (unsigned int i = 0; i < size(); ++i)
-          product[i] += from_(i, j) * P[j];
-      }
-    return product;
-  }
-  Vector diagonal() const override
-  {
-    throw std::logic_error("the whole diagonal costs all columns");
-  }
-  Matrix columns(const Indices &numbers) const override
-  {
-    Matrix found(size(), numbers.size());
-    for (unsigned int k = 0; k < numbers.size(); ++k)
-    {
-      asked.insert(numbers[k]);
-      for (unsigned int i = 0; i < size(); ++i)
-        found(i, k) = from_(i, numbers[k]);
-    }
-    return found;
-  }
-  const Matrix &dense() const override
-  {
-    throw std::logic_error("all of C costs all columns");
-  }
-  bool is_explicit() const override
-  {
-    return false;
-  }
-
-  mutable std::set<unsigned int> asked;
-
-private:
-  const Matrix &from_;
-};
-
-void indenters(Checks &checks)
-{
-  for (const double e : {0., 0.1, 0.3})
-    for (const double curvature : {0., 50., 2000.})
-    {
-      const unsigned int m = 128;
-      const Problem problem = indenter(m, curvature, 1., e);
-      const MotionResult found = solve(problem);
-      // The same with the motions prescribed.
-      Vector F = problem.F;
-      for (unsigned int i = 0; i < m; ++i)
-        for (unsigned int j = 0; j < 2; ++j)
-          F[i] -= problem.motions.B(i, j) * found.q[j];
-      const auto C = std::make_shared<const DenseCompliance>(problem.C);
-      const QPResult held = solve_dual_problem(C, F, Vector(), DualSolverOptions());
-      checks.that("indenter: converged", found.qp.converged);
-      checks.near("indenter: the held one has the same P",
-                  difference(held.P, found.qp.P),
-                  0.,
-                  1e-9 * held.P.linfty_norm());
-      checks.near("indenter: force", found.qp.P.mean_value(), -1., 1e-11);
-      checks.between("indenter: linear solves", found.qp.iterations, 1., 2. * held.iterations + 6.);
-      const auto columns = std::make_shared<const Columns>(problem.C);
-      const MotionResult few =
-        solve_dual_problem(columns, problem.F, problem.motions, Vector(), DualSolverOptions());
-      checks.near("indenter: columns on demand",
-                  difference(few.qp.P, found.qp.P),
-                  0.,
-                  1e-9 * held.P.linfty_norm());
-      unsigned int pressing = 0;
-      for (const double P_i : found.qp.P)
-        pressing += P_i < 0. ? 1 : 0;
-      checks.between("indenter: columns", columns->asked.size(), pressing, 1.5 * pressing + 10);
-      const MotionResult warm = solve(problem, ContactSolver::active_set, found.qp.P);
-      checks.that("indenter: its own start costs one solve",
-                  warm.qp.iterations == 1 && warm.outer_iterations == 0);
-      const MotionResult sweeps = solve(problem, ContactSolver::psor);
-      checks.near(
-        "indenter: psor", difference(sweeps.qp.P, found.qp.P), 0., 1e-7 * held.P.linfty_norm());
-    }
-}
-
-void order_of_patches(Checks &checks)
-{
-  const unsigned int m = 40;
-  const Problem problem = indenter(m, 20., 1., 0.1);
-  std::vector<unsigned int> place(m);
-  std::iota(place.begin(), place.end(), 0);
-  RandomNumbers random(9);
-  for (unsigned int i = m - 1; i > 0; --i)
-    std::swap(place[i], place[static_cast<unsigned int>(0.5 * (random() + 1.) * i)]);
-  Problem shuffled = problem;
-  for (unsigned int i = 0; i < m; ++i)
-  {
-    shuffled.F[i] = problem.F[place[i]];
-    for (unsigned int j = 0; j < 2; ++j)
-      shuffled.motions.B(i, j) = problem.motions.B(place[i], j);
-    for (unsigned int j = 0; j < m; ++j)
-      shuffled.C(i, j) = problem.C(place[i], place[j]);
-  }
-  const MotionResult found = solve(problem), other = solve(shuffled);
-  Vector P(m);
-  for (unsigned int i = 0; i < m; ++i)
-    P[place[i]] = other.qp.P[i];
-  checks.near("order of patches", difference(P, found.qp.P), 0., 1e-9 * P.linfty_norm());
-}
-
-/** Two patches at each place: only the sum of their pressures is known. */
-void singular_compliance(Checks &checks)
-{
-  const unsigned int m = 10;
-  const Problem single = indenter(m, 10., 1., 0.05);
-  Problem twice = indenter(2 * m, 0., 1., 0.05);
-  for (unsigned int i = 0; i < 2 * m; ++i)
-  {
-    twice.F[i] = single.F[i / 2];
-    for (unsigned int j = 0; j < 2; ++j)
-      twice.motions.B(i, j) = single.motions.B(i / 2, j);
-    for (unsigned int j = 0; j < 2 * m; ++j)
-      twice.C(i, j) = single.C(i / 2, j / 2);
-  }
-  DualSolverOptions options;
-  options.may_be_singular = true;
-  const auto by = [&](const Problem &problem) {
-    return solve_dual_problem(std::make_shared<const DenseCompliance>(problem.C),
-                              problem.F,
-                              problem.motions,
-                              Vector(),
-                              options);
-  };
-  const MotionResult found = by(twice), expected = by(single);
-  Vector sums(m);
-  for (unsigned int i = 0; i < 2 * m; ++i)
-    sums[i / 2] += found.qp.P[i];
-  checks.near("singular C: sums of P", difference(sums, expected.qp.P), 0., 1e-6);
-  checks.near("singular C: q", difference(found.q, expected.q), 0., 1e-7);
-  checks.that("singular C: converged, not unique, and it is said",
-              found.qp.converged && !found.qp.unique && found.qp.active_set_failure);
-  checks.that("regular C: unique",
-              expected.qp.converged && expected.qp.unique && !expected.qp.active_set_failure);
-}
 } // namespace
 
 int main()
@@ -508,8 +283,5 @@ int main()
   against_enumeration(checks);
   escapes(checks);
   units(checks);
-  indenters(checks);
-  order_of_patches(checks);
-  singular_compliance(checks);
   return checks.exit_code();
 }
