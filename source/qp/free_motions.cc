@@ -229,7 +229,7 @@ bool is_only_solution(const MotionProblem &problem, const MotionState &state)
         C_TT(i, j) +=
           size * C_TT.m() * problem.motions.B(touching[i], l) * problem.motions.B(touching[j], l);
   Vector pressing(touching.size());
-  pressing = -1.;
+  std::fill(pressing.begin(), pressing.end(), -1.);
   return BoundConstrainedQP(C_TT, Vector(touching.size())).has_unique_solution(pressing);
 }
 
@@ -334,7 +334,7 @@ MotionResult solve_dual_problem(const Compliance &C,
   const Vector norms = have_both ? row_norms(normalised(motions.B)) : Vector(m);
   Vector diagonal(m);
   if (nothing_happens || !have_both)
-    diagonal = 1.;
+    std::fill(diagonal.begin(), diagonal.end(), 1.);
   else
     diagonal = diagonal_guess(*C, F, norms);
   const SeenMotions seen(motions, m, contact_stiffness(norms, diagonal));
