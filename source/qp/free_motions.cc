@@ -26,6 +26,8 @@ struct MotionProblem
   Compliance C;
   const Vector &F;
   const SeenMotions &motions;
+  /** Of C, or a guess where columns are expensive. */
+  const Vector &diagonal;
   const DualSolverOptions &options;
 };
 
@@ -83,14 +85,16 @@ Vector opening(const MotionProblem &problem, const MotionState &state)
   return W;
 }
 
-/** C_ii for the given i. */
-Vector diagonal_at(const ComplianceOperator &C, const ComplianceOperator::Indices &asked)
+/** C_ii; for patches that do not press it is a guess where columns are expensive. */
+Vector diagonal_at(const MotionProblem &problem, const Vector &P)
 {
-  const Vector all = C.is_explicit() ? C.diagonal() : Vector();
-  const Matrix columns = C.is_explicit() ? Matrix() : C.columns(asked);
-  Vector diagonal(asked.size());
-  for (unsigned int j = 0; j < asked.size(); ++j)
-    diagonal[j] = C.is_explicit() ? all[asked[j]] : columns(asked[j], j);
+  Vector diagonal = problem.diagonal;
+  if (problem.C->is_explicit())
+    return diagonal;
+  const ComplianceOperator::Indices A = pressing_patches(P);
+  const Matrix columns = problem.C->columns(A);
+  for (unsigned int j = 0; j < A.size(); ++j)
+    diagonal[A[j]] = columns(A[j], j);
   return diagonal;
 }
 
@@ -98,19 +102,15 @@ Vector diagonal_at(const ComplianceOperator &C, const ComplianceOperator::Indice
 double kkt_residual(const MotionProblem &problem, const MotionState &state)
 {
   const Vector W = opening(problem, state);
-  ComplianceOperator::Indices asked;
-  for (unsigned int i = 0; i < W.size(); ++i)
-    if (state.P[i] != 0. || W[i] > 0.)
-      asked.push_back(i);
-  const Vector C_ii = diagonal_at(*problem.C, asked);
+  const Vector diagonal = diagonal_at(problem, state.P);
   double residual = problem.motions.imbalance(state.P, state.z).norm_sqr();
   double size_of_F = 0.;
-  for (unsigned int j = 0; j < asked.size(); ++j)
+  for (unsigned int i = 0; i < W.size(); ++i)
   {
-    const unsigned int i = asked[j];
-    const double r = state.P[i] - std::min(0., state.P[i] - W[i] / C_ii[j]);
+    const double r = state.P[i] - std::min(0., state.P[i] - W[i] / diagonal[i]);
     residual += r * r;
-    size_of_F += std::pow(problem.F[i] / C_ii[j], 2);
+    if (state.P[i] != 0. || W[i] > 0.)
+      size_of_F += std::pow(problem.F[i] / diagonal[i], 2);
   }
   const double scale = std::max({state.P.norm_sqr(), size_of_F, problem.motions.b.norm_sqr()});
   return scale > 0. ? std::sqrt(residual / scale) : std::sqrt(residual);
@@ -157,21 +157,11 @@ Matrix proximal_stiffness(const Matrix &stiffness, const double part)
   return E;
 }
 
-/** The dual problem with C + B (K + E)^{-1} B^T, and the motions that belong to its pressure. */
-void solve_inner(const MotionProblem &problem, MotionSearch &search)
+/** What the inner problem is solved with, in the iterations that are left. */
+DualSolverOptions inner_options(const MotionProblem &problem,
+                                const MotionSearch &search,
+                                const bool by_sweeps)
 {
-  const SeenMotions &motions = problem.motions;
-  const bool by_sweeps =
-    problem.options.method == ContactSolver::psor || search.inner.active_set_failure;
-  Matrix Q = proximal_stiffness(search.stiffness, by_sweeps ? 0.1 : 1e-4);
-  Q.add(1., motions.K);
-  const SmallCholesky solver(Q);
-  MotionState &state = search.state;
-  // z = z_old + Q^{-1}(b - K z_old + B^T P).
-  state.z += solver.solve(motions.imbalance(Vector(state.P.size()), state.z));
-  Vector load = problem.F;
-  load -= times(motions.B, state.z);
-  const auto stiffened = std::make_shared<const StiffenedCompliance>(problem.C, motions.B, solver);
   DualSolverOptions options = problem.options;
   options.may_be_singular = false;
   options.maximum_iterations -= std::min(options.maximum_iterations, search.inner.iterations);
@@ -180,15 +170,41 @@ void solve_inner(const MotionProblem &problem, MotionSearch &search)
     options.method = ContactSolver::psor;
     options.tolerance = std::max(0.1 * options.tolerance, std::min(1e-4, 1e-2 * search.residual));
   }
-  const unsigned int before = search.inner.iterations;
+  else
+    // Where C is singular, sweeps take over, which converge too slowly for this E.
+    options.maximum_iterations =
+      std::min(options.maximum_iterations, 10 * problem.F.size() + 1000U);
+  return options;
+}
+
+/** The dual problem with C + B (K + E)^{-1} B^T, and the motions that belong to its pressure. */
+void solve_inner(const MotionProblem &problem, MotionSearch &search)
+{
+  const SeenMotions &motions = problem.motions;
   const std::optional<std::string> failure = search.inner.active_set_failure;
-  search.inner = solve_dual_problem(stiffened, load, state.P, options);
+  const bool by_sweeps = problem.options.method == ContactSolver::psor || failure;
+  Matrix Q = proximal_stiffness(search.stiffness, by_sweeps ? 0.3 : 1e-4);
+  Q.add(1., motions.K);
+  const SmallCholesky solver(Q);
+  MotionState next = search.state;
+  // z = z_old + Q^{-1}(b - K z_old + B^T P).
+  next.z += solver.solve(motions.imbalance(Vector(next.P.size()), next.z));
+  Vector load = problem.F;
+  load -= times(motions.B, next.z);
+  const unsigned int before = search.inner.iterations;
+  search.inner =
+    solve_dual_problem(std::make_shared<const StiffenedCompliance>(problem.C, motions.B, solver),
+                       load,
+                       next.P,
+                       inner_options(problem, search, by_sweeps));
   search.inner.iterations += before;
+  ++search.outer_iterations;
+  next.P = search.inner.P;
+  next.z += solver.solve(transpose_times(motions.B, next.P));
+  if (!search.inner.active_set_failure || search.inner.converged)
+    search.state = next;
   if (failure)
     search.inner.active_set_failure = failure;
-  state.P = search.inner.P;
-  state.z += solver.solve(transpose_times(motions.B, state.P));
-  ++search.outer_iterations;
 }
 
 /** Whether P is the only one: C with motions is regular on the patches that touch. */
@@ -213,16 +229,16 @@ bool is_only_solution(const MotionProblem &problem, const MotionState &state)
         C_TT(i, j) +=
           size * C_TT.m() * problem.motions.B(touching[i], l) * problem.motions.B(touching[j], l);
   Vector pressing(touching.size());
-  pressing = -1.;
+  std::fill(pressing.begin(), pressing.end(), -1.);
   return BoundConstrainedQP(C_TT, Vector(touching.size())).has_unique_solution(pressing);
 }
 
 /** Where the search begins: the given pressure, or that of separate springs. */
-MotionSearch begin(const MotionProblem &problem, const Vector &start, const Vector &diagonal)
+MotionSearch begin(const MotionProblem &problem, const Vector &start)
 {
   MotionSearch search;
   const SeenMotions &motions = problem.motions;
-  search.state = solve_on_bedding(motions, problem.F, diagonal);
+  search.state = solve_on_bedding(motions, problem.F, problem.diagonal);
   if (start.size() > 0 && !pressing_patches(start).empty())
     search.state.P = start;
   search.best = {Vector(problem.F.size()), Vector(motions.size())};
@@ -230,7 +246,7 @@ MotionSearch begin(const MotionProblem &problem, const Vector &start, const Vect
   for (unsigned int r = 0; r < problem.F.size(); ++r)
     for (unsigned int i = 0; i < motions.size(); ++i)
       for (unsigned int j = 0; j < motions.size(); ++j)
-        search.stiffness(i, j) += motions.B(r, i) * motions.B(r, j) / diagonal[r];
+        search.stiffness(i, j) += motions.B(r, i) * motions.B(r, j) / problem.diagonal[r];
   judge(problem, search.best, search);
   solve_exactly(problem, search);
   return search;
@@ -241,7 +257,7 @@ void iterate(const MotionProblem &problem, MotionSearch &search)
 {
   const double tolerance = problem.options.tolerance;
   const double rounding = (problem.F.size() + 10) * std::numeric_limits<double>::epsilon();
-  const double small = std::min(tolerance, std::max(1e-3 * tolerance, rounding));
+  const double small = std::min(tolerance, std::max(1e-2 * tolerance, rounding));
   unsigned int in_vain = 0;
   while (search.residual > small && in_vain < (search.residual <= tolerance ? 1U : 20U) &&
          search.inner.iterations < problem.options.maximum_iterations)
@@ -287,12 +303,9 @@ bool is_zero(const Vector &v)
 }
 
 /** Where there is at least one patch and one motion that it or K sees. */
-void solve_seen(const MotionProblem &problem,
-                const Vector &start,
-                const Vector &diagonal,
-                MotionResult &result)
+void solve_seen(const MotionProblem &problem, const Vector &start, MotionResult &result)
 {
-  MotionSearch search = begin(problem, start, diagonal);
+  MotionSearch search = begin(problem, start);
   iterate(problem, search);
   result.qp = search.inner;
   result.qp.P = search.best.P;
@@ -321,7 +334,7 @@ MotionResult solve_dual_problem(const Compliance &C,
   const Vector norms = have_both ? row_norms(normalised(motions.B)) : Vector(m);
   Vector diagonal(m);
   if (nothing_happens || !have_both)
-    diagonal = 1.;
+    std::fill(diagonal.begin(), diagonal.end(), 1.);
   else
     diagonal = diagonal_guess(*C, F, norms);
   const SeenMotions seen(motions, m, contact_stiffness(norms, diagonal));
@@ -340,7 +353,7 @@ MotionResult solve_dual_problem(const Compliance &C,
     result.qp.converged = true;
   }
   else
-    solve_seen({C, F, seen, options}, start, diagonal, result);
+    solve_seen({C, F, seen, diagonal, options}, start, result);
   return result;
 }
 } // namespace Signorini

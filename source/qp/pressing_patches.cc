@@ -6,6 +6,10 @@
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
 namespace Signorini
 {
 namespace
@@ -13,6 +17,8 @@ namespace
 using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 using Indices = ComplianceOperator::Indices;
+
+using Factor = dealii::LAPACKFullMatrix<double>;
 
 /** Adds part of the mean diagonal entry to the diagonal. */
 void add_to_diagonal(Matrix &Q, const double part)
@@ -24,13 +30,61 @@ void add_to_diagonal(Matrix &Q, const double part)
     Q(i, i) += part * sum / Q.m();
 }
 
-/** Whether every motion meets a resistance; not if K = 0 and B_A = 0. */
-bool is_positive(const Matrix &Q)
+/** Factorises C_AA by Cholesky. @return whether it is regular, all pivots are above rounding. */
+bool try_to_factorise(const Matrix &C_AA, Factor &factor)
 {
-  for (unsigned int i = 0; i < Q.m(); ++i)
-    if (!(Q(i, i) > 0.))
+  factor.reinit(C_AA.m());
+  factor = C_AA;
+  factor.set_property(dealii::LAPACKSupport::symmetric);
+  try
+  {
+    factor.compute_cholesky_factorization();
+  }
+  catch (const dealii::ExceptionBase &)
+  {
+    return false;
+  }
+  for (unsigned int i = 0; i < C_AA.m(); ++i)
+    if (!(factor(i, i) * factor(i, i) > 1e-12 * C_AA(i, i)))
       return false;
   return true;
+}
+
+/** Of C_AA, or of C_AA with a little more on the diagonal where it is singular. */
+bool factorise_nearly(Matrix C_AA, Factor &factor)
+{
+  if (try_to_factorise(C_AA, factor))
+    return true;
+  add_to_diagonal(C_AA, 1e-8);
+  return try_to_factorise(C_AA, factor);
+}
+
+/** The remainders of both equations are solved for and added, several times. X = C_AA^{-1} B_A. */
+void refine(const ComplianceOperator &C,
+            const Vector &F,
+            const SeenMotions &motions,
+            const Indices &A,
+            const Factor &C_AA,
+            const std::vector<Vector> &X,
+            const SmallCholesky &Q,
+            MotionState &state)
+{
+  for (unsigned int pass = 0; pass < 4; ++pass)
+  {
+    Vector rest = F, dP(A.size());
+    rest -= C.apply(state.P);
+    rest -= times(motions.B, state.z);
+    for (unsigned int r = 0; r < A.size(); ++r)
+      dP[r] = rest[A[r]];
+    C_AA.solve(dP);
+    for (unsigned int r = 0; r < A.size(); ++r)
+      state.P[A[r]] += dP[r];
+    const Vector dz = Q.solve(motions.imbalance(state.P, state.z));
+    state.z += dz;
+    for (unsigned int r = 0; r < A.size(); ++r)
+      for (unsigned int j = 0; j < dz.size(); ++j)
+        state.P[A[r]] -= X[j][r] * dz[j];
+  }
 }
 } // namespace
 
@@ -52,20 +106,14 @@ std::optional<PressingSolution> solve_on_pressing(const ComplianceOperator &C,
   const unsigned int n = motions.size();
   if (A.empty())
     return std::nullopt;
-  dealii::LAPACKFullMatrix<double> C_AA(A.size(), A.size());
-  C_AA = submatrix(C, A);
-  C_AA.set_property(dealii::LAPACKSupport::symmetric);
-  try
-  {
-    C_AA.compute_cholesky_factorization();
-  }
-  catch (const dealii::ExceptionBase &)
-  {
+  Factor C_AA;
+  if (!factorise_nearly(submatrix(C, A), C_AA))
     return std::nullopt;
-  }
   // Columns of C_AA^{-1} B_A.
   std::vector<Vector> X(n, Vector(A.size()));
   PressingSolution found{start, Matrix(n, n)};
+  for (double &P_i : found.state.P)
+    P_i = std::min(P_i, 0.);
   for (unsigned int j = 0; j < n; ++j)
   {
     for (unsigned int r = 0; r < A.size(); ++r)
@@ -82,22 +130,13 @@ std::optional<PressingSolution> solve_on_pressing(const ComplianceOperator &C,
   Matrix Q = found.stiffness;
   add_to_diagonal(Q, 1e-9);
   Q.add(1., motions.K);
-  if (!is_positive(Q))
-    return std::nullopt;
-  const SmallCholesky solver(Q);
-  MotionState &state = found.state;
-  for (unsigned int pass = 0; pass < 4; ++pass)
+  try
   {
-    if (pass > 0)
-      state.z += solver.solve(motions.imbalance(state.P, state.z));
-    const Vector moved = times(motions.B, state.z);
-    Vector P_A(A.size());
-    for (unsigned int r = 0; r < A.size(); ++r)
-      P_A[r] = F[A[r]] - moved[A[r]];
-    C_AA.solve(P_A);
-    state.P = 0.;
-    for (unsigned int r = 0; r < A.size(); ++r)
-      state.P[A[r]] = P_A[r];
+    refine(C, F, motions, A, C_AA, X, SmallCholesky(Q), found.state);
+  }
+  catch (const std::invalid_argument &)
+  {
+    return std::nullopt;
   }
   return found;
 }

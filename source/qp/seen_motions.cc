@@ -106,7 +106,8 @@ Matrix directions(const Matrix &B)
     }
   return as_columns(columns, B.n());
 }
-/** Free motions with units, columns of B have norm one or are zero. */
+
+/** Free motions without units: columns of B have norm one or are zero. */
 struct Unitless
 {
   /** At least one row. */
@@ -168,11 +169,13 @@ void check_sizes(const FreeMotions &motions, const unsigned int m)
                motions.K.n() == k && (size_of_b.size() == 0 || size_of_b.size() == k));
   if (!fits)
     throw std::invalid_argument("The sizes of B, K and b do not fit together.");
+  const double rounding = k > 0 ? 1e-9 * motions.K.linfty_norm() : 0.;
   for (unsigned int i = 0; i < k; ++i)
     for (unsigned int j = 0; j < k; ++j)
     {
       const double size = std::sqrt(std::abs(motions.K(i, i) * motions.K(j, j)));
-      if (motions.K(i, i) < 0. || std::abs(motions.K(i, j) - motions.K(j, i)) > 1e-9 * size)
+      const double skew = std::abs(motions.K(i, j) - motions.K(j, i));
+      if (motions.K(i, i) < -rounding || skew > 1e-9 * size + rounding)
         throw std::invalid_argument("K is not symmetric and positive semi-definite.");
     }
 }

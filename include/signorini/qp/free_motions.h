@@ -34,12 +34,13 @@ struct FreeMotions
 struct MotionResult
 {
   /**
-   * Iterations are all linear solves, or all sweeps. Without a solution P = 0, not converged. Only
-   * P, iterations, kkt_residual (see solve_dual_problem), converged, unique, cycled,
-   * increment_iterations and active_set_failure of the last inner problem are set.
+   * P, its residual (see solve_dual_problem) and the linear solves or sweeps of all inner problems;
+   * cycled, increment_iterations and active_set_failure are those of the last inner problem.
+   * Without a solution P = 0, not converged.
    */
   QPResult qp;
-  /** k entries; not unique where motions exist that change neither balance nor contact. */
+  /** k entries; one of several where pressing patches leave a motion free (tipping about an edge).
+   */
   dealii::Vector<double> q;
   /**
    * There is no solution: a motion v with K v = 0, B v <= 0 (it opens or slides everywhere) and
@@ -66,7 +67,7 @@ struct MotionResult
  *
  * inserted into W, leaves a dual problem in P with the compliance C + B (K + E)^{-1} B^T, which the
  * chosen method solves (with columns on demand where they are expensive). E is 1e-4 (projected SOR:
- * 0.1) of the stiffness B_A^T C_AA^{-1} B_A of the contact, so the error of q falls by that factor.
+ * 0.3) of the stiffness B_A^T C_AA^{-1} B_A of the contact, so the error of q falls by that factor.
  * After each step, and for the start, P and q are computed exactly on the patches that press
  * (solve_on_pressing); what has the smaller residual counts. (R. T. Rockafellar, Math. Oper. Res. 1
  * (1976) 97-116: convergence of proximal iteration for every E.)
@@ -77,7 +78,8 @@ struct MotionResult
  *   (|P - min(0, P - W/diag C)|^2 + |r|^2)^{1/2} / max(|P|, |F/diag C|, |b|),
  *
  * 0 if all vanish; r and b are divided by the norms of the columns of B, which gives them the unit
- * of P. F/diag C counts on patches that press or penetrate only: gaps far away say nothing.
+ * of P. F/diag C counts on patches that press or penetrate only: gaps far away say nothing. Where
+ * columns of C are expensive, C_ii of patches that do not press is guessed from another one.
  *
  * @param start a pressure to start from; empty: that of an elastic bedding of separate springs.
  * @throws std::invalid_argument if sizes do not fit together or K is not symmetric.

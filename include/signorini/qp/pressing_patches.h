@@ -32,11 +32,14 @@ struct PressingSolution
  *
  *   C_AA P_A + B_A z = F_A,   K z - B_A^T P_A = b,   P = 0 elsewhere.
  *
- * C_AA is factorised, and z follows from (K + B_A^T C_AA^{-1} B_A + delta) dz = imbalance, three
- * times. delta, 1e-9 of the stiffness, keeps motions as they are that the patches of A do not see
- * (a body that tips about one edge).
+ * C_AA is factorised, and z follows from (K + B_A^T C_AA^{-1} B_A + delta) dz = imbalance; the
+ * remainders of both equations are then solved for again. delta, 1e-9 of the stiffness, keeps
+ * motions as they are that the patches of A do not see (a body that tips about one edge). Where
+ * C_AA is singular within rounding, its diagonal grows by 1e-8, and parts of P that C does not see
+ * stay those of the start.
  *
- * @return nothing if C_AA is not positive definite within rounding.
+ * @return nothing if nothing presses, or the patches of A and K leave a motion without resistance
+ * so that the equation for dz has no solution.
  */
 std::optional<PressingSolution> solve_on_pressing(const ComplianceOperator &C,
                                                   const dealii::Vector<double> &F,

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Parabolas pressed into a half-plane by a force, free to rotate: against the same problem with the
+// motions prescribed; columns on demand, order of patches, singular compliances.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "motion_problem.h"
+#include "random_numbers.h"
+#include "tests.h"
+
+using namespace Signorini;
+using Vector = dealii::Vector<double>;
+using Matrix = dealii::FullMatrix<double>;
+
+namespace
+{
+/** int int -log|x - y| over pairs of m equal patches of [0, 1], as in random_problems.cc. */
+Matrix half_plane(const unsigned int m)
+{
+  const auto antiderivative = [](const double t) {
+    return t == 0. ? 0. : 0.75 * t * t - 0.5 * t * t * std::log(std::abs(t));
+  };
+  const double H = 1. / m;
+  Matrix C(m, m);
+  for (unsigned int i = 0; i < m; ++i)
+    for (unsigned int j = 0; j < m; ++j)
+    {
+      const double d = H * (static_cast<double>(i) - j);
+      C(i, j) = antiderivative(d + H) - 2. * antiderivative(d) + antiderivative(d - H);
+    }
+  return C;
+}
+
+/** A parabola, pressed by a force at the place e, that may rotate. */
+MotionProblem
+indenter(const unsigned int m, const double curvature, const double force, const double e)
+{
+  MotionProblem problem{half_plane(m), Vector(m), {Matrix(m, 2), Matrix(2, 2), Vector(2)}};
+  for (unsigned int i = 0; i < m; ++i)
+  {
+    const double x = (i + 0.5) / m - 0.5;
+    problem.F[i] = curvature * x * x / m;
+    problem.motions.B(i, 0) = 1. / m;
+    problem.motions.B(i, 1) = x / m;
+  }
+  problem.motions.b[0] = force;
+  problem.motions.b[1] = force * e;
+  return problem;
+}
+
+/** Hands out columns, and counts them. */
+class Columns final : public ComplianceOperator
+{
+public:
+  explicit Columns(const Matrix &from)
+    : from_(from)
+  {
+  }
+  unsigned int size() const override
+  {
+    return from_.m();
+  }
+  Vector apply(const Vector &P) const override
+  {
+    Vector product(size());
+    for (unsigned int j = 0; j < size(); ++j)
+      if (P[j] != 0.)
+      {
+        asked.insert(j);
+        for (unsigned int i = 0; i < size(); ++i)
+          product[i] += from_(i, j) * P[j];
+      }
+    return product;
+  }
+  Vector diagonal() const override
+  {
+    throw std::logic_error("the whole diagonal costs all columns");
+  }
+  Matrix columns(const Indices &numbers) const override
+  {
+    Matrix found(size(), numbers.size());
+    for (unsigned int k = 0; k < numbers.size(); ++k)
+    {
+      asked.insert(numbers[k]);
+      for (unsigned int i = 0; i < size(); ++i)
+        found(i, k) = from_(i, numbers[k]);
+    }
+    return found;
+  }
+  const Matrix &dense() const override
+  {
+    throw std::logic_error("all of C costs all columns");
+  }
+  bool is_explicit() const override
+  {
+    return false;
+  }
+
+  mutable std::set<unsigned int> asked;
+
+private:
+  const Matrix &from_;
+};
+
+void indenters(Checks &checks)
+{
+  for (const double e : {0., 0.1, 0.3})
+    for (const double curvature : {0., 50., 2000.})
+    {
+      const unsigned int m = 128;
+      const MotionProblem problem = indenter(m, curvature, 1., e);
+      const MotionResult found = solve(problem);
+      // The same with the motions prescribed.
+      Vector F = problem.F;
+      for (unsigned int i = 0; i < m; ++i)
+        for (unsigned int j = 0; j < 2; ++j)
+          F[i] -= problem.motions.B(i, j) * found.q[j];
+      const auto C = std::make_shared<const DenseCompliance>(problem.C);
+      const QPResult held = solve_dual_problem(C, F, Vector(), DualSolverOptions());
+      checks.that("indenter: converged", found.qp.converged);
+      checks.near("indenter: the held one has the same P",
+                  difference(held.P, found.qp.P),
+                  0.,
+                  1e-9 * held.P.linfty_norm());
+      checks.near("indenter: force", found.qp.P.mean_value(), -1., 1e-11);
+      checks.between("indenter: linear solves", found.qp.iterations, 1., 2. * held.iterations + 6.);
+      const auto columns = std::make_shared<const Columns>(problem.C);
+      const MotionResult few =
+        solve_dual_problem(columns, problem.F, problem.motions, Vector(), DualSolverOptions());
+      checks.near("indenter: columns on demand",
+                  difference(few.qp.P, found.qp.P),
+                  0.,
+                  1e-9 * held.P.linfty_norm());
+      unsigned int pressing = 0;
+      for (const double P_i : found.qp.P)
+        pressing += P_i < 0. ? 1 : 0;
+      checks.between("indenter: columns", columns->asked.size(), pressing, 1.5 * pressing + 10);
+      const MotionResult warm = solve(problem, ContactSolver::active_set, found.qp.P);
+      checks.that("indenter: its own start costs one solve",
+                  warm.qp.iterations == 1 && warm.outer_iterations == 0);
+      const MotionResult sweeps = solve(problem, ContactSolver::psor);
+      checks.near(
+        "indenter: psor", difference(sweeps.qp.P, found.qp.P), 0., 1e-7 * held.P.linfty_norm());
+    }
+}
+
+void order_of_patches(Checks &checks)
+{
+  const unsigned int m = 40;
+  const MotionProblem problem = indenter(m, 20., 1., 0.1);
+  std::vector<unsigned int> place(m);
+  std::iota(place.begin(), place.end(), 0);
+  RandomNumbers random(9);
+  for (unsigned int i = m - 1; i > 0; --i)
+    std::swap(place[i], place[static_cast<unsigned int>(0.5 * (random() + 1.) * i)]);
+  MotionProblem shuffled = problem;
+  for (unsigned int i = 0; i < m; ++i)
+  {
+    shuffled.F[i] = problem.F[place[i]];
+    for (unsigned int j = 0; j < 2; ++j)
+      shuffled.motions.B(i, j) = problem.motions.B(place[i], j);
+    for (unsigned int j = 0; j < m; ++j)
+      shuffled.C(i, j) = problem.C(place[i], place[j]);
+  }
+  const MotionResult found = solve(problem), other = solve(shuffled);
+  Vector P(m);
+  for (unsigned int i = 0; i < m; ++i)
+    P[place[i]] = other.qp.P[i];
+  checks.near("order of patches", difference(P, found.qp.P), 0., 1e-9 * P.linfty_norm());
+}
+
+/** Two patches at each place: only the sum of their pressures is known. */
+void singular_compliance(Checks &checks)
+{
+  const unsigned int m = 10;
+  const MotionProblem single = indenter(m, 10., 1., 0.05);
+  MotionProblem twice = indenter(2 * m, 0., 1., 0.05);
+  for (unsigned int i = 0; i < 2 * m; ++i)
+  {
+    twice.F[i] = single.F[i / 2];
+    for (unsigned int j = 0; j < 2; ++j)
+      twice.motions.B(i, j) = single.motions.B(i / 2, j);
+    for (unsigned int j = 0; j < 2 * m; ++j)
+      twice.C(i, j) = single.C(i / 2, j / 2);
+  }
+  DualSolverOptions options;
+  options.may_be_singular = true;
+  const auto by = [&](const MotionProblem &problem) {
+    return solve_dual_problem(std::make_shared<const DenseCompliance>(problem.C),
+                              problem.F,
+                              problem.motions,
+                              Vector(),
+                              options);
+  };
+  const MotionResult found = by(twice), expected = by(single);
+  Vector sums(m);
+  for (unsigned int i = 0; i < 2 * m; ++i)
+    sums[i / 2] += found.qp.P[i];
+  checks.near("singular C: sums of P", difference(sums, expected.qp.P), 0., 1e-6);
+  checks.near("singular C: q", difference(found.q, expected.q), 0., 1e-7);
+  checks.that("singular C: converged, not unique, and it is said",
+              found.qp.converged && !found.qp.unique && found.qp.active_set_failure);
+  checks.that("regular C: unique",
+              expected.qp.converged && expected.qp.unique && !expected.qp.active_set_failure);
+}
+} // namespace
+
+int main()
+{
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  indenters(checks);
+  order_of_patches(checks);
+  singular_compliance(checks);
+  return checks.exit_code();
+}

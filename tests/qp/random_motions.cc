@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The dual problem with free motions against an enumeration of all active sets; escapes against
+// Caratheodory's theorem; units.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "motion_problem.h"
+#include "random_numbers.h"
+#include "tests.h"
+
+using namespace Signorini;
+using Vector = dealii::Vector<double>;
+using Matrix = dealii::FullMatrix<double>;
+
+namespace
+{
+/** M^T M + I for a random M. */
+Matrix random_matrix(const unsigned int m, RandomNumbers &random)
+{
+  Matrix M(m, m), C(m, m);
+  for (unsigned int i = 0; i < m; ++i)
+    for (unsigned int j = 0; j < m; ++j)
+      M(i, j) = random();
+  M.Tmmult(C, M);
+  for (unsigned int i = 0; i < m; ++i)
+    C(i, i) += 1.;
+  return C;
+}
+
+/** b = K q - B^T P for some P <= 0, so that there is a solution. */
+MotionProblem random_problem(const unsigned int m,
+                             const unsigned int k,
+                             const unsigned int n_springs,
+                             RandomNumbers &random)
+{
+  MotionProblem problem{
+    random_matrix(m, random), random.vector(m), {Matrix(m, k), Matrix(k, k), Vector(k)}};
+  for (unsigned int i = 0; i < m; ++i)
+    for (unsigned int j = 0; j < k; ++j)
+      problem.motions.B(i, j) = j == 0 ? 1.5 + random() : 2. * random();
+  for (unsigned int s = 0; s < n_springs; ++s)
+  {
+    const Vector v = random.vector(k);
+    for (unsigned int i = 0; i < k; ++i)
+      for (unsigned int j = 0; j < k; ++j)
+        problem.motions.K(i, j) += v[i] * v[j];
+  }
+  Vector P = random.vector(m);
+  for (double &P_i : P)
+    P_i = std::min(P_i, 0.);
+  const Vector q = random.vector(k);
+  for (unsigned int j = 0; j < k; ++j)
+  {
+    for (unsigned int i = 0; i < m; ++i)
+      problem.motions.b[j] -= problem.motions.B(i, j) * P[i];
+    for (unsigned int i = 0; i < k; ++i)
+      problem.motions.b[j] += problem.motions.K(j, i) * q[i];
+  }
+  return problem;
+}
+
+/** The worst violation of all conditions. */
+double violation(const MotionProblem &problem, const Vector &P, const Vector &q)
+{
+  Vector W(problem.m());
+  problem.C.vmult(W, P);
+  double worst = 0.;
+  for (unsigned int i = 0; i < problem.m(); ++i)
+  {
+    W[i] -= problem.F[i];
+    for (unsigned int j = 0; j < problem.k(); ++j)
+      W[i] += problem.motions.B(i, j) * q[j];
+    worst = std::max({worst, P[i], W[i], std::abs(P[i] * W[i])});
+  }
+  for (unsigned int j = 0; j < problem.k(); ++j)
+  {
+    double r = -problem.motions.b[j];
+    for (unsigned int i = 0; i < problem.m(); ++i)
+      r -= problem.motions.B(i, j) * P[i];
+    for (unsigned int i = 0; i < problem.k(); ++i)
+      r += problem.motions.K(j, i) * q[i];
+    worst = std::max(worst, std::abs(r));
+  }
+  return worst;
+}
+
+/** The saddle point system with the patches in the bits of @p set; false if it is singular. */
+bool solve_on(const MotionProblem &problem, const unsigned int set, Vector &P, Vector &q)
+{
+  const unsigned int m = problem.m(), k = problem.k();
+  Matrix system(m + k, m + k);
+  Vector rhs(m + k), x(m + k);
+  for (unsigned int i = 0; i < m; ++i)
+  {
+    const bool active = ((set >> i) & 1U) == 1;
+    rhs[i] = active ? problem.F[i] : 0.;
+    for (unsigned int j = 0; j < m; ++j)
+      system(i, j) = active ? problem.C(i, j) : (i == j ? 1. : 0.);
+    for (unsigned int j = 0; j < k; ++j)
+    {
+      system(i, m + j) = active ? problem.motions.B(i, j) : 0.;
+      system(m + j, i) = -problem.motions.B(i, j);
+    }
+  }
+  for (unsigned int i = 0; i < k; ++i)
+  {
+    rhs[m + i] = problem.motions.b[i];
+    for (unsigned int j = 0; j < k; ++j)
+      system(m + i, m + j) = problem.motions.K(i, j);
+  }
+  try
+  {
+    system.gauss_jordan();
+  }
+  catch (const dealii::ExceptionBase &)
+  {
+    return false;
+  }
+  system.vmult(x, rhs);
+  for (unsigned int i = 0; i < m; ++i)
+    P[i] = x[i];
+  for (unsigned int j = 0; j < k; ++j)
+    q[j] = x[m + j];
+  return true;
+}
+
+/** Tries all active sets with a regular system. @return the P with the smallest violation. */
+Vector enumerate(const MotionProblem &problem, double &smallest)
+{
+  Vector best(problem.m()), P(problem.m()), q(problem.k());
+  smallest = std::numeric_limits<double>::max();
+  for (unsigned int set = 0; set < (1U << problem.m()); ++set)
+    if (solve_on(problem, set, P, q))
+    {
+      const double worst = violation(problem, P, q);
+      if (worst < smallest)
+      {
+        smallest = worst;
+        best = P;
+      }
+    }
+  return best;
+}
+
+void against_enumeration(Checks &checks)
+{
+  RandomNumbers random(11);
+  double worst_sets = 0., worst_sweeps = 0., worst_warm = 0., worst_violation = 0.;
+  unsigned int all = 0, known = 0, converged = 0, outer = 0;
+  for (const unsigned int m : {1U, 2U, 5U, 8U})
+    for (unsigned int k = 1; k <= 3; ++k)
+      for (unsigned int springs = 0; springs <= k; ++springs)
+        for (unsigned int repeat = 0; repeat < 4; ++repeat, ++all)
+        {
+          const MotionProblem problem = random_problem(m, k, springs, random);
+          double smallest = 0.;
+          const Vector P = enumerate(problem, smallest);
+          const MotionResult sets = solve(problem), sweeps = solve(problem, ContactSolver::psor),
+                             warm = solve(problem, ContactSolver::active_set, random.vector(m));
+          const double scale = 1. + P.linfty_norm() + sets.q.linfty_norm();
+          converged += sets.qp.converged && sweeps.qp.converged && warm.qp.converged;
+          outer = std::max(outer, sets.outer_iterations);
+          worst_violation =
+            std::max(worst_violation, violation(problem, sets.qp.P, sets.q) / (scale * scale));
+          if (smallest > 1e-9 * scale * scale)
+            continue; // the patches that press leave a motion undetermined
+          ++known;
+          worst_sets = std::max(worst_sets, difference(sets.qp.P, P) / scale);
+          worst_sweeps = std::max(worst_sweeps, difference(sweeps.qp.P, P) / scale);
+          worst_warm = std::max(worst_warm, difference(warm.qp.P, P) / scale);
+        }
+  checks.near("random problems: converged", converged, all, 0.);
+  checks.between("random problems: with a regular set", known, 0.5 * all, all);
+  checks.near("random problems: conditions", worst_violation, 0., 1e-11);
+  checks.near("random problems: active set", worst_sets, 0., 1e-9);
+  checks.near("random problems: psor", worst_sweeps, 0., 1e-8);
+  checks.near("random problems: from a random start", worst_warm, 0., 1e-9);
+  checks.between("random problems: outer iterations", outer, 0, 6);
+}
+
+/** Whether b is a nonnegative combination of k rows of B. */
+bool is_in_cone(const FreeMotions &motions)
+{
+  const unsigned int m = motions.B.m(), k = motions.b.size();
+  for (unsigned int set = 0; set < (1U << m); ++set)
+  {
+    std::vector<unsigned int> rows;
+    for (unsigned int i = 0; i < m; ++i)
+      if (((set >> i) & 1U) == 1)
+        rows.push_back(i);
+    if (rows.size() != k)
+      continue;
+    Matrix system(k, k);
+    Vector y(k);
+    for (unsigned int i = 0; i < k; ++i)
+      for (unsigned int j = 0; j < k; ++j)
+        system(i, j) = motions.B(rows[j], i);
+    system.gauss_jordan();
+    system.vmult(y, motions.b);
+    if (std::all_of(y.begin(), y.end(), [](const double value) { return value >= 0.; }))
+      return true;
+  }
+  return false;
+}
+
+void escapes(Checks &checks)
+{
+  RandomNumbers random(5);
+  unsigned int right = 0, n_escapes = 0, all = 0;
+  double opening = 0.;
+  for (const unsigned int m : {4U, 7U})
+    for (unsigned int k = 2; k <= 3; ++k)
+      for (unsigned int repeat = 0; repeat < 50; ++repeat, ++all)
+      {
+        MotionProblem problem = random_problem(m, k, 0, random);
+        problem.motions.b = random.vector(k);
+        problem.motions.b[0] += 1.;
+        const MotionResult found = solve(problem);
+        right +=
+          is_in_cone(problem.motions) == !found.escape && found.qp.converged != !!found.escape;
+        if (!found.escape)
+          continue;
+        ++n_escapes;
+        for (unsigned int i = 0; i < m; ++i)
+        {
+          double rate = 0.;
+          for (unsigned int l = 0; l < k; ++l)
+            rate += problem.motions.B(i, l) * (*found.escape)[l];
+          opening = std::max(opening, rate);
+        }
+        right += problem.motions.b * *found.escape > 0. ? 0 : all + 1;
+      }
+  checks.near("escapes: found where there are any, and nowhere else", right, all, 0.);
+  checks.near("escapes: none closes a patch", opening, 0., 1e-12);
+  checks.between("escapes: both kinds occur", n_escapes, 0.1 * all, 0.9 * all);
+}
+
+/** Lengths times the given factor, forces times another one; rotations keep their unit. */
+void units(Checks &checks)
+{
+  RandomNumbers random(3);
+  for (const double length : {1e-9, 1., 1e9})
+    for (const double force : {1e-9, 1e9})
+    {
+      const MotionProblem problem = random_problem(8, 3, 1, random);
+      MotionProblem scaled = problem;
+      scaled.C *= length / force;
+      scaled.F *= length;
+      for (unsigned int j = 0; j < 3; ++j)
+      {
+        const double unit = j == 2 ? length : 1.; // of a row of B: length per unit of q_j
+        for (unsigned int i = 0; i < 8; ++i)
+          scaled.motions.B(i, j) *= unit;
+        for (unsigned int i = 0; i < 3; ++i)
+          scaled.motions.K(i, j) *= force / length * unit * (i == 2 ? length : 1.);
+        scaled.motions.b[j] *= force * unit;
+      }
+      const MotionResult found = solve(problem), again = solve(scaled),
+                         sweeps = solve(scaled, ContactSolver::psor);
+      Vector P = again.qp.P, P_sweeps = sweeps.qp.P;
+      P /= force;
+      P_sweeps /= force;
+      Vector q = again.q;
+      q[0] /= length;
+      q[1] /= length;
+      checks.near("units: P", difference(P, found.qp.P), 0., 1e-10);
+      checks.near("units: P, psor", difference(P_sweeps, found.qp.P), 0., 1e-8);
+      checks.near("units: q", difference(q, found.q), 0., 1e-9);
+      checks.that("units: converged",
+                  found.qp.converged && again.qp.converged && sweeps.qp.converged);
+    }
+}
+
+} // namespace
+
+int main()
+{
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  against_enumeration(checks);
+  escapes(checks);
+  units(checks);
+  return checks.exit_code();
+}
