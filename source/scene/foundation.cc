@@ -20,18 +20,21 @@ struct LinePolynomial
 
   /**
    * The root at which phi falls, t = (-b - w)/a = c/(w - b) with w = sqrt(b² - a c), of the two
-   * forms the one without cancellation. Nothing if t = 0 lies behind all of {phi <= 0} (a > 0), or
-   * in a part of it that has no beginning (a <= 0).
+   * forms the one without cancellation.
+   *
+   * For a > 0 and t = 0 outside of {phi <= 0} there is no such root ahead if the line misses the
+   * thing or has left it. Then sqrt(c/a), the geometric mean of the roots, goes on continuously: on
+   * a line that touches, both roots have this value.
    */
   std::optional<double> entry() const
   {
-    if (!(discriminant > 0.))
-      return {};
-    const double w = std::sqrt(discriminant);
-    if (b <= 0.)
-      return c / (w - b);
     const bool is_inside = c <= 0.;
-    if (a == 0. || is_inside != (a > 0.))
+    const double w = discriminant > 0. ? std::sqrt(discriminant) : 0.;
+    if (w > 0. && b <= 0.)
+      return c / (w - b);
+    if (a > 0.)
+      return is_inside ? -(b + w) / a : std::sqrt(c / a);
+    if (a == 0. || is_inside || w == 0.)
       return {};
     return -(b + w) / a;
   }
