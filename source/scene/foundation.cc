@@ -11,6 +11,9 @@ namespace Signorini
 {
 namespace
 {
+/** Lines that meet a plane at a smaller angle (radians) are parallel to it but for rounding. */
+constexpr double parallel = 1e-12;
+
 /** phi(t) = a t² + 2 b t + c. */
 struct LinePolynomial
 {
@@ -81,7 +84,8 @@ std::optional<double> RigidThing::distance(const dealii::Point<2> &x,
   const dealii::Tensor<1, 2> &nu = parabola.normal;
   const dealii::Tensor<1, 2> tau = dealii::cross_product_2d(nu);
   const double k = parabola.curvature;
-  const double d_tau = d * tau, n_tau = n * tau, d_nu = d * nu, n_nu = n * nu;
+  const double d_tau = d * tau, n_tau = n * tau, d_nu = d * nu;
+  const double n_nu = std::abs(n * nu) < parallel ? 0. : n * nu;
   // b² - a c = (n_nu² - 2 k n_tau (d_tau n_nu - n_tau d_nu))/4
   return LinePolynomial{-0.5 * k * n_tau * n_tau,
                         0.5 * (n_nu - k * d_tau * n_tau),
@@ -93,7 +97,7 @@ std::optional<double> RigidThing::distance(const dealii::Point<2> &x,
 bool RigidThing::can_stop(const dealii::Tensor<1, 2> &n) const
 {
   const auto *parabola = std::get_if<Parabola>(&shape_);
-  return parabola == nullptr || parabola->curvature != 0. || n * parabola->normal < 0.;
+  return parabola == nullptr || parabola->curvature != 0. || n * parabola->normal < -parallel;
 }
 
 const dealii::Point<2> &RigidThing::anchor() const

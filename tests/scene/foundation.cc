@@ -206,6 +206,13 @@ void test_misses(Checks &checks)
   const Point x(0., 1.);
   const RigidThing ground = RigidThing::plane(Point(3., 0.), up);
   checks.that("along a plane", !ground.distance(x, right));
+  const RigidThing slope = RigidThing::plane(Point(1., 1.), Vector({1., 3.}));
+  const Vector along({3. / std::sqrt(10.), -1. / std::sqrt(10.)});
+  bool is_parallel = !slope.can_stop(along);
+  for (const double height : {-1e-16, 0., 1e-16})
+    is_parallel = is_parallel && !slope.distance(Point(1., 1. + height), along) &&
+                  !slope.distance(Point(1., 1. + height), -along);
+  checks.that("along a plane but for rounding", is_parallel);
   checks.that("away from a plane", !ground.distance(x, up));
   checks.that("out of a plane", !ground.distance(Point(0., -1.), up));
   checks.near("into a plane from inside", entry(ground, Point(0., -1.), down), -1., 0.);
