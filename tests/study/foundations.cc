@@ -95,6 +95,25 @@ void test_small_disc(Checks &checks)
               0.01);
 }
 
+/** A square on its tip, held by nothing but a groove of two planes: each side of the groove carries
+ * (∓W/2, W/2) of the weight W = 2. */
+void test_groove(Checks &checks)
+{
+  const StudyResult result =
+    solve("subsection Geometry\nset Shape = polygon\nset Vertices = 0,-1; 1,0; 0,1; -1,0\nend\n"
+          "subsection Boundary\nset Contact = side0 side3\nend\n"
+          "subsection Load\nset Body force = 0; -1\nend\n" +
+            contact("Foundation", "plane 0,-1 normal -1,1 | plane 0,-1 normal 3,3"),
+          levels(2, 4));
+  checks.that("certified in a groove", result.verdict.outcome == Outcome::certified);
+  double difference = 0.;
+  const std::vector<SideForce> &forces = result.levels.back().answer.contact_by_side;
+  for (unsigned int i = 0; i < 2; ++i)
+    difference = std::max(
+      difference, (forces.at(i).force - dealii::Tensor<1, 2>({i == 0 ? -1. : 1., 1.})).norm());
+  checks.near("forces in a groove", difference, 0., 1e-9);
+}
+
 /** The half disc of scene E3 (R = 1, lambda = mu = 1, clamped at its diameter), pressed on the
  * plane y = travel - 1. */
 StudyResult press_half_disc(const double travel,
@@ -158,6 +177,7 @@ int main(int argc, char **argv)
   test_digits(checks);
   test_position(checks);
   test_small_disc(checks);
+  test_groove(checks);
   test_hertz(checks);
   return checks.exit_code();
 }
