@@ -185,18 +185,18 @@ private:
 };
 
 /** The foundation along a contact side, and how deep it is drawn. */
-struct Foundation
+struct DrawnFoundation
 {
   Polyline surface, inside;
 };
 
 /** Runs of points of the foundation that are near the body. */
-std::vector<Foundation> foundations(const std::vector<ContactSegment> &line,
-                                    const double factor,
-                                    const double size)
+std::vector<DrawnFoundation> foundations(const std::vector<ContactSegment> &line,
+                                         const double factor,
+                                         const double size)
 {
   constexpr double near = 0.15, thickness = 0.04;
-  std::vector<Foundation> runs;
+  std::vector<DrawnFoundation> runs;
   bool open = false;
   unsigned int side = 0;
   for (const ContactSegment &segment : line)
@@ -226,14 +226,14 @@ std::vector<Foundation> foundations(const std::vector<ContactSegment> &line,
   }
   runs.erase(std::remove_if(runs.begin(),
                             runs.end(),
-                            [](const Foundation &run) { return run.surface.size() < 2; }),
+                            [](const DrawnFoundation &run) { return run.surface.size() < 2; }),
              runs.end());
   return runs;
 }
 
-void write_foundations(std::ostream &script, const std::vector<Foundation> &runs)
+void write_foundations(std::ostream &script, const std::vector<DrawnFoundation> &runs)
 {
-  for (const Foundation &run : runs)
+  for (const DrawnFoundation &run : runs)
   {
     Polyline outline = run.surface;
     outline.insert(outline.end(), run.inside.rbegin(), run.inside.rend());
@@ -245,7 +245,7 @@ void write_foundations(std::ostream &script, const std::vector<Foundation> &runs
     script << " behind fillstyle solid noborder fillcolor rgb \"" << Colour::foundation << "\"\n";
   }
   script << "$foundation << END_OF_DATA\n";
-  for (const Foundation &run : runs)
+  for (const DrawnFoundation &run : runs)
   {
     for (const dealii::Point<2> &x : run.surface)
       write_point(script, x);
@@ -298,10 +298,10 @@ Picture deformed_picture(const DisplacementSpace<2> &space,
   const double size = scene.geometry.longest_extent();
   const std::vector<DrawnCell> cells = collect_drawn_cells(space, scene, U);
   const double factor = magnification(cells, size);
-  const std::vector<Foundation> foundation = foundations(line, factor, size);
+  const std::vector<DrawnFoundation> foundation = foundations(line, factor, size);
   std::ostringstream data;
   BodyDrawing drawing(data, cells, factor);
-  for (const Foundation &run : foundation)
+  for (const DrawnFoundation &run : foundation)
   {
     drawing.frame().include(run.surface);
     drawing.frame().include(run.inside);
