@@ -214,10 +214,10 @@ void Declarations::declare_data(Parameters &parameters)
       parameters.contact.foundation,
       "Rigid things in place of the gap, separated by '|': plane x,y normal nx,ny; circle x,y "
       "radius r; circle x,y radius r inside (the body lies in a round hole); parabola x,y normal "
-      "nx,ny curvature k. Numbers may be formulas of the constants. Normals point towards the body "
-      "and may have any length. 'bottom: circle ...' is for one contact side, others are for all. "
-      "The gap is the distance along the outward normal of the body; where that meets nothing, it "
-      "is ten diameters of the body.");
+      "nx,ny curvature k (with k < 0 it bends away from the body). Numbers may be formulas of the "
+      "constants. Normals point towards the body and may have any length. 'bottom: circle ...' is "
+      "for one contact side, others are for all. The gap is the distance along the outward normal "
+      "of the body, at most ten diameters of the body.");
   add("Foundation position",
       parameters.contact.foundation_position,
       "dx, dy by which the whole foundation is moved (length).");

@@ -11,6 +11,9 @@ namespace Signorini
 {
 namespace
 {
+/** Lines that meet a plane at a smaller angle (radians) are parallel to it but for rounding. */
+constexpr double parallel = 1e-12;
+
 /** phi(t) = a t² + 2 b t + c. */
 struct LinePolynomial
 {
@@ -20,18 +23,21 @@ struct LinePolynomial
 
   /**
    * The root at which phi falls, t = (-b - w)/a = c/(w - b) with w = sqrt(b² - a c), of the two
-   * forms the one without cancellation. Nothing if t = 0 lies behind all of {phi <= 0} (a > 0), or
-   * in a part of it that has no beginning (a <= 0).
+   * forms the one without cancellation.
+   *
+   * For a > 0 and t = 0 outside of {phi <= 0} there is no such root ahead if the line misses the
+   * thing or has left it. Then sqrt(c/a), the geometric mean of the roots, goes on continuously: on
+   * a line that touches, both roots have this value.
    */
   std::optional<double> entry() const
   {
-    if (!(discriminant > 0.))
-      return {};
-    const double w = std::sqrt(discriminant);
-    if (b <= 0.)
-      return c / (w - b);
     const bool is_inside = c <= 0.;
-    if (a == 0. || is_inside != (a > 0.))
+    const double w = discriminant > 0. ? std::sqrt(discriminant) : 0.;
+    if (w > 0. && b <= 0.)
+      return c / (w - b);
+    if (a > 0.)
+      return is_inside ? -(b + w) / a : std::sqrt(c / a);
+    if (a == 0. || is_inside || w == 0.)
       return {};
     return -(b + w) / a;
   }
@@ -78,7 +84,8 @@ std::optional<double> RigidThing::distance(const dealii::Point<2> &x,
   const dealii::Tensor<1, 2> &nu = parabola.normal;
   const dealii::Tensor<1, 2> tau = dealii::cross_product_2d(nu);
   const double k = parabola.curvature;
-  const double d_tau = d * tau, n_tau = n * tau, d_nu = d * nu, n_nu = n * nu;
+  const double d_tau = d * tau, n_tau = n * tau, d_nu = d * nu;
+  const double n_nu = std::abs(n * nu) < parallel ? 0. : n * nu;
   // b² - a c = (n_nu² - 2 k n_tau (d_tau n_nu - n_tau d_nu))/4
   return LinePolynomial{-0.5 * k * n_tau * n_tau,
                         0.5 * (n_nu - k * d_tau * n_tau),
@@ -90,7 +97,7 @@ std::optional<double> RigidThing::distance(const dealii::Point<2> &x,
 bool RigidThing::can_stop(const dealii::Tensor<1, 2> &n) const
 {
   const auto *parabola = std::get_if<Parabola>(&shape_);
-  return parabola == nullptr || parabola->curvature != 0. || n * parabola->normal < 0.;
+  return parabola == nullptr || parabola->curvature != 0. || n * parabola->normal < -parallel;
 }
 
 const dealii::Point<2> &RigidThing::anchor() const

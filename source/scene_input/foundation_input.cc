@@ -174,10 +174,15 @@ private:
 /** Whether the normal somewhere on a side meets a thing, wherever that is moved. */
 bool can_stop(const RigidThing &thing, const Side<2> &side)
 {
-  constexpr unsigned int n_samples = 64;
-  for (unsigned int i = 0; i <= n_samples; ++i)
-    if (thing.can_stop(side.normal(i * side.length() / n_samples)))
-      return true;
+  constexpr unsigned int n_samples = 16;
+  for (unsigned int k = 0; k < side.n_pieces(); ++k)
+    for (unsigned int i = 0; i < n_samples; ++i)
+    {
+      const double share = (i + 0.5) / n_samples;
+      const double s = (1. - share) * side.start_of(k) + share * side.start_of(k + 1);
+      if (thing.can_stop(side.normal(s)))
+        return true;
+    }
   return false;
 }
 

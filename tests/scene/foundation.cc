@@ -25,6 +25,8 @@ using Point = dealii::Point<2>;
 using Vector = dealii::Tensor<1, 2>;
 /** Whether a thing contains a point, by its definition. */
 using Contains = std::function<bool(const Point &)>;
+/** What the distance is where a line does not enter a thing: sqrt(t_1 t_2). */
+using Beside = std::function<double(const Point &, const Vector &)>;
 
 Vector at_angle(const double angle)
 {
@@ -64,9 +66,18 @@ struct Agreement
   double largest_difference = 0.;
   bool wrong = false;
 
-  void add(const RigidThing &thing, const Contains &contains, const Point &x, const Vector &n)
+  void add(const RigidThing &thing,
+           const Contains &contains,
+           const Beside &beside,
+           const Point &x,
+           const Vector &n)
   {
     const std::optional<double> t = thing.distance(x, n), found = search(contains, x, n);
+    if (beside && t && !found && !contains(x) && std::abs(*t - beside(x, n)) < 1e-9 * *t)
+    {
+      ++n_misses;
+      return;
+    }
     // Beyond the reach of the search, or less than a step inside of the thing.
     const bool grazes = t && (std::abs(*t) > reach - 1. || !contains(x + (*t + 1.1 * step) * n) ||
                               contains(x + (*t - 1.1 * step) * n));
@@ -107,27 +118,40 @@ void test_search(Checks &checks)
     const Vector nu = at_angle(PI * random()), n = at_angle(PI * random());
     const double length = std::exp(3. * random()), r = 1. + 0.9 * random(), k = 1. + 0.9 * random();
     planes.add(
-      RigidThing::plane(p, length * nu), [&](const Point &y) { return (y - p) * nu <= 0.; }, x, n);
+      RigidThing::plane(p, length * nu),
+      [&](const Point &y) { return (y - p) * nu <= 0.; },
+      {},
+      x,
+      n);
     discs.add(
       RigidThing::circle(p, r, Body::outside),
       [&](const Point &y) { return y.distance(p) <= r; },
+      [&](const Point &y, const Vector &) { return std::sqrt((y - p).norm_square() - r * r); },
       x,
       n);
     holes.add(
       RigidThing::circle(p, r, Body::inside),
       [&](const Point &y) { return y.distance(p) >= r; },
+      {},
       x,
       n);
     for (const double curvature : {-k, k})
+    {
+      const auto height = [&](const Point &y) {
+        const double across = (y - p).norm_square() - std::pow((y - p) * nu, 2);
+        return (y - p) * nu - 0.5 * curvature * across;
+      };
+      const Beside beside = [&](const Point &y, const Vector &m) {
+        return std::sqrt(2. * height(y) / (k * (1. - std::pow(m * nu, 2))));
+      };
       (curvature < 0. ? bumps : cups)
         .add(
           RigidThing::parabola(p, length * nu, curvature),
-          [&](const Point &y) {
-            const double across = (y - p).norm_square() - std::pow((y - p) * nu, 2);
-            return (y - p) * nu <= 0.5 * curvature * across;
-          },
+          [&](const Point &y) { return height(y) <= 0.; },
+          curvature < 0. ? beside : Beside(),
           x,
           n);
+    }
   }
   planes.check(checks, "planes");
   discs.check(checks, "discs");
@@ -182,13 +206,22 @@ void test_misses(Checks &checks)
   const Point x(0., 1.);
   const RigidThing ground = RigidThing::plane(Point(3., 0.), up);
   checks.that("along a plane", !ground.distance(x, right));
+  const RigidThing slope = RigidThing::plane(Point(1., 1.), Vector({1., 3.}));
+  const Vector along({3. / std::sqrt(10.), -1. / std::sqrt(10.)});
+  bool is_parallel = !slope.can_stop(along);
+  for (const double height : {-1e-16, 0., 1e-16})
+    is_parallel = is_parallel && !slope.distance(Point(1., 1. + height), along) &&
+                  !slope.distance(Point(1., 1. + height), -along);
+  checks.that("along a plane but for rounding", is_parallel);
   checks.that("away from a plane", !ground.distance(x, up));
   checks.that("out of a plane", !ground.distance(Point(0., -1.), up));
   checks.near("into a plane from inside", entry(ground, Point(0., -1.), down), -1., 0.);
   checks.that("can_stop", ground.can_stop(down) && !ground.can_stop(right) && !ground.can_stop(up));
   const RigidThing disc = RigidThing::circle(Point(0., 0.), 0.5, Body::outside);
-  checks.that("a disc behind", !disc.distance(x, up));
-  checks.that("beside a disc", !disc.distance(Point(0.6, 1.), down));
+  const double tangent = std::sqrt(0.75);
+  checks.near("a disc behind", entry(disc, x, up), tangent, 1e-15);
+  checks.near("beside a disc", entry(disc, Point(0.6, 0.8), down), tangent, 1e-15);
+  checks.near("touching a disc", entry(disc, Point(0.5, tangent), down), tangent, 1e-7);
   checks.near("the back of a disc", entry(disc, Point(0., -0.4), down), -0.9, 1e-15);
   const RigidThing hole = RigidThing::circle(Point(0., 0.), 2., Body::inside);
   checks.near("in a hole", entry(hole, x, up), 1., 1e-15);

@@ -53,6 +53,68 @@ void test_digits(Checks &checks)
                               solve(block + contact("Foundation", pair.thing), overrides)));
 }
 
+double force_of(const StudyResult &result)
+{
+  return result.levels.back().contact.normal_force;
+}
+
+/** A block that is lowered onto discs, and discs that are raised by as much into the block. */
+void test_position(Checks &checks)
+{
+  const std::string discs = "circle -0.5,-0.5 radius 0.5 | circle 0.5,-0.5 radius 0.5";
+  const auto overrides = levels(3, 5);
+  const StudyResult lowered = solve(block + contact("Foundation", discs), overrides);
+  const StudyResult raised = solve(block + contact("Foundation", discs),
+                                   {overrides[0],
+                                    overrides[1],
+                                    "Boundary/Displacement=top: 0; 0",
+                                    "Contact/Foundation position=0, 0.05"});
+  checks.that("certified", raised.verdict.outcome == Outcome::certified);
+  checks.near("lowered and raised", force_of(raised), force_of(lowered), 1e-12);
+  const std::vector<ContactZone> &zones = raised.levels.back().answer.zones;
+  checks.that("two zones", zones.size() == 2);
+}
+
+/** A disc of a hundredth of the block's size beside a large one, without kinks: graded meshes find
+ * it, although gaps beside it are much larger than it. */
+void test_small_disc(Checks &checks)
+{
+  const std::string small = "circle 0.53,-0.03 radius 0.02", large = "circle -0.5,-1 radius 1";
+  const StudyResult result =
+    solve(block + contact("Foundation", small + " | " + large), graded("1e-3"));
+  const std::vector<ContactZone> &zones = result.levels.back().answer.zones;
+  checks.that("a small disc, the accuracy is reached",
+              result.verdict.outcome == Outcome::accuracy_estimated);
+  checks.that("a small disc is found", zones.size() == 2);
+  // H is a third of the small zone.
+  const StudyResult nested =
+    solve(block + contact("Foundation", small + " | " + large), levels(7, 7));
+  checks.near("force with a small disc, against a nested level",
+              force_of(result) / force_of(nested),
+              1.,
+              0.01);
+}
+
+/** A square on its tip, held by nothing but a groove of two planes: each side of the groove carries
+ * (∓W/2, W/2) of the weight W = 2. */
+void test_groove(Checks &checks)
+{
+  const StudyResult result =
+    solve("subsection Geometry\nset Shape = polygon\nset Vertices = 0,-1; 1,0; 0,1; -1,0\nend\n"
+          "subsection Boundary\nset Contact = side0 side3\nend\n"
+          "subsection Load\nset Body force = 0; -1\nend\n" +
+            contact("Foundation", "plane 0,-1 normal -1,1 | plane 0,-1 normal 3,3"),
+          levels(2, 4));
+  checks.that("certified in a groove", result.verdict.outcome == Outcome::certified);
+  double difference = 0.;
+  const std::vector<SideForce> &forces = result.levels.back().answer.contact_by_side;
+  for (unsigned int i = 0; i < 2; ++i)
+    difference = std::max(
+      difference,
+      (forces.at(i).resultant.force - dealii::Tensor<1, 2>({i == 0 ? -1. : 1., 1.})).norm());
+  checks.near("forces in a groove", difference, 0., 1e-9);
+}
+
 /** The half disc of scene E3 (R = 1, lambda = mu = 1, clamped at its diameter), pressed on the
  * plane y = travel - 1. */
 StudyResult press_half_disc(const double travel,
@@ -114,6 +176,9 @@ int main(int argc, char **argv)
   dealii::deal_II_exceptions::disable_abort_on_exception();
   Checks checks;
   test_digits(checks);
+  test_position(checks);
+  test_small_disc(checks);
+  test_groove(checks);
   test_hertz(checks);
   return checks.exit_code();
 }

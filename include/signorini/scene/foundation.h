@@ -34,8 +34,13 @@ public:
 
   /**
    * The t (length) at which the line x + t n, |n| = 1, enters this thing: positive for a point
-   * ahead, negative where x lies inside already. Nothing where no point of the thing lies ahead of
-   * x, or where x lies inside and the line has not entered it (n points out of the thing).
+   * ahead, negative where x lies inside already.
+   *
+   * Where x lies outside of a disc or of a parabola that bends away, and no point of it lies ahead,
+   * this is sqrt(t_1 t_2) with the (complex) t_i at which the line meets its boundary; for a disc,
+   * the length of the tangent from x. So the distance is continuous. It is nothing where a line
+   * from outside does not lead to a plane, and where n points out of a thing other than a disc or
+   * such a parabola from inside.
    */
   std::optional<double> distance(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const;
 
