@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressure and opening over arc length.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/pictures/pressure_picture.h>
 
 #include <deal.II/lac/vector.h>
@@ -42,11 +43,19 @@ std::vector<DrawnSide> sides_of(const Scene<2> &scene, const std::vector<Contact
 /** g - u_n of the exact displacement; NaN where that has no value. */
 double exact_opening(const Scene<2> &scene, const ContactPoint &point)
 {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   if (scene.exact_displacement == nullptr)
-    return std::numeric_limits<double>::quiet_NaN();
-  dealii::Vector<double> u(2);
-  scene.exact_displacement->vector_value(point.x, u);
-  return point.g - (u[0] * point.n[0] + u[1] * point.n[1]);
+    return unknown;
+  try
+  {
+    dealii::Vector<double> u(2);
+    scene.exact_displacement->vector_value(point.x, u);
+    return point.g - (u[0] * point.n[0] + u[1] * point.n[1]);
+  }
+  catch (const InputError &)
+  {
+    return unknown;
+  }
 }
 
 /** -p, where zero has no sign. */
@@ -168,7 +177,7 @@ Picture pressure_picture(const Scene<2> &scene, const std::vector<ContactSegment
   start_script(script, std::max(720U, width * n_columns), height * n_rows);
   for (std::size_t i = 0; i < sides.size(); ++i)
     write_data(script, scene, "side" + std::to_string(i), sides[i]);
-  script << "set lmargin 12\nset rmargin 3\nset key top right\n"
+  script << "set lmargin 12\nset rmargin 3\nset key top right\nset yrange [*<0:*]\n"
          << "set multiplot layout " << 2 * n_rows << "," << n_columns << "\n";
   // Row by row: the pressures of some sides, then their openings.
   for (std::size_t first = 0; first < sides.size(); first += n_columns)
