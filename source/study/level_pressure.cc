@@ -3,7 +3,6 @@
 
 #include "level_pressure.h"
 
-#include <signorini/base/exceptions.h>
 #include <signorini/base/stage_timer.h>
 #include <signorini/compliance/compliance.h>
 #include <signorini/motions/escape.h>
@@ -11,6 +10,8 @@
 #include <signorini/recovery/recovery.h>
 
 #include <algorithm>
+
+#include "escape_message.h"
 
 namespace Signorini
 {
@@ -38,20 +39,6 @@ ColumnProgress column_progress(const Progress &progress, const unsigned int n_co
       progress("compliance: " + std::to_string(done) + " columns, up to " +
                std::to_string(n_columns));
   };
-}
-
-/** Tells which motion of the body nothing stops. */
-[[noreturn]] void refuse_escape(const Parameters &parameters,
-                                const MotionModes<2> &modes,
-                                const dealii::FullMatrix<double> &B,
-                                const dealii::Vector<double> &v)
-{
-  const RigidMotion motion = rigid_part(modes, v);
-  throw InputError(parameters.boundary.where + ": the loads move the body " + motion.direction() +
-                   ", and no pressure of the foundation balances them (" +
-                   word_for_escape(motion, opens(B, v)) +
-                   "); allowed: loads that press it onto the foundation, or more sides that hold "
-                   "it.");
 }
 
 /** Rigid motions that nothing determines. */
@@ -84,7 +71,7 @@ QPResult solve_contact(const Parameters &parameters,
     return solve_dual_problem(C, F, start, options);
   const MotionResult result = solve_dual_problem(C, F, solution.motions, start, options);
   if (result.escape)
-    refuse_escape(parameters, modes, solution.motions.B, *result.escape);
+    refuse_escape(parameters, discretization, modes, solution.motions, *result.escape);
   solution.q = result.q;
   solution.record.motions.undetermined = names_of(result.unseen, modes);
   return result.qp;

@@ -129,10 +129,14 @@ void test_elastic_resistance(Checks &checks)
 void test_moment(Checks &checks)
 {
   const std::string loads = "set Plate force = top: 2\nset Plate moment = top: 0\n";
-  const auto with_moment = [&](const std::string &moment) {
-    return solve(pressed("0, -1 turning", loads, "0"), {"Load/Plate moment=top: " + moment});
+  const auto with_moment = [&](const std::string &moment, const std::string &coarsest = "2") {
+    return solve(pressed("0, -1 turning", loads, "0"),
+                 {"Load/Plate moment=top: " + moment, "Discretization/Coarsest level=" + coarsest});
   };
-  const LevelRecord record = with_moment("0.6").levels.back();
+  checks.throws<InputError>("moment on a coarse mesh", "a finer coarsest level", [&]() {
+    with_moment("0.6");
+  });
+  const LevelRecord record = with_moment("0.6", "4").levels.back();
   checks.near("moment: force", record.answer.contact_force.resultant.force[1], 2., 1e-10);
   // About (0.5, 0): the plate turns the body counter-clockwise, the foundation clockwise.
   checks.near("moment: contact moment",

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Why contact cannot hold a body.
+
+#include "escape_message.h"
+
+#include <signorini/base/exceptions.h>
+#include <signorini/elasticity/trace_values.h>
+#include <signorini/motions/escape.h>
+#include <signorini/qp/seen_motions.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+namespace
+{
+/** z_j.n at the ends of all pieces of the contact boundary. */
+dealii::FullMatrix<double> closing_of_points(const Discretization<2> &discretization,
+                                             const MotionModes<2> &modes)
+{
+  const ContactSurface<2> &surface = discretization.surface;
+  const std::vector<dealii::Point<1>> ends = {dealii::Point<1>(0.), dealii::Point<1>(1.)};
+  TraceValues<2> traces(discretization.space);
+  dealii::FullMatrix<double> closing(ends.size() * surface.pieces().size(), modes.size());
+  for (std::size_t i = 0; i < surface.pieces().size(); ++i)
+  {
+    const Piece<2> &piece = surface.pieces()[i];
+    const SurfaceRule<2> rule = surface.at(piece, ends);
+    for (unsigned int j = 0; j < modes.size(); ++j)
+    {
+      const std::vector<double> z_n =
+        traces.normal_displacement(surface.faces()[piece.face], rule, modes.Z[j]);
+      for (std::size_t e = 0; e < ends.size(); ++e)
+        closing(ends.size() * i + e, j) = z_n[e];
+    }
+  }
+  return closing;
+}
+
+/** Whether forces at points of the contact boundary balance the loads. */
+bool points_balance(const Discretization<2> &discretization,
+                    const MotionModes<2> &modes,
+                    const FreeMotions &motions)
+{
+  FreeMotions of_points = motions;
+  of_points.B = closing_of_points(discretization, modes);
+  double stiffness = 0.;
+  for (unsigned int j = 0; j < modes.size(); ++j)
+    stiffness = std::max(stiffness, motions.K(j, j));
+  return !SeenMotions(of_points, of_points.B.m(), stiffness > 0. ? stiffness : 1.).escape;
+}
+} // namespace
+
+void refuse_escape(const Parameters &parameters,
+                   const Discretization<2> &discretization,
+                   const MotionModes<2> &modes,
+                   const FreeMotions &motions,
+                   const dealii::Vector<double> &v)
+{
+  const RigidMotion motion = rigid_part(modes, v);
+  if (points_balance(discretization, modes, motions))
+  {
+    const Given<unsigned int> &coarsest = parameters.discretization.coarsest_level;
+    throw InputError(coarsest.where() + ": found '" + std::to_string(coarsest.value) +
+                     "', where a contact patch carries forces in its middle only and the loads "
+                     "act closer to the end of contact (the body would move " +
+                     motion.direction() + "), allowed: a finer coarsest level.");
+  }
+  throw InputError(parameters.boundary.where + ": the loads move the body " + motion.direction() +
+                   ", and no pressure of the foundation balances them (" +
+                   word_for_escape(motion, opens(motions.B, v)) +
+                   "); allowed: loads that press it onto the foundation, or more sides that hold "
+                   "it.");
+}
+} // namespace Signorini

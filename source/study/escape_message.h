@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/motions/motion_modes.h>
+#include <signorini/qp/free_motions.h>
+#include <signorini/study/discretization.h>
+
+namespace Signorini
+{
+/**
+ * Tells which motion of the body nothing stops. Constants of patches carry forces between the
+ * middles of patches only: where pressures at points of the contact boundary would balance the
+ * loads, the mesh is too coarse, and the message says that. @param v MotionResult::escape.
+ * @throws InputError always.
+ */
+[[noreturn]] void refuse_escape(const Parameters &parameters,
+                                const Discretization<2> &discretization,
+                                const MotionModes<2> &modes,
+                                const FreeMotions &motions,
+                                const dealii::Vector<double> &v);
+} // namespace Signorini
