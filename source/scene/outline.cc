@@ -56,11 +56,11 @@ OutlineMesh make_mesh(const std::vector<Side<2>> &sides,
   // With shorter chords the cells next to arcs are less bent.
   double step = 0.25 * dealii::numbers::PI;
   for (unsigned int attempt = 0; attempt < 10; ++attempt, step *= 0.7)
-    if (auto mesh = mesh_outline(sides, loops, mesh_size, step, most_coarse_cells))
+    if (auto mesh = mesh_outline(sides, loops, mesh_size, step, most_coarse_cells, where))
       return *mesh;
-  throw InputError(where + ": no mesh of at most " + std::to_string(most_coarse_cells) +
-                   " coarse cells was found for this shape, allowed: a larger Mesh size, and sides "
-                   "that do not come very close to each other.");
+  throw InputError(where +
+                   ": no mesh was found for this shape, allowed: arcs that do not come very "
+                   "close to other sides or meet them at very small angles.");
 }
 
 /** The centre of the largest triangle: every third vertex behind the middles of its edges. */

@@ -91,11 +91,11 @@ bool folds(const FineChord &p, const FineChord &q)
                                  const std::string &where)
 {
   const dealii::Point<2> x = q.a + 0.5 * (q.b - q.a);
+  const auto [first, second] = std::minmax(sides[p.side].name(), sides[q.side].name());
   std::ostringstream message;
   message << where << ": "
           << (p.side == q.side ? "the side " + sides[p.side].name() + " crosses or touches itself"
-                               : "the sides " + sides[std::min(p.side, q.side)].name() + " and " +
-                                   sides[std::max(p.side, q.side)].name() + " cross or touch")
+                               : "the sides " + first + " and " + second + " cross or touch")
           << " near (" << x[0] << ", " << x[1] << "), allowed: sides that meet at their ends only.";
   throw InputError(message.str());
 }
@@ -194,10 +194,9 @@ void check_outline(const std::vector<Side<2>> &sides,
     for (std::size_t other = 0; other < loops.size(); ++other)
       if (l != outer[0] && l != other &&
           encloses(chords, other, sides[loops[l].first].start()) != (other == outer[0]))
-        throw InputError(where + ": the hole of " + sides[loops[l].first].name() +
-                         (other == outer[0]
-                            ? " lies outside of the body"
-                            : " lies in that of " + sides[loops[other].first].name()) +
+        throw InputError(where + ": " + sides[loops[l].first].name() + " lies " +
+                         (other == outer[0] ? "outside of the body"
+                                            : "inside of " + sides[loops[other].first].name()) +
                          ", allowed: holes inside of the body, each by itself.");
 }
 } // namespace Signorini

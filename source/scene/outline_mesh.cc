@@ -3,6 +3,8 @@
 
 #include "outline_mesh.h"
 
+#include <signorini/base/exceptions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -44,7 +46,8 @@ struct Polygons
 Polygons chords_of(const std::vector<Side<2>> &sides,
                    const std::vector<Loop> &loops,
                    const double mesh_size,
-                   const double step)
+                   const double step,
+                   const std::size_t most_points)
 {
   Polygons polygons;
   for (const Loop &loop : loops)
@@ -57,7 +60,7 @@ Polygons chords_of(const std::vector<Side<2>> &sides,
         const double by_angle = piece.radius() > 0. ? piece.length() / piece.radius() / step : 1.;
         const double by_size = mesh_size > 0. ? piece.length() / mesh_size : 1.;
         const double n = std::ceil(std::max({1., by_angle, by_size}) * (1. - 1e-10));
-        for (double j = 0.; j < n; ++j)
+        for (double j = 0.; j < n && polygons.points.size() <= most_points; ++j)
         {
           const auto number = static_cast<unsigned int>(polygons.points.size());
           polygons.points.push_back(piece.point(j / n * piece.length()));
@@ -255,15 +258,21 @@ std::optional<OutlineMesh> mesh_outline(const std::vector<Side<2>> &sides,
                                         const std::vector<Loop> &loops,
                                         const double mesh_size,
                                         const double step,
-                                        const std::size_t most_cells)
+                                        const std::size_t most_cells,
+                                        const std::string &where)
 {
-  const Polygons polygons = chords_of(sides, loops, mesh_size, step);
-  if (polygons.points.size() > most_cells)
-    return {};
+  const Polygons polygons = chords_of(sides, loops, mesh_size, step, most_cells);
   std::vector<std::array<unsigned int, 2>> segments;
   for (const MeshChord &chord : polygons.chords)
     segments.push_back({chord.start, chord.end});
-  const Triangles triangles = triangulate(polygons.points, segments, mesh_size, most_cells / 3);
+  Triangles triangles;
+  triangles.too_many = polygons.points.size() > most_cells;
+  if (!triangles.too_many)
+    triangles = triangulate(polygons.points, segments, mesh_size, most_cells / 3);
+  if (triangles.too_many)
+    throw InputError(where + ": found more than " + std::to_string(most_cells) +
+                     " coarse cells, allowed: a larger Mesh size, and sides that do not come very "
+                     "close to each other.");
   std::vector<BoundaryEdge> edges;
   if (triangles.triangles.empty() || !find_edges(polygons, triangles, edges))
     return {};

@@ -114,7 +114,7 @@ Triangles triangulate(const std::vector<dealii::Point<2>> &points,
   // A mesh of n vertices has fewer than 2 n triangles.
   while (mesher.try_one_step_refine_mesh())
     if (delaunay.number_of_vertices() > most_triangles / 2)
-      return {};
-  return to_triangles(delaunay, {points, {}, {}});
+      return {{}, {}, {}, true};
+  return to_triangles(delaunay, {points, {}, {}, false});
 }
 } // namespace Signorini

@@ -15,6 +15,8 @@ struct Triangles
   std::vector<dealii::Point<2>> points;
   std::vector<std::array<unsigned int, 3>> triangles;
   std::vector<std::array<unsigned int, 2>> boundary;
+  /** There would be more triangles than allowed, and there are none. */
+  bool too_many = false;
 };
 
 /**
@@ -24,7 +26,7 @@ struct Triangles
  * Points may be added on the segments. The first points of the result are the given ones.
  *
  * @param segments pairs of numbers of points.
- * @return no triangles if segments cross, or if there would be more than @p most_triangles.
+ * @return no triangles if segments cross, or if there would be more than about @p most_triangles.
  */
 Triangles triangulate(const std::vector<dealii::Point<2>> &points,
                       const std::vector<std::array<unsigned int, 2>> &segments,

@@ -10,6 +10,7 @@
 #include <signorini/scene/outline.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <optional>
 
@@ -124,6 +125,9 @@ void add_holes(const Given<std::string> &given, std::vector<Side<2>> &sides)
       sides.emplace_back(name, read_circle(holes[k], given));
       continue;
     }
+    if (!holes[k].empty() && std::isalpha(static_cast<unsigned char>(holes[k][0])) != 0)
+      throw InputError(given.where() + ": found " + quote(holes[k]) +
+                       ", allowed: 'circle cx,cy,r' or vertices 'x0,y0; x1,y1; ...'.");
     std::vector<Curve> pieces;
     for (const Side<2> &side : sides_of(read_loop(holes[k], given), false, given.where()))
       pieces.push_back(side);

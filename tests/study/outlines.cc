@@ -40,7 +40,7 @@ void check_errors(Checks &checks, const std::string &name, const std::string &te
     for (const char *column : {"u_h1", "u_l2", "p_l2"})
       largest = std::max(largest, value(level, column).value());
   checks.near(name + ": constant strain", largest, 0., 1e-12);
-  checks.that(name + ": certified", result.verdict.is_certified());
+  checks.that(name + ": equations", result.verdict.equations_hold());
 }
 
 void check_patch_tests(Checks &checks)
@@ -70,7 +70,7 @@ subsection Boundary
                      side2: -0.01*x; -0.01*y | side3: -0.01*x; -0.01*y
 end
 subsection Contact
-  set Gap = x < 0.8001 || y < 0.8001 ? -0.008 : 0.012
+  set Gap = x < 0.800001 || y < 0.800001 ? -0.008 : 0.012
 end
 subsection Exact solution
   set Displacement = -0.01*x; -0.01*y
