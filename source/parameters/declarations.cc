@@ -18,34 +18,10 @@ void Declarations::add_entry(const std::string &name, const std::string &allowed
   declared_[entry.name] = {allowed, handler_.get(name), &entry};
 }
 
-template <typename T, typename Pattern>
-void Declarations::add(const std::string &name,
-                       Given<T> &given,
-                       const std::string &help,
-                       const Pattern &pattern,
-                       const std::string &allowed)
-{
-  handler_.add_parameter(name, given.value, help + " Allowed: " + allowed + ".", pattern);
-  add_entry(name, allowed, given);
-}
-
 void Declarations::add(const std::string &name, Given<std::string> &given, const std::string &help)
 {
   handler_.add_parameter(name, given.value, help, Patterns::Anything());
   add_entry(name, "any text", given);
-}
-
-template <typename Option>
-void Declarations::add(const std::string &name, Given<Option> &given, const std::string &help)
-{
-  const std::string allowed = list_names<Option>(", ");
-  handler_.declare_entry(name,
-                         to_text(given.value),
-                         Patterns::Selection(list_names<Option>("|")),
-                         help + " Allowed: " + allowed + ".");
-  handler_.add_action(name,
-                      [&given](const std::string &text) { given.value = from_text<Option>(text); });
-  add_entry(name, allowed, given);
 }
 
 void Declarations::add(const std::string &name, Given<TableFormats> &given, const std::string &help)
@@ -100,33 +76,6 @@ void Declarations::declare_scene(Parameters &parameters)
   add("Values",
       parameters.constants.values,
       "Names for the expressions: E=1, nu=0.3 (separated by commas; pi is known).");
-  leave();
-}
-
-void Declarations::declare_geometry(GeometryParameters &geometry)
-{
-  enter("Geometry");
-  add("Shape",
-      geometry.shape,
-      "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
-      "side1, ... in the order of its vertices.");
-  add("Lower left", geometry.lower_left, "Corner of the rectangle: x, y (length).");
-  add("Upper right", geometry.upper_right, "Opposite corner of the rectangle: x, y (length).");
-  add("Cells", geometry.cells, "Coarse cells of the rectangle per direction: nx, ny.");
-  add("Vertices",
-      geometry.vertices,
-      "Polygon: x0,y0; x1,y1; ... counter-clockwise and convex (length). Four vertices make one "
-      "coarse cell, another number one per vertex.");
-  add("File",
-      geometry.file,
-      "Mesh file; not available yet.",
-      Patterns::Selection(""),
-      "nothing (meshes from files are not available yet)");
-  add("Distortion",
-      geometry.distortion,
-      "Interior vertices of the coarsest level are moved at random by this share of h.",
-      Patterns::Double(0., 0.45),
-      "a number from 0 to 0.45");
   leave();
 }
 

@@ -84,4 +84,28 @@ private:
   /** By subsection and name. */
   std::map<std::string, Declared> declared_;
 };
+
+template <typename T, typename Pattern>
+void Declarations::add(const std::string &name,
+                       Given<T> &given,
+                       const std::string &help,
+                       const Pattern &pattern,
+                       const std::string &allowed)
+{
+  handler_.add_parameter(name, given.value, help + " Allowed: " + allowed + ".", pattern);
+  add_entry(name, allowed, given);
+}
+
+template <typename Option>
+void Declarations::add(const std::string &name, Given<Option> &given, const std::string &help)
+{
+  const std::string allowed = list_names<Option>(", ");
+  handler_.declare_entry(name,
+                         to_text(given.value),
+                         dealii::Patterns::Selection(list_names<Option>("|")),
+                         help + " Allowed: " + allowed + ".");
+  handler_.add_action(name,
+                      [&given](const std::string &text) { given.value = from_text<Option>(text); });
+  add_entry(name, allowed, given);
+}
 } // namespace Signorini

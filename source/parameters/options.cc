@@ -9,7 +9,10 @@ template <>
 const OptionNames<Shape> &option_names()
 {
   static const OptionNames<Shape> names = {{Shape::rectangle, "rectangle"},
-                                           {Shape::polygon, "polygon"}};
+                                           {Shape::polygon, "polygon"},
+                                           {Shape::half_disc, "half disc"},
+                                           {Shape::disc, "disc"},
+                                           {Shape::ring, "ring"}};
   return names;
 }
 

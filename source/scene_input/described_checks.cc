@@ -7,6 +7,7 @@
 #include <signorini/scene/magnitudes.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +31,28 @@ std::vector<double> shares()
   return values;
 }
 
+/** Points of the cells of the coarse mesh; of every cell, or of some of very many. */
+Points sample_cells(const Geometry<2> &geometry)
+{
+  constexpr unsigned int enough = 500;
+  dealii::Triangulation<2> mesh;
+  geometry.make_coarse_mesh(mesh);
+  const unsigned int stride = 1 + mesh.n_active_cells() / enough;
+  const dealii::MappingQ1<2> mapping;
+  const double close = 1e-3;
+  Points points;
+  for (const auto &cell : mesh.active_cell_iterators())
+    if (cell->active_cell_index() % stride == 0)
+      for (const double r : {close, 0.3, 0.7, 1. - close})
+        for (const double s : {close, 0.3, 0.7, 1. - close})
+          points.push_back(mapping.transform_unit_to_real_cell(cell, dealii::Point<2>(r, s)));
+  return points;
+}
+
 Points sample_body(const Geometry<2> &geometry)
 {
+  if (!geometry.star_shaped)
+    return sample_cells(geometry);
   const dealii::Point<2> inside = geometry.inner_point();
   const std::vector<double> unit = shares();
   Points points;
@@ -45,9 +66,15 @@ Points sample_body(const Geometry<2> &geometry)
 /** Inside of a side and, for what is evaluated at nodes, at its ends. */
 Points sample_side(const Side<2> &side, const bool with_ends)
 {
+  // A side of very many pieces has short ones: their middles tell enough.
+  constexpr unsigned int many = 100;
   Points points;
-  for (const double s : shares())
-    points.push_back(side.point(s * side.length()));
+  for (unsigned int k = 0; k < side.n_pieces(); ++k)
+  {
+    const Curve &piece = side.piece(k);
+    for (const double s : side.n_pieces() > many ? std::vector<double>{0.5} : shares())
+      points.push_back(piece.point(s * piece.length()));
+  }
   if (with_ends)
     points.insert(points.end(), {side.start(), side.end()});
   return points;

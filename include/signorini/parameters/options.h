@@ -14,7 +14,10 @@ namespace Signorini
 enum class Shape
 {
   rectangle,
-  polygon
+  polygon,
+  half_disc,
+  disc,
+  ring
 };
 
 /** Hooke's law. */

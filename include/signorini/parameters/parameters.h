@@ -29,6 +29,11 @@ struct GeometryParameters
   Given<std::string> upper_right{"1, 1"};
   Given<std::string> cells{"1, 1"};
   Given<std::string> vertices;
+  Given<std::string> holes;
+  Given<double> mesh_size{0.};
+  Given<std::string> centre{"0, 0"};
+  Given<double> radius{1.};
+  Given<double> inner_radius{0.5};
   Given<std::string> file;
   Given<double> distortion{0.};
 };

@@ -69,6 +69,17 @@ public:
    * the same point. */
   bool is_closed() const;
 
+  /** The radius of an arc; 0 for segments and chains. */
+  double radius() const
+  {
+    return circle_ ? circle_->radius : 0.;
+  }
+  /** The centre of the circle of an arc. */
+  const dealii::Point<2> &centre_of_circle() const
+  {
+    return circle_->centre;
+  }
+
   /** 1 unless this is a chain. */
   unsigned int n_pieces() const;
   /** The curve itself unless this is a chain. */

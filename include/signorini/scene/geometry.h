@@ -93,15 +93,21 @@ Geometry<3> make_box(const dealii::Point<3> &lower,
 Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices);
 
 /**
- * The ring between two circles about the origin; sides inner and outer. Eight coarse cells, in
- * polar coordinates.
+ * The ring between two circles about a point; sides inner and outer. Eight coarse cells, in polar
+ * coordinates.
  */
-Geometry<2> make_ring(double inner_radius, double outer_radius);
+Geometry<2> make_ring(double inner_radius,
+                      double outer_radius,
+                      const dealii::Point<2> &centre = {});
 
 /**
- * The half disc y < 0 about the origin; sides flat (from left to right) and arc (from (-R, 0) by
- * (0, -R) to (R, 0)). Inside of the four coarse cells the mesh is the transfinite interpolation of
- * their edges.
+ * The half disc below a point; sides flat (from left to right) and arc (from (-R, 0) by (0, -R) to
+ * (R, 0), seen from the centre). Inside of the four coarse cells the mesh is the transfinite
+ * interpolation of their edges.
  */
-Geometry<2> make_half_disc(double radius);
+Geometry<2> make_half_disc(double radius, const dealii::Point<2> &centre = {});
+
+/** The disc about a point; one side, arc, from the angle -pi. Five coarse cells, with the mesh of
+ * make_half_disc() inside of them. */
+Geometry<2> make_disc(double radius, const dealii::Point<2> &centre = {});
 } // namespace Signorini

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Triangles between closed loops of segments, by CGAL; the only file that includes it.
+
+#include "triangles.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Delaunay_mesh_size_criteria_2.h>
+#include <CGAL/Delaunay_mesh_vertex_base_2.h>
+#include <CGAL/Delaunay_mesher_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <deque>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace Signorini
+{
+namespace
+{
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+constexpr unsigned int unnumbered = std::numeric_limits<unsigned int>::max();
+
+/** What vertices know. */
+struct Number
+{
+  unsigned int value = unnumbered;
+};
+
+using VertexBase = CGAL::
+  Triangulation_vertex_base_with_info_2<Number, Kernel, CGAL::Delaunay_mesh_vertex_base_2<Kernel>>;
+using FaceBase = CGAL::Delaunay_mesh_face_base_2<Kernel>;
+using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
+using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Delaunay>;
+using Mesher = CGAL::Delaunay_mesher_2<Delaunay, Criteria>;
+
+/** Marks the faces that a path from far away reaches by crossing an odd number of segments. */
+void mark_body(Delaunay &delaunay)
+{
+  for (auto face = delaunay.all_faces_begin(); face != delaunay.all_faces_end(); ++face)
+    face->set_in_domain(false);
+  std::set<Delaunay::Face_handle> seen = {delaunay.infinite_face()};
+  // Faces that are reached across a segment wait behind those of their own region.
+  std::deque<Delaunay::Face_handle> waiting = {delaunay.infinite_face()};
+  while (!waiting.empty())
+  {
+    const Delaunay::Face_handle face = waiting.front();
+    waiting.pop_front();
+    for (int i = 0; i < 3; ++i)
+    {
+      const Delaunay::Face_handle next = face->neighbor(i);
+      if (!seen.insert(next).second)
+        continue;
+      const bool crosses = face->is_constrained(i);
+      next->set_in_domain(face->is_in_domain() != crosses);
+      if (crosses)
+        waiting.push_back(next);
+      else
+        waiting.push_front(next);
+    }
+  }
+}
+
+Triangles to_triangles(Delaunay &delaunay, Triangles result)
+{
+  for (auto vertex = delaunay.finite_vertices_begin(); vertex != delaunay.finite_vertices_end();
+       ++vertex)
+    if (vertex->info().value == unnumbered)
+    {
+      vertex->info().value = result.points.size();
+      result.points.emplace_back(vertex->point().x(), vertex->point().y());
+    }
+  for (auto face = delaunay.finite_faces_begin(); face != delaunay.finite_faces_end(); ++face)
+    if (face->is_in_domain())
+    {
+      const auto number = [&](const int i) { return face->vertex(i)->info().value; };
+      result.triangles.push_back({number(0), number(1), number(2)});
+      for (int i = 0; i < 3; ++i)
+        if (!face->neighbor(i)->is_in_domain())
+          result.boundary.push_back({number(Delaunay::ccw(i)), number(Delaunay::cw(i))});
+    }
+  return result;
+}
+} // namespace
+
+Triangles triangulate(const std::vector<dealii::Point<2>> &points,
+                      const std::vector<std::array<unsigned int, 2>> &segments,
+                      const double mesh_size,
+                      const std::size_t most_triangles)
+{
+  Delaunay delaunay;
+  std::vector<Delaunay::Vertex_handle> vertices;
+  for (const dealii::Point<2> &x : points)
+  {
+    vertices.push_back(delaunay.insert(Kernel::Point_2(x[0], x[1])));
+    vertices.back()->info().value = vertices.size() - 1;
+  }
+  try
+  {
+    for (const auto &segment : segments)
+      delaunay.insert_constraint(vertices[segment[0]], vertices[segment[1]]);
+  }
+  catch (const Delaunay::Intersection_of_constraints_exception &)
+  {
+    return {};
+  }
+  // sin²(20.7 degrees): Ruppert's method ends for angles up to that.
+  Mesher mesher(delaunay, Criteria(0.125, mesh_size));
+  mark_body(delaunay);
+  mesher.init(/*domain_specified=*/true);
+  // A mesh of n vertices has fewer than 2 n triangles.
+  while (mesher.try_one_step_refine_mesh())
+    if (delaunay.number_of_vertices() > most_triangles / 2)
+      return {{}, {}, {}, true};
+  return to_triangles(delaunay, {points, {}, {}, false});
+}
+} // namespace Signorini
