@@ -46,6 +46,31 @@ check "the peak pressure from contact-03.csv" [ "$peak" = "$(column max_pressure
 p=$(awk -F, 'NR > 1 && !seen[$10]++ { printf "%.12e ", $5 }' run/contact-03.csv)
 check "P from contact-03.csv" [ "$p" = "$(tail -n +3 run/P-03.mtx | awk '{ printf "%.12e ", $1 }')" ]
 
+# Bodies that move freely, and load cases.
+cat >driven.prm <<END
+subsection Boundary
+  set Plates  = top: 0, -1 turning
+  set Contact = bottom
+end
+subsection Load
+  set Plate force = top: 0.05
+end
+subsection Contact
+  set Gap = 0.5*(x-0.5)^2
+end
+subsection Load cases
+  set Cases  = force 0.5 to 2 in 3 cases | force -1
+  set Fields = 3
+end
+END
+"$program" driven.prm --set 'Discretization/Finest level=3' --set Output/Compliance=true --output driven >stdout 2>stderr
+check "a plate with load cases" [ $? -eq 0 ]
+check "  files" all_named $(ls driven | sed 's/-[0-9][0-9]\./-LL./; s/-[0-9]\{6\}\./-NNNNNN./' | sort -u)
+check "  columns" all_named $(columns_of driven/cases.csv)
+check "  keys" all_named $(keys_of driven/certificate.json) $(keys_of driven/answer.json)
+check "  forces in balance in every case" awk -F, 'NR > 1 && $NF == "solved" { n += ($9 - 0.05*$2)^2 < 1e-20 } END { exit n != 3 }' driven/cases.csv
+check "  the last case lifts off" grep -q '^4,-1,.*,it lifts off$' driven/cases.csv
+
 # Graded meshes write other files, fields and columns.
 "$program" "${scene%/*}/b1.prm" --set Discretization/Strategy=hp --set 'Discretization/Coarsest level=2' \
   --set 'Discretization/Target error=0.001' --set Output/VTU=all --set Output/Compliance=true --output hp >stdout 2>stderr
