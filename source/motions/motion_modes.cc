@@ -7,6 +7,7 @@
 #include <signorini/recovery/recovery.h>
 
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -46,6 +47,21 @@ NodalVector forces_of(const NodalVector &U,
                       const Scene<2> &scene)
 {
   return NodalVector(internal_forces(space, scene, U).forces);
+}
+
+/** The forces of a mode; empty where all of them are rounding: V^h contains the rigid motion. */
+NodalVector forces_of_mode(const NodalVector &z,
+                           const DisplacementSpace<2> &space,
+                           const Scene<2> &scene)
+{
+  constexpr double rounding = 1e4 * std::numeric_limits<double>::epsilon();
+  const InternalForces<2> internal = internal_forces(space, scene, z);
+  NodalVector forces(internal.forces);
+  const NodalVector magnitudes(internal.magnitudes);
+  double size = 0.;
+  for (unsigned int i = 0; i < z.size(); ++i)
+    size += std::abs(z[i]) * magnitudes[i];
+  return z * forces <= rounding * size ? NodalVector() : forces;
 }
 
 /** k - A^{-1} A k. */
@@ -133,7 +149,7 @@ MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
     const bool strains = !motion.rigid || space.mesh().is_curved();
     modes.Z.push_back(strains ? extend(lift(motion, space, scene), space, scene, inverse)
                               : interpolate(*motion.rigid, space));
-    modes.forces.push_back(strains ? forces_of(modes.Z.back(), space, scene) : NodalVector());
+    modes.forces.push_back(strains ? forces_of_mode(modes.Z.back(), space, scene) : NodalVector());
   }
   const unsigned int k = modes.size();
   modes.K.reinit(k, k);

@@ -133,9 +133,8 @@ void test_moment(Checks &checks)
     return solve(pressed("0, -1 turning", loads, "0"),
                  {"Load/Plate moment=top: " + moment, "Discretization/Coarsest level=" + coarsest});
   };
-  checks.throws<InputError>("moment on a coarse mesh", "a finer coarsest level", [&]() {
-    with_moment("0.6");
-  });
+  checks.throws<InputError>(
+    "moment on a coarse mesh", "a finer coarsest level", [&]() { with_moment("0.6"); });
   const LevelRecord record = with_moment("0.6", "4").levels.back();
   checks.near("moment: force", record.answer.contact_force.resultant.force[1], 2., 1e-10);
   // About (0.5, 0): the plate turns the body counter-clockwise, the foundation clockwise.
@@ -208,6 +207,35 @@ void test_graded(Checks &checks)
   checks.near("graded: travel", a / b, 1., 2e-3);
   checks.that("graded: verdict", graded.verdict.outcome == Outcome::accuracy_estimated);
 }
+/** A disc on a table, held by its weight alone: its force is pi R² w, and it may roll. */
+void test_roller(Checks &checks)
+{
+  const std::string text = "subsection Geometry\nset Shape = disc\nset Centre = 0, 1\nend\n" +
+                           boundary("set Contact = arc\n") + load("set Body force = 0; -0.01\n") +
+                           entry("Contact", "Foundation", "plane 0,0 normal 0,1");
+  const double pi = std::acos(-1.);
+  for (const bool is_graded : {false, true})
+  {
+    const std::string name = is_graded ? "roller, hp" : "roller";
+    const StudyResult result =
+      solve(text,
+            is_graded ? std::vector<std::string>{"Discretization/Strategy=hp",
+                                                 "Discretization/Target error=1e-3"}
+                      : levels(3, 5));
+    const LevelRecord &finest = result.levels.back();
+    const SideForce &contact = finest.answer.contact_force;
+    checks.near(name + ": force / weight",
+                contact.resultant.force[1] / (0.01 * pi),
+                1.,
+                is_graded ? 1e-6 : 1e-2);
+    checks.near(name + ": through its axis", (*contact.through)[0], 0., 1e-6);
+    checks.near(name + ": symmetric zone",
+                finest.answer.zones.at(0).start.place.point[0] +
+                  finest.answer.zones.at(0).end.place.point[0],
+                0.,
+                is_graded ? 1e-3 : 1e-9);
+  }
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -222,5 +250,6 @@ int main(int argc, char **argv)
   test_escapes(checks);
   test_units(checks);
   test_graded(checks);
+  test_roller(checks);
   return checks.exit_code();
 }

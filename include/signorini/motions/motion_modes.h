@@ -32,7 +32,7 @@ struct MotionModes
   std::vector<FreeMotion> motions;
   /** z_j, complete. */
   std::vector<NodalVector> Z;
-  /** (a(z_j, phi_i))_i; empty for a rigid motion on straight cells: zero. */
+  /** (a(z_j, phi_i))_i; empty where they vanish: for rigid motions that V^h contains. */
   std::vector<NodalVector> forces;
   /** K_ij = a(z_i, z_j). */
   dealii::FullMatrix<double> K;
