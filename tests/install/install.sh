@@ -11,12 +11,14 @@ project=$(dirname "$(realpath "$0")")/project
 
 "$cmake" --install "$build" --prefix "$directory/there" >stdout 2>stderr
 check "installs" [ $? -eq 0 ]
-check "the program starts" there/bin/signorini --version >stdout 2>stderr
+there/bin/signorini --version >stdout 2>stderr
+check "the program starts" [ $? -eq 0 ]
 check "  and knows its version" grep -qx "signorini $version" stdout
 check "  of the citation" grep -qx "version: $version" there/share/doc/signorini/CITATION.cff
 check "  and of the newest changes" [ "$(grep -m 1 '^## ' there/share/doc/signorini/CHANGELOG.md)" = "## $version" ]
 check "the program is stripped" [ "$(stat -c %s there/bin/signorini)" -lt 6000000 ]
-check "a scene runs" there/bin/signorini there/share/signorini/prm/patch_test.prm --output results >stdout 2>stderr
+there/bin/signorini there/share/signorini/prm/patch_test.prm --output results >stdout 2>stderr
+check "a scene runs" [ $? -eq 0 ]
 check "documents" [ -s there/share/doc/signorini/README.md ]
 check "  with their pictures" [ -s there/share/doc/signorini/doc/pictures/block_deformed.png ]
 
