@@ -164,11 +164,14 @@ void ContactTrace::find_conditions()
 
 double ContactTrace::penetration(const PenetrationFace &face, const double t) const
 {
+  const Side<2> &side = scene_.geometry.sides[face.side];
   const dealii::Point<2> x = face.point(t);
-  const double gap = scene_.boundary[face.side].data->value(x);
+  // At a corner of the side, the gap is that of this face.
+  constexpr double inside = 1e-9;
+  const double gap = scene_.boundary[face.side].data->value(
+    side.corners().empty() ? x : face.point(std::clamp(t, inside, 1. - inside)));
   if (!space_.mesh().is_curved())
     return face.normal_value(U_, t) + 4. * t * (1. - t) * face.field.bubble - gap;
-  const Side<2> &side = scene_.geometry.sides[face.side];
   return face.component(U_, t, side.normal_at(x, face.point(0.5))) - gap;
 }
 
