@@ -14,7 +14,7 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
       geometry.shape,
       "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
       "side1, ... in the order of its vertices; a half disc (the lower half) flat and arc, a disc "
-      "arc, a ring inner and outer.");
+      "arc, a ring inner and outer; a file those that are named in it.");
   add("Lower left", geometry.lower_left, "Corner of the rectangle: x, y (length).");
   add("Upper right", geometry.upper_right, "Opposite corner of the rectangle: x, y (length).");
   add("Cells", geometry.cells, "Coarse cells of the rectangle per direction: nx, ny.");
@@ -50,9 +50,14 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
       "a number from 1e-30 to 1e+30");
   add("File",
       geometry.file,
-      "Mesh file; not available yet.",
-      Patterns::Selection(""),
-      "nothing (meshes from files are not available yet)");
+      "Mesh of quadrilaterals, written by Gmsh (.msh, version 2.2 or 4.1, ASCII): the coarse mesh. "
+      "Looked for in the folder of the parameter file, then in the working folder. Sides are the "
+      "physical names of its curves; edges without a name are the side rest.");
+  add(
+    "Arcs",
+    geometry.arcs,
+    "Mesh file: sides that are circular arcs, so that refinement follows the circle through their "
+    "nodes: names separated by blanks. Edges with a node in the middle need no entry.");
   add("Distortion",
       geometry.distortion,
       "Interior vertices of the coarsest level are moved at random by this share of h.",

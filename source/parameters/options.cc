@@ -12,7 +12,8 @@ const OptionNames<Shape> &option_names()
                                            {Shape::polygon, "polygon"},
                                            {Shape::half_disc, "half disc"},
                                            {Shape::disc, "disc"},
-                                           {Shape::ring, "ring"}};
+                                           {Shape::ring, "ring"},
+                                           {Shape::file, "file"}};
   return names;
 }
 

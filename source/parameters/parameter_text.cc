@@ -18,7 +18,7 @@ namespace Signorini
 namespace
 {
 /** In bytes. */
-constexpr int largest_file = 1000000;
+constexpr std::size_t largest_file = 1000000;
 
 /** Closes a file. */
 class FileDescriptor
@@ -212,24 +212,29 @@ Assignment scan_override(const std::string &argument)
   return {trim(line.substr(0, equals)), trim(line.substr(equals + 1)), "--set"};
 }
 
-std::string read_text_file(const std::string &file_name)
+std::string read_whole_file(const std::string &file_name,
+                            const std::string &where,
+                            const std::string &kind,
+                            const std::size_t largest_size)
 {
-  const std::string name = shorten_path(file_name);
+  const std::string name = where + shorten_path(file_name);
   // Pipes and some files of the kernel would wait for what never comes.
   const FileDescriptor file(open(file_name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat status = {};
   if (file.get() < 0 || fstat(file.get(), &status) != 0 || S_ISDIR(status.st_mode))
-    throw InputError(name + ": this parameter file cannot be read.");
+    throw InputError(name + ": this " + kind + " cannot be read.");
   if (!S_ISREG(status.st_mode))
     throw InputError(name + ": this is a device or a pipe, allowed: a file of text on a disk.");
   const auto refuse_size = [&](const std::string &found) {
     throw InputError(name + ": this file has " + found + " bytes, allowed: at most " +
-                     std::to_string(largest_file) + ".");
+                     std::to_string(largest_size) + ".");
   };
-  if (status.st_size > largest_file)
-    refuse_size(std::to_string(status.st_size));
+  const auto told_size = static_cast<std::size_t>(status.st_size);
+  if (told_size > largest_size)
+    refuse_size(std::to_string(told_size));
   // Files of the kernel say that they are empty, and may have no end.
-  std::string text(largest_file + 1, '\0');
+  const std::size_t most = told_size > 0 ? told_size : std::min<std::size_t>(largest_size, 1000000);
+  std::string text(most + 1, '\0');
   std::size_t size = 0;
   ssize_t n = 1;
   while (n > 0 && size < text.size())
@@ -238,12 +243,18 @@ std::string read_text_file(const std::string &file_name)
     size += n > 0 ? static_cast<std::size_t>(n) : 0;
   }
   if (n < 0)
-    throw InputError(name + ": this parameter file cannot be read.");
-  if (size > largest_file)
-    refuse_size("more than " + std::to_string(largest_file));
+    throw InputError(name + ": this " + kind + " cannot be read.");
+  if (size > most)
+    refuse_size("more than " + std::to_string(most));
   text.resize(size);
+  return text;
+}
+
+std::string read_text_file(const std::string &file_name)
+{
+  const std::string text = read_whole_file(file_name, "", "parameter file", largest_file);
   if (text.find('\0') != std::string::npos)
-    throw InputError(name + ": this is not a text file.");
+    throw InputError(shorten_path(file_name) + ": this is not a text file.");
   return text;
 }
 } // namespace Signorini

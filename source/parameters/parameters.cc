@@ -6,6 +6,8 @@
 #include <signorini/parameters/parameter_text.h>
 #include <signorini/parameters/parameters.h>
 
+#include <filesystem>
+
 #include "declarations.h"
 
 namespace Signorini
@@ -17,6 +19,8 @@ const std::vector<std::string> sections_of_scene =
   {"Constants", "Geometry", "Material", "Boundary", "Load", "Contact", "Exact solution"};
 
 const std::string constants_section = "Constants/", constants_path = "Constants/Values";
+
+const std::string mesh_file_path = "Geometry/File";
 
 /** Whether an override changes one constant of the list: Constants/NAME=value. */
 bool names_a_constant(const Assignment &assignment)
@@ -68,6 +72,20 @@ std::vector<Assignment> add_overrides(std::vector<Assignment> assignments,
   return assignments;
 }
 
+/** Where a named file is: in @p folder or in the working folder. Unchanged if it is in neither. */
+std::string find_file(const std::string &name, const std::string &folder)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  for (const fs::path &candidate : {fs::path(folder) / name, fs::path(name)})
+    if (!name.empty() && fs::exists(candidate, error))
+    {
+      const fs::path absolute = fs::absolute(candidate, error).lexically_normal();
+      return error ? candidate.string() : absolute.string();
+    }
+  return name;
+}
+
 /** What can be judged without knowing the scene: contradictions between plain values. */
 void check(const Parameters &parameters)
 {
@@ -86,15 +104,21 @@ void check(const Parameters &parameters)
 
 Parameters parse_parameters(const std::string &text,
                             const std::string &file_name,
-                            const std::vector<std::string> &overrides)
+                            const std::vector<std::string> &overrides,
+                            const std::string &folder)
 {
   Parameters parameters;
   parameters.file_name = file_name;
+  parameters.geometry.folder = folder;
   Declarations declarations(parameters);
-  const std::vector<Assignment> assignments =
+  std::vector<Assignment> assignments =
     add_overrides(scan_parameter_text(text, file_name, declarations.sections()), overrides);
-  for (const Assignment &assignment : assignments)
+  for (Assignment &assignment : assignments)
+  {
+    if (assignment.path == mesh_file_path)
+      assignment.value = find_file(assignment.value, folder);
     declarations.assign(assignment);
+  }
   parameters.changes_of_scene = declarations.changes(sections_of_scene);
   check(parameters);
   parameters.echo = declarations.print(false);
@@ -103,7 +127,10 @@ Parameters parse_parameters(const std::string &text,
 
 Parameters read_parameters(const std::string &file_name, const std::vector<std::string> &overrides)
 {
-  return parse_parameters(read_text_file(file_name), shorten_path(file_name), overrides);
+  return parse_parameters(read_text_file(file_name),
+                          shorten_path(file_name),
+                          overrides,
+                          std::filesystem::path(file_name).parent_path().string());
 }
 
 std::string describe_parameters()

@@ -69,8 +69,16 @@ void refuse_to_overwrite(const RunInput &input, const std::string &echo)
 RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &screen)
 {
   const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-  const Parameters parameters = parse_parameters(input.text, input.name, input.overrides);
-  const Scene<2> scene = make_scene(parameters);
+  Parameters parameters;
+  Scene<2> scene;
+  // A mesh file may be missing on one rank.
+  agree(communicator, [&]() {
+    parameters = parse_parameters(input.text,
+                                  input.name,
+                                  input.overrides,
+                                  std::filesystem::path(input.file_name).parent_path().string());
+    scene = make_scene(parameters);
+  });
   std::optional<ResultsDirectory> results;
   agree(communicator, [&]() {
     if (!first_rank)

@@ -196,7 +196,10 @@ RunSummary run_sweep(const RunInput &input,
   for (const SweepPoint &point : points)
   {
     const RunInput one = input_at(input, sweeps, point);
-    parse_parameters(one.text, one.name, one.overrides);
+    parse_parameters(one.text,
+                     one.name,
+                     one.overrides,
+                     std::filesystem::path(one.file_name).parent_path().string());
   }
   const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   std::optional<ResultsDirectory> results;

@@ -147,7 +147,11 @@ void read_boundary(const BoundaryParameters &given,
   RoleReader roles(scene);
   const auto assign = [&](const Given<std::string> &names, const Role role) {
     for (const std::string &name : split_words(names))
-      roles.assign(name, role, names);
+    {
+      const std::vector<std::string> called = sides_called(name, sides);
+      for (const std::string &side : called.empty() ? std::vector<std::string>{name} : called)
+        roles.assign(side, role, names);
+    }
   };
   assign(given.clamped, Role::clamped);
   assign(given.rollers, Role::roller);

@@ -214,9 +214,12 @@ std::vector<ThingOfSides> read_things(const Given<std::string> &given,
     std::string description = text;
     if (begins_with_a_name(text))
     {
-      const auto [name, rest] = read_side_list(text, given.where(), names).front();
-      sides = {static_cast<unsigned int>(geometry.find_side(name))};
-      description = rest;
+      sides.clear();
+      for (const auto &[name, rest] : read_side_list(text, given.where(), names))
+      {
+        sides.push_back(static_cast<unsigned int>(geometry.find_side(name)));
+        description = rest;
+      }
     }
     things.push_back({reader.read(description), sides});
     if (std::none_of(sides.begin(), sides.end(), [&](const unsigned int side) {

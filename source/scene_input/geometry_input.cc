@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh_file_input.h"
 #include "polygon_input.h"
 
 namespace Signorini
@@ -35,6 +36,8 @@ void refuse_foreign_entries(const GeometryParameters &given)
   refuse(given.centre, is_round, "half disc, disc or ring");
   refuse(given.radius, is_round, "half disc, disc or ring");
   refuse(given.inner_radius, shape == Shape::ring, "ring");
+  refuse(given.file, shape == Shape::file, "file");
+  refuse(given.arcs, shape == Shape::file, "file");
 }
 
 Geometry<2> read_rectangle(const GeometryParameters &given)
@@ -136,6 +139,10 @@ Geometry<2> make_geometry(const GeometryParameters &given)
   case Shape::ring:
     geometry = read_round_body(given);
     check_size(geometry, given.radius.where());
+    break;
+  case Shape::file:
+    geometry = read_mesh_file(given);
+    check_size(geometry, given.file.where());
     break;
   }
   geometry.distortion = given.distortion;

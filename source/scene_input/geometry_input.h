@@ -6,6 +6,6 @@
 
 namespace Signorini
 {
-/** The rectangle or polygon that the entries describe. @throws InputError */
+/** The body that the entries describe. @throws InputError */
 Geometry<2> make_geometry(const GeometryParameters &given);
 } // namespace Signorini

@@ -22,7 +22,7 @@ bool contains(const std::vector<std::string> &names, const std::string &name)
 bool looks_like_a_name(const std::string &text)
 {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](const unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-';
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
   });
 }
 } // namespace
@@ -31,6 +31,25 @@ bool begins_with_a_name(const std::string &text)
 {
   const auto colon = text.find(':');
   return colon != std::string::npos && looks_like_a_name(trim(text.substr(0, colon)));
+}
+
+std::vector<std::string> sides_called(const std::string &name,
+                                      const std::vector<std::string> &sides)
+{
+  std::vector<std::string> parts;
+  const std::string beginning = name + ".";
+  for (const std::string &side : sides)
+  {
+    if (side == name)
+      return {name};
+    const std::string number =
+      side.compare(0, beginning.size(), beginning) == 0 ? side.substr(beginning.size()) : "";
+    if (!number.empty() && std::all_of(number.begin(), number.end(), [](const unsigned char c) {
+          return std::isdigit(c) != 0;
+        }))
+      parts.push_back(side);
+  }
+  return parts;
 }
 
 SideTexts read_side_list(const std::string &text,
@@ -42,10 +61,12 @@ SideTexts read_side_list(const std::string &text,
   {
     const auto colon = part.find(':');
     const std::string name = trim(part.substr(0, colon));
-    if (colon == std::string::npos || !contains(sides, name))
+    const std::vector<std::string> called = sides_called(name, sides);
+    if (colon == std::string::npos || called.empty())
       throw InputError(where + ": found " + quote(part) + ", allowed: a side (" + join(sides) +
                        "), ':' and its value.");
-    entries.emplace_back(name, trim(part.substr(colon + 1)));
+    for (const std::string &side : called)
+      entries.emplace_back(side, trim(part.substr(colon + 1)));
   }
   return entries;
 }

@@ -10,6 +10,11 @@ namespace Signorini
 /** Side name and the text that belongs to it. */
 using SideTexts = std::vector<std::pair<std::string, std::string>>;
 
+/** The side of this name, or the sides name.1, name.2, ... that a name of a mesh file has become;
+ * empty if there is none. */
+std::vector<std::string> sides_called(const std::string &name,
+                                      const std::vector<std::string> &sides);
+
 /** Reads "left: tx; ty | right: tx; ty". @throws InputError if an entry names no side. */
 SideTexts read_side_list(const std::string &text,
                          const std::string &where,

@@ -17,7 +17,9 @@ enum class Shape
   polygon,
   half_disc,
   disc,
-  ring
+  ring,
+  /** A mesh file. */
+  file
 };
 
 /** Hooke's law. */

@@ -39,6 +39,13 @@ std::vector<Assignment> scan_parameter_text(const std::string &text,
 Assignment scan_override(const std::string &argument);
 
 /** Reads a whole file; throws InputError when it cannot be read, is not a file (devices and pipes
- * may never end) or has more than a million bytes. */
+ * may never end) or has more than @p largest_size bytes. Messages begin with @p where and call
+ * the file a @p kind. */
+std::string read_whole_file(const std::string &file_name,
+                            const std::string &where,
+                            const std::string &kind,
+                            std::size_t largest_size);
+
+/** Reads a parameter file, of at most a million bytes; one with characters 0 is no text. */
 std::string read_text_file(const std::string &file_name);
 } // namespace Signorini

@@ -35,6 +35,10 @@ struct GeometryParameters
   Given<double> radius{1.};
   Given<double> inner_radius{0.5};
   Given<std::string> file;
+  Given<std::string> arcs;
+  /** The folder of the parameter file, in which files are looked for first; empty if the parameters
+   * come from no file. */
+  std::string folder;
   Given<double> distortion{0.};
 };
 
@@ -186,10 +190,15 @@ struct Parameters
 Parameters read_parameters(const std::string &file_name,
                            const std::vector<std::string> &overrides = {});
 
-/** The same from a text; @p file_name is used in messages only. */
+/**
+ * The same from a text; @p file_name is used in messages only. Files that the text names are looked
+ * for in @p folder, then in the working folder; their names become absolute, so that the echo works
+ * everywhere.
+ */
 Parameters parse_parameters(const std::string &text,
                             const std::string &file_name,
-                            const std::vector<std::string> &overrides = {});
+                            const std::vector<std::string> &overrides = {},
+                            const std::string &folder = "");
 
 /** Every parameter with its default, allowed values, unit and one line of help. */
 std::string describe_parameters();
