@@ -24,16 +24,25 @@ std::string describe_boundary(const Scene<dim> &scene)
                                                  {Role::displacement, "displacement"},
                                                  {Role::traction, "traction"},
                                                  {Role::free, "free"}};
-  std::vector<std::string> parts;
+  std::vector<std::string> parts, plates;
+  const auto has_plate = [&scene](const unsigned int side) {
+    return std::any_of(scene.plates.begin(), scene.plates.end(), [side](const Plate &plate) {
+      return plate.side == side;
+    });
+  };
   for (const auto &role : roles)
   {
     std::vector<std::string> names;
     for (unsigned int i = 0; i < scene.boundary.size(); ++i)
       if (scene.boundary[i].role == role.first)
-        names.push_back(scene.geometry.sides[i].name());
+        (has_plate(i) ? plates : names).push_back(scene.geometry.sides[i].name());
     if (!names.empty())
       parts.push_back(role.second + (" " + join(names, " ")));
   }
+  if (!plates.empty())
+    parts.push_back("plates " + join(plates, " "));
+  if (scene.is_held_by_contact)
+    parts.emplace_back("held by contact");
   return join(parts, "; ");
 }
 
