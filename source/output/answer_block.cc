@@ -101,7 +101,7 @@ public:
       std::vector<std::string> parts = {"travel " +
                                           digits(rounded(record.motion.travel, answer_.size)),
                                         "along " + vector_text(plate.direction, 1.) + ",",
-                                        "force " + digits(rounded(record.force, scale))};
+                                        "force " + digits(rounded(record.force, scale)) + (plate.turns ? "," : "")};
       if (plate.turns)
         parts.insert(parts.end(),
                      {"rotation " + digits(rounded(record.motion.rotation, 1.)),

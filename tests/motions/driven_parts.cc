@@ -205,6 +205,11 @@ void test_graded(Checks &checks)
   const double a = nested.levels.back().motions.plates.at(0).motion.travel;
   const double b = graded.levels.back().motions.plates.at(0).motion.travel;
   checks.near("graded: travel", a / b, 1., 2e-3);
+  const ErrorBound &bound = *nested.levels.back().bound;
+  checks.between("graded: energy between the bounds of nested levels",
+                 graded.levels.back().certificate.energy,
+                 *bound.energy_lower,
+                 *bound.energy_upper);
   checks.that("graded: verdict", graded.verdict.outcome == Outcome::accuracy_estimated);
 }
 /** A disc on a table, held by its weight alone: its force is pi R² w, and it may roll. */
