@@ -212,6 +212,28 @@ void test_graded(Checks &checks)
                  *bound.energy_upper);
   checks.that("graded: verdict", graded.verdict.outcome == Outcome::accuracy_estimated);
 }
+/** A cantilever whose tip a force presses onto a parabola: the exact energy lies between the bounds
+ * of all meshes, small ones, too. */
+void test_bounds(Checks &checks)
+{
+  const std::string text = "subsection Geometry\nset Upper right = 3, 1\nset Cells = 3, 1\nend\n" +
+                           boundary("set Clamped = left\nset Contact = bottom\n"
+                                    "set Plates = right: 0, -1 turning\n") +
+                           load("set Plate force = right: 0.02\n") + gap("0.01 + 0.1*(x-2)^2");
+  const double energy =
+    solve(text, {"Discretization/Strategy=hp", "Discretization/Target error=1e-5"})
+      .levels.back()
+      .certificate.energy;
+  for (const unsigned int level : {1, 2, 3, 4})
+  {
+    const ErrorBound bound = *solve(text, levels(level, level)).levels.back().bound;
+    checks.between("cantilever, level " + std::to_string(level) + ": energy",
+                   energy,
+                   *bound.energy_lower,
+                   *bound.energy_upper);
+  }
+}
+
 /** A disc on a table, held by its weight alone: its force is pi R² w, and it may roll. */
 void test_roller(Checks &checks)
 {
@@ -255,6 +277,7 @@ int main(int argc, char **argv)
   test_escapes(checks);
   test_units(checks);
   test_graded(checks);
+  test_bounds(checks);
   test_roller(checks);
   return checks.exit_code();
 }
