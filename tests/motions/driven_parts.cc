@@ -219,7 +219,7 @@ void test_bounds(Checks &checks)
   const std::string text = "subsection Geometry\nset Upper right = 3, 1\nset Cells = 3, 1\nend\n" +
                            boundary("set Clamped = left\nset Contact = bottom\n"
                                     "set Plates = right: 0, -1 turning\n") +
-                           load("set Plate force = right: 0.02\n") + gap("0.01 + 0.1*(x-2)^2");
+                           load("set Plate force = right: 0.02\n") + gap("0.01 + 0.4*(x-1.5)^2");
   const double energy =
     solve(text, {"Discretization/Strategy=hp", "Discretization/Target error=1e-5"})
       .levels.back()
