@@ -54,7 +54,7 @@ NodalVector forces_of_mode(const NodalVector &z,
                            const DisplacementSpace<2> &space,
                            const Scene<2> &scene)
 {
-  constexpr double rounding = 1e4 * std::numeric_limits<double>::epsilon();
+  constexpr double rounding = 10. * std::numeric_limits<double>::epsilon();
   const InternalForces<2> internal = internal_forces(space, scene, z);
   NodalVector forces(internal.forces);
   const NodalVector magnitudes(internal.magnitudes);

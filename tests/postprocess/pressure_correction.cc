@@ -36,7 +36,7 @@ PressureCorrection correct(const SolvedLevel &given, const Vector &P)
      level.condensed_D,
      *given.inverse,
      level.n_points,
-     [&](const Coupling &condensed_D, const Vector &F, const Vector &start) {
+     [&](const Coupling &, const Coupling &condensed_D, const Vector &F, const Vector &start) {
        double seconds = 0.;
        return std::optional<Vector>(
          solve_dual_problem(make_compliance(*given.inverse, condensed_D, seconds), F, start, {}).P);

@@ -230,7 +230,7 @@ void test_rigid_motions(Checks &checks)
                                         Curve::arc(Point(1., 1.), 0.5, 1., 2.5, Body::inside)})}});
   const auto turns = free_rigid_motions(scene);
   checks.that("rollers on arcs about one point",
-              turns.size() == 1 && turns[0].name == "the rotation about (1, 1)");
+              turns.size() == 1 && turns[0].name() == "the rotation about (1, 1)");
   scene.geometry =
     body({{"wedge", polyline({Point(0., 1.), Point(half, 1. - half), Point(1., 1.)})}});
   checks.near("rollers in a wedge", free_rigid_motions(scene).size(), 0, 0);
