@@ -129,19 +129,45 @@ void judge(const MotionProblem &problem, MotionState state, MotionSearch &search
   }
 }
 
-/** Computes exactly on the patches that press; keeps the stiffness, and better motions. */
+/** P - W/C_ii, nowhere positive: patches that pull leave the set, those with penetration join it.
+ */
+Vector exchange(const MotionProblem &problem, const MotionState &state)
+{
+  const Vector W = opening(problem, state);
+  const Vector diagonal = diagonal_at(problem, state.P);
+  Vector P = state.P;
+  for (unsigned int i = 0; i < P.size(); ++i)
+    P[i] = std::min(0., P[i] - W[i] / diagonal[i]);
+  return P;
+}
+
+/**
+ * Computes exactly on the patches that press, and exchanges patches while that helps; keeps the
+ * stiffness, and better motions. Inner problems know W up to the rounding of large motions only, in
+ * which small patches beside large ones have no sign.
+ */
 void solve_exactly(const MotionProblem &problem, MotionSearch &search)
 {
-  const auto exact = solve_on_pressing(*problem.C, problem.F, problem.motions, search.state);
-  if (!exact)
-    return;
-  ++search.inner.iterations;
-  search.stiffness = exact->stiffness;
-  const double before = search.residual;
-  judge(problem, exact->state, search);
-  // Patches that cannot carry the load would throw the body far away.
-  if (search.residual < before)
-    search.state.z = exact->state.z;
+  MotionState trial = search.state;
+  for (unsigned int in_vain = 0; in_vain < 5;)
+  {
+    const ComplianceOperator::Indices A = pressing_patches(trial.P);
+    const auto exact = solve_on_pressing(*problem.C, problem.F, problem.motions, trial);
+    if (!exact)
+      return;
+    ++search.inner.iterations;
+    search.stiffness = exact->stiffness;
+    const double before = search.residual;
+    judge(problem, exact->state, search);
+    // Patches that cannot carry the load would throw the body far away.
+    if (search.residual < before)
+      search.state.z = exact->state.z;
+    in_vain = search.residual < before ? 0 : in_vain + 1;
+    trial.P = exchange(problem, exact->state);
+    trial.z = exact->state.z;
+    if (pressing_patches(trial.P) == A)
+      return;
+  }
 }
 
 /** E: part of the stiffness of the contact; motions that it does not see get some, too. */
