@@ -61,6 +61,7 @@ CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const
   response.U = solve_homogeneous(data_.inverse, space, b);
   response.U += k;
   response.closing = data_.D.transpose_product(response.U);
+  response.loads = loads;
   response.work = data_.modes.work(scene.plates, 1., loads, response.U);
   return response;
 }
@@ -72,6 +73,16 @@ dealii::Vector<double> CaseSolver::gap_of(const LoadCase &load_case) const
   dealii::Vector<double> G = G_;
   G *= load_case.gap;
   return G;
+}
+
+bool CaseSolver::slides(const LoadCase &load_case) const
+{
+  if (data_.modes.unseen.empty())
+    return false;
+  NodalVector loads(data_.space.dofs().n_dofs());
+  for (const LoadResponse &response : responses_)
+    loads.add(share_of(load_case, response.kind), response.loads);
+  return data_.modes.driven_unseen(data_.scene.plates, load_case.force, loads).has_value();
 }
 
 CaseResult CaseSolver::solve_dual(const LoadCase &load_case)
@@ -112,6 +123,8 @@ CaseResult CaseSolver::solve_dual(const LoadCase &load_case)
 CaseResult CaseSolver::solve(const LoadCase &load_case)
 {
   CaseResult result = solve_dual(load_case);
+  if (slides(load_case))
+    result.escape = "it slides";
   if (!result.escape.empty())
     return result;
   for (const Piece<2> &piece : data_.multipliers.surface().pieces())

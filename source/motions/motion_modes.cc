@@ -64,6 +64,25 @@ NodalVector forces_of_mode(const NodalVector &z,
   return z * forces <= rounding * size ? NodalVector() : forces;
 }
 
+/** A sum with the sum of the absolute values of its terms. */
+struct WorkSum
+{
+  double value = 0.;
+  double magnitude = 0.;
+
+  void add(const double term)
+  {
+    value += term;
+    magnitude += std::abs(term);
+  }
+  /** factor a.b. */
+  void add_product(const NodalVector &a, const NodalVector &b, const double factor)
+  {
+    for (unsigned int i = 0; i < a.size(); ++i)
+      add(factor * a[i] * b[i]);
+  }
+};
+
 /** k - A^{-1} A k. */
 NodalVector extend(const NodalVector &k,
                    const DisplacementSpace<2> &space,
@@ -102,18 +121,31 @@ MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates,
   MotionWork work = {dealii::Vector<double>(size()), dealii::Vector<double>(size())};
   for (unsigned int j = 0; j < size(); ++j)
   {
-    const auto add = [&](const double term) {
-      work.value[j] += term;
-      work.magnitude[j] += std::abs(term);
-    };
-    add(share_of_plates * motions[j].work_of_plates(plates));
-    for (unsigned int i = 0; i < loads.size(); ++i)
-      add(Z[j][i] * loads[i]);
+    WorkSum sum;
+    sum.add(share_of_plates * motions[j].work_of_plates(plates));
+    sum.add_product(Z[j], loads, 1.);
     if (forces[j].size() > 0)
-      for (unsigned int i = 0; i < U_0.size(); ++i)
-        add(-forces[j][i] * U_0[i]);
+      sum.add_product(forces[j], U_0, -1.);
+    work.value[j] = sum.value;
+    work.magnitude[j] = sum.magnitude;
   }
   return work;
+}
+
+template <int dim>
+std::optional<unsigned int> MotionModes<dim>::driven_unseen(const std::vector<Plate> &plates,
+                                                            const double share_of_plates,
+                                                            const NodalVector &loads) const
+{
+  for (unsigned int j = 0; j < unseen.size(); ++j)
+  {
+    WorkSum sum;
+    sum.add(share_of_plates * unseen[j].work_of_plates(plates));
+    sum.add_product(unseen_Z[j], loads, 1.);
+    if (std::abs(sum.value) > unseen_tolerance * sum.magnitude)
+      return j;
+  }
+  return {};
 }
 
 template <int dim>
@@ -143,7 +175,13 @@ MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
   if (scene.plates.empty() && !scene.is_held_by_contact)
     return modes;
   static_assert(dim == 2, "Plates and rigid motions are those of the plane.");
-  modes.motions = free_motions(scene);
+  const FreeMotionBasis basis = free_motions(scene);
+  modes.motions = basis.seen;
+  modes.unseen = basis.unseen;
+  for (const FreeMotion &motion : modes.unseen)
+    modes.unseen_Z.push_back(interpolate(*motion.rigid, space));
+  if (space.mesh().is_curved())
+    modes.unseen_tolerance = 1e-3;
   for (const FreeMotion &motion : modes.motions)
   {
     const bool strains = !motion.rigid || space.mesh().is_curved();

@@ -23,6 +23,26 @@ Coordinates coordinates_of(const std::vector<PlateMotion> &motions, const double
   return x;
 }
 
+Coordinates coordinates_of(const RigidMotion &rigid)
+{
+  return {rigid.translation[0], rigid.translation[1], rigid.rotation};
+}
+
+/** The rigid motion with these coordinates of the body that @p other moves. */
+RigidMotion motion_of(const Coordinates &x, const RigidMotion &other)
+{
+  return {dealii::Tensor<1, 2>({x[0], x[1]}), x[2], other.centre, other.size};
+}
+
+/** The scene with contact sides that can neither open nor close. */
+Scene<2> on_rails(Scene<2> scene)
+{
+  for (BoundaryCondition<2> &condition : scene.boundary)
+    if (condition.role == Role::contact)
+      condition.role = Role::roller;
+  return scene;
+}
+
 double product(const Coordinates &x, const Coordinates &y)
 {
   double sum = 0.;
@@ -96,19 +116,24 @@ double FreeMotion::work_of_plates(const std::vector<Plate> &plates_of_scene) con
   return work;
 }
 
-std::vector<FreeMotion> free_motions(const Scene<2> &scene)
+FreeMotionBasis free_motions(const Scene<2> &scene)
 {
+  FreeMotionBasis motions;
+  std::vector<Coordinates> rigid_motions, plate_motions;
   const double size = scene.geometry.diameter();
-  std::vector<FreeMotion> motions;
-  std::vector<Coordinates> basis;
+  const auto add = [&](const RigidMotion &rigid, std::vector<FreeMotion> &kind) {
+    kind.push_back({follow(rigid, scene.plates), rigid});
+    extend(plate_motions, coordinates_of(kind.back().plates, size));
+  };
+  for (const RigidMotion &rigid : free_rigid_motions(on_rails(scene), Plates::released))
+    if (extend(rigid_motions, coordinates_of(rigid)))
+      add(rigid, motions.unseen);
   for (const RigidMotion &rigid : free_rigid_motions(scene, Plates::released))
-  {
-    motions.push_back({follow(rigid, scene.plates), rigid});
-    extend(basis, coordinates_of(motions.back().plates, size));
-  }
+    if (extend(rigid_motions, coordinates_of(rigid)))
+      add(motion_of(rigid_motions.back(), rigid), motions.seen);
   for (const FreeMotion &single : single_motions(scene.plates, size))
-    if (extend(basis, coordinates_of(single.plates, size)))
-      motions.push_back(single);
+    if (extend(plate_motions, coordinates_of(single.plates, size)))
+      motions.seen.push_back(single);
   return motions;
 }
 

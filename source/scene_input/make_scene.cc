@@ -36,11 +36,11 @@ bool is_loaded(const Scene<2> &scene)
   const bool is_pushed = std::any_of(scene.plates.begin(), scene.plates.end(), [](const auto &p) {
     return p.force != 0. || p.moment != 0.;
   });
-  const bool has_traction =
+  const bool has_data =
     std::any_of(scene.boundary.begin(), scene.boundary.end(), [](const auto &condition) {
-      return condition.role == Role::traction;
+      return condition.role == Role::traction || condition.role == Role::displacement;
     });
-  return is_pushed || has_traction || scene.body_force != nullptr;
+  return is_pushed || has_data || scene.body_force != nullptr;
 }
 
 /** Where supports leave the body free, contact has to hold it against a load. */

@@ -51,6 +51,13 @@ bool points_balance(const Discretization<2> &discretization,
 }
 } // namespace
 
+void refuse_sliding(const Parameters &parameters, const RigidMotion &motion)
+{
+  throw InputError(parameters.boundary.where + ": the loads drive " + motion.name() +
+                   " of the body, along which contact sides slide without friction; allowed: "
+                   "loads in balance, or more sides that hold the body.");
+}
+
 void refuse_escape(const Parameters &parameters,
                    const Discretization<2> &discretization,
                    const MotionModes<2> &modes,

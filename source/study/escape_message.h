@@ -18,4 +18,7 @@ namespace Signorini
                                 const MotionModes<2> &modes,
                                 const FreeMotions &motions,
                                 const dealii::Vector<double> &v);
+
+/** Tells that loads drive a motion along which contact sides slide. @throws InputError always. */
+[[noreturn]] void refuse_sliding(const Parameters &parameters, const RigidMotion &motion);
 } // namespace Signorini

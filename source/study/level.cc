@@ -5,6 +5,7 @@
 #include <signorini/recovery/recovery.h>
 #include <signorini/study/level.h>
 
+#include "escape_message.h"
 #include "level_examination.h"
 
 namespace Signorini
@@ -90,6 +91,10 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
     timed(times.compliance, [&]() { return make_motion_modes(space, scene, *inverse); });
   if (modes.size() > 0)
     solution.motions = motions_of(modes, scene, discretization.D, system.loads, free.U);
+  if (const auto driven = modes.driven_unseen(scene.plates, 1., NodalVector(system.loads)))
+    refuse_sliding(parameters, *modes.unseen[*driven].rigid);
+  for (const FreeMotion &motion : modes.unseen)
+    record.motions.undetermined.push_back(motion.rigid->name());
   const bool may_touch = modes.size() > 0 || !free.nothing_touches();
 
   Pressure pressure = {

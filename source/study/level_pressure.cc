@@ -41,16 +41,6 @@ ColumnProgress column_progress(const Progress &progress, const unsigned int n_co
   };
 }
 
-/** Rigid motions that nothing determines. */
-std::vector<std::string> names_of(const std::vector<dealii::Vector<double>> &unseen,
-                                  const MotionModes<2> &modes)
-{
-  std::vector<std::string> names;
-  for (const dealii::Vector<double> &v : unseen)
-    names.push_back(rigid_part(modes, v).name());
-  return names;
-}
-
 /** P, and q where motions are free. */
 template <int dim>
 QPResult solve_contact(const Parameters &parameters,
@@ -73,7 +63,6 @@ QPResult solve_contact(const Parameters &parameters,
   if (result.escape)
     refuse_escape(parameters, discretization, modes, solution.motions, *result.escape);
   solution.q = result.q;
-  solution.record.motions.undetermined = names_of(result.unseen, modes);
   return result.qp;
 }
 } // namespace

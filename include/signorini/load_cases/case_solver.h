@@ -87,10 +87,15 @@ private:
     NodalVector U;
     dealii::Vector<double> closing; // D^T U
     MotionWork work;
+    /** f_i, and the plates with what acts on them. */
+    NodalVector loads;
+    std::vector<Plate> plates;
   };
 
   LoadResponse respond(LoadKind kind) const;
   dealii::Vector<double> gap_of(const LoadCase &load_case) const;
+  /** Whether the loads of a case drive a motion that contact does not see. */
+  bool slides(const LoadCase &load_case) const;
   /** Solves for P and q. @return what does not depend on the multipliers. */
   CaseResult solve_dual(const LoadCase &load_case);
 

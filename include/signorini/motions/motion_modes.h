@@ -7,6 +7,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <optional>
 #include <vector>
 
 namespace Signorini
@@ -36,6 +37,13 @@ struct MotionModes
   std::vector<NodalVector> forces;
   /** K_ij = a(z_i, z_j). */
   dealii::FullMatrix<double> K;
+  /** Rigid motions that contact does not see, and their nodal values. They stay zero. */
+  std::vector<FreeMotion> unseen;
+  std::vector<NodalVector> unseen_Z;
+
+  /** How large the work of balanced loads on an unseen motion may be, relative to its terms: the
+   * force on cells that approximate a curved body is not exactly that on the body. */
+  double unseen_tolerance = 1e-9;
 
   std::size_t size() const
   {
@@ -51,6 +59,11 @@ struct MotionModes
                   double share_of_plates,
                   const NodalVector &loads,
                   const NodalVector &U_0) const;
+  /** The number of the first unseen motion that the forces on plates and the loads f_i drive,
+   * within rounding and what curved cells lack of a rotation; none if they are in balance. */
+  std::optional<unsigned int> driven_unseen(const std::vector<Plate> &plates,
+                                            double share_of_plates,
+                                            const NodalVector &loads) const;
   /** U += sum_j q_j z_j. */
   void add_to(NodalVector &U, const dealii::Vector<double> &q) const;
   /** How the plates move with q, beside what is given. */

@@ -23,12 +23,21 @@ struct FreeMotion
   double work_of_plates(const std::vector<Plate> &plates_of_scene) const;
 };
 
+/** All free motions of a scene; none for most. */
+struct FreeMotionBasis
+{
+  /** First the rigid ones, then motions of plates that strain the body. */
+  std::vector<FreeMotion> seen;
+  /** Rigid motions along which contact sides slide, as a disc turns or a block moves on a plane:
+   * contact can neither stop nor cause them. */
+  std::vector<FreeMotion> unseen;
+};
+
 /**
- * A basis of all free motions: first the rigid ones, then motions of plates that strain the body.
- * Every motion that plates and supports allow is a combination of them and of a displacement that
- * vanishes on plates and pins. Empty for most scenes.
+ * A basis: every motion that plates and supports allow is a combination of both kinds and of a
+ * displacement that vanishes on plates and pins.
  */
-std::vector<FreeMotion> free_motions(const Scene<2> &scene);
+FreeMotionBasis free_motions(const Scene<2> &scene);
 
 /** Sum of q_j times the motion of each plate. */
 std::vector<PlateMotion> combine_plates(const std::vector<FreeMotion> &motions,
