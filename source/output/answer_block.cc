@@ -98,10 +98,10 @@ public:
     for (const PlateRecord &record : level_.motions.plates)
     {
       const Plate &plate = record.plate;
-      std::vector<std::string> parts = {"travel " +
-                                          digits(rounded(record.motion.travel, answer_.size)),
-                                        "along " + vector_text(plate.direction, 1.) + ",",
-                                        "force " + digits(rounded(record.force, scale)) + (plate.turns ? "," : "")};
+      std::vector<std::string> parts = {
+        "travel " + digits(rounded(record.motion.travel, answer_.size)),
+        "along " + vector_text(plate.direction, 1.) + ",",
+        "force " + digits(rounded(record.force, scale)) + (plate.turns ? "," : "")};
       if (plate.turns)
         parts.insert(parts.end(),
                      {"rotation " + digits(rounded(record.motion.rotation, 1.)),

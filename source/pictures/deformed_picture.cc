@@ -265,8 +265,8 @@ void write_contact_sides(std::ostream &script,
     if (segment.side_number != side)
       script << "\n\n";
     side = segment.side_number;
-    for (const ContactPoint *point : {&segment.curve.front(), &segment.curve.back()})
-      write_point(script, point->x + factor * point->u);
+    for (const ContactPoint &point : segment.curve)
+      write_point(script, point.x + factor * point.u);
   }
   script << "END_OF_DATA\n";
 }

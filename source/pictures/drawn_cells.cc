@@ -13,6 +13,8 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
+#include <utility>
 
 namespace Signorini
 {

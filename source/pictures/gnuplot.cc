@@ -5,6 +5,7 @@
 #include <signorini/output/files.h>
 #include <signorini/pictures/gnuplot.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>

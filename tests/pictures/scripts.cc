@@ -70,6 +70,9 @@ void test_travel(Checks &checks)
   const std::optional<Picture> picture = travel_picture(cases);
   checks.that("travel: |F|, peak and zone over travel",
               contains(*picture, "0.1 5 2 0.5\n0.2 10 4 0.75\n0.3 1 5 1\n"));
+  // Travel from 0.1 to 0.3 and forces from 1 to 10.
+  checks.that("  tics leave room",
+              contains(*picture, "set xtics 0.05\n") && contains(*picture, "set xtics 2\n"));
   cases.peak[1] = std::numeric_limits<double>::quiet_NaN();
   checks.that("  an unknown number is a hole",
               contains(*travel_picture(cases), "0.2 10 NaN 0.75\n"));
