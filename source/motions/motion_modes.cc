@@ -6,6 +6,7 @@
 #include <signorini/motions/motion_modes.h>
 #include <signorini/recovery/recovery.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -184,7 +185,8 @@ MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
     modes.unseen_tolerance = 1e-3;
   for (const FreeMotion &motion : modes.motions)
   {
-    const bool strains = !motion.rigid || space.mesh().is_curved();
+    const bool strains =
+      !motion.rigid || (space.mesh().is_curved() && !motion.rigid->is_translation());
     modes.Z.push_back(strains ? extend(lift(motion, space, scene), space, scene, inverse)
                               : interpolate(*motion.rigid, space));
     modes.forces.push_back(strains ? forces_of_mode(modes.Z.back(), space, scene) : NodalVector());
@@ -195,6 +197,13 @@ MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
     for (unsigned int j = 0; j < k; ++j)
       if (modes.forces[i].size() > 0 && modes.forces[j].size() > 0)
         modes.K(i, j) = 0.5 * (modes.Z[i] * modes.forces[j] + modes.Z[j] * modes.forces[i]);
+  // Rounding must not make K indefinite.
+  for (unsigned int i = 0; i < k; ++i)
+    for (unsigned int j = 0; j < i; ++j)
+    {
+      const double largest = std::sqrt(std::max(0., modes.K(i, i) * modes.K(j, j)));
+      modes.K(i, j) = modes.K(j, i) = std::clamp(modes.K(i, j), -largest, largest);
+    }
   return modes;
 }
 
