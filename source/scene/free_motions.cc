@@ -3,6 +3,7 @@
 
 #include <signorini/scene/free_motions.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -28,10 +29,20 @@ Coordinates coordinates_of(const RigidMotion &rigid)
   return {rigid.translation[0], rigid.translation[1], rigid.rotation};
 }
 
-/** The rigid motion with these coordinates of the body that @p other moves. */
-RigidMotion motion_of(const Coordinates &x, const RigidMotion &other)
+/** The same span, with all translations that lie in it before what turns the body. */
+std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions)
 {
-  return {dealii::Tensor<1, 2>({x[0], x[1]}), x[2], other.centre, other.size};
+  const auto turning =
+    std::max_element(motions.begin(), motions.end(), [](const auto &a, const auto &b) {
+      return std::abs(a.rotation) < std::abs(b.rotation);
+    });
+  if (turning == motions.end() || turning->is_translation())
+    return motions;
+  std::iter_swap(turning, motions.end() - 1);
+  const RigidMotion &last = motions.back();
+  for (std::size_t i = 0; i + 1 < motions.size(); ++i)
+    motions[i] = combine({motions[i], last}, {1., -motions[i].rotation / last.rotation});
+  return motions;
 }
 
 /** The scene with contact sides that can neither open nor close. */
@@ -122,15 +133,16 @@ FreeMotionBasis free_motions(const Scene<2> &scene)
   std::vector<Coordinates> rigid_motions, plate_motions;
   const double size = scene.geometry.diameter();
   const auto add = [&](const RigidMotion &rigid, std::vector<FreeMotion> &kind) {
+    if (!extend(rigid_motions, coordinates_of(rigid)))
+      return;
     kind.push_back({follow(rigid, scene.plates), rigid});
     extend(plate_motions, coordinates_of(kind.back().plates, size));
   };
   for (const RigidMotion &rigid : free_rigid_motions(on_rails(scene), Plates::released))
-    if (extend(rigid_motions, coordinates_of(rigid)))
-      add(rigid, motions.unseen);
-  for (const RigidMotion &rigid : free_rigid_motions(scene, Plates::released))
-    if (extend(rigid_motions, coordinates_of(rigid)))
-      add(motion_of(rigid_motions.back(), rigid), motions.seen);
+    add(rigid, motions.unseen);
+  // Pure translations are exact on all meshes, and their balance is that of forces.
+  for (const RigidMotion &rigid : translations_first(free_rigid_motions(scene, Plates::released)))
+    add(rigid, motions.seen);
   for (const FreeMotion &single : single_motions(scene.plates, size))
     if (extend(plate_motions, coordinates_of(single.plates, size)))
       motions.seen.push_back(single);
