@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The dual problem with free motions, by proximal iteration.
+// The dual problem with free motions, by proximal iteration; where that fails, by descent.
 
 #include <signorini/qp/bedding.h>
+#include <signorini/qp/descent.h>
 #include <signorini/qp/free_motions.h>
 #include <signorini/qp/pressing_patches.h>
 #include <signorini/qp/seen_motions.h>
@@ -333,6 +334,14 @@ void solve_seen(const MotionProblem &problem, const Vector &start, MotionResult 
 {
   MotionSearch search = begin(problem, start);
   iterate(problem, search);
+  if (search.residual > problem.options.tolerance &&
+      problem.options.method == ContactSolver::active_set)
+    if (const auto state = descend(*problem.C,
+                                   problem.F,
+                                   problem.motions,
+                                   20 * problem.F.size() + 100,
+                                   search.inner.iterations))
+      judge(problem, *state, search);
   result.qp = search.inner;
   result.qp.P = search.best.P;
   result.qp.kkt_residual = search.residual;

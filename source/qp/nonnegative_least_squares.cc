@@ -71,6 +71,11 @@ Vector remainder(const Matrix &A, const Columns &S, const Vector &y, const Vecto
 
 Vector remainder_outside_cone(const Matrix &A, const Vector &b, const double rounding)
 {
+  return project_on_cone(A, b, rounding).remainder;
+}
+
+ConeProjection project_on_cone(const Matrix &A, const Vector &b, const double rounding)
+{
   Columns S;
   Vector y, r = b;
   const double small = rounding * b.l2_norm();
@@ -101,6 +106,6 @@ Vector remainder_outside_cone(const Matrix &A, const Vector &b, const double rou
       break;
     r = next;
   }
-  return r;
+  return {S, y, r};
 }
 } // namespace Signorini
