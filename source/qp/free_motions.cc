@@ -143,14 +143,14 @@ Vector exchange(const MotionProblem &problem, const MotionState &state)
 }
 
 /**
- * Computes exactly on the patches that press, and exchanges patches while that helps; keeps the
- * stiffness, and better motions. Inner problems know W up to the rounding of large motions only, in
- * which small patches beside large ones have no sign.
+ * Computes exactly on the patches that press; keeps the stiffness, and better motions. Then patches
+ * are exchanged until @p attempts did not help: inner problems know W up to the rounding of large
+ * motions only, in which small patches beside large ones have no sign.
  */
-void solve_exactly(const MotionProblem &problem, MotionSearch &search)
+void solve_exactly(const MotionProblem &problem, const unsigned int attempts, MotionSearch &search)
 {
   MotionState trial = search.state;
-  for (unsigned int in_vain = 0; in_vain < 5;)
+  for (unsigned int in_vain = 0; in_vain <= attempts;)
   {
     const ComplianceOperator::Indices A = pressing_patches(trial.P);
     const auto exact = solve_on_pressing(*problem.C, problem.F, problem.motions, trial);
@@ -166,7 +166,7 @@ void solve_exactly(const MotionProblem &problem, MotionSearch &search)
     in_vain = search.residual < before ? 0 : in_vain + 1;
     trial.P = exchange(problem, exact->state);
     trial.z = exact->state.z;
-    if (pressing_patches(trial.P) == A)
+    if (attempts == 0 || pressing_patches(trial.P) == A)
       return;
   }
 }
@@ -275,7 +275,7 @@ MotionSearch begin(const MotionProblem &problem, const Vector &start)
       for (unsigned int j = 0; j < motions.size(); ++j)
         search.stiffness(i, j) += motions.B(r, i) * motions.B(r, j) / problem.diagonal[r];
   judge(problem, search.best, search);
-  solve_exactly(problem, search);
+  solve_exactly(problem, 0, search);
   return search;
 }
 
@@ -292,7 +292,7 @@ void iterate(const MotionProblem &problem, MotionSearch &search)
     const double before = search.residual;
     solve_inner(problem, search);
     judge(problem, search.state, search);
-    solve_exactly(problem, search);
+    solve_exactly(problem, in_vain > 0 ? 5 : 0, search);
     in_vain = search.residual < 0.5 * before ? 0 : in_vain + 1;
   }
 }
