@@ -259,7 +259,7 @@ void test_roller(Checks &checks)
                 finest.answer.zones.at(0).start.place.point[0] +
                   finest.answer.zones.at(0).end.place.point[0],
                 0.,
-                is_graded ? 1e-3 : 1e-9);
+                is_graded ? 1e-3 : 1e-7);
   }
 }
 } // namespace
