@@ -55,7 +55,7 @@ CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const
   rest = space.condense(rest);
   DistributedVector b = space.make_vector();
   for (const auto i : space.locally_owned())
-    b(i) = rest[i];
+    b(i) += rest[i];
   LoadResponse response;
   response.kind = kind;
   response.U = solve_homogeneous(data_.inverse, space, b);

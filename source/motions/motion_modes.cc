@@ -93,7 +93,7 @@ NodalVector extend(const NodalVector &k,
   const NodalVector condensed = space.condense(forces_of(k, space, scene));
   DistributedVector b = space.make_vector();
   for (const auto i : space.locally_owned())
-    b(i) = -condensed[i];
+    b(i) -= condensed[i];
   NodalVector z = solve_homogeneous(inverse, space, b);
   z += k;
   return z;

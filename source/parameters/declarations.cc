@@ -237,20 +237,7 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
       "its guaranteed bound, or, where there is no bound, its estimate. With hp 0 stands for 1e-4.",
       Patterns::Double(0., 1.),
       "a number from 0 to 1");
-  add("Maximum unknowns",
-      discretization.maximum_unknowns,
-      "hp: no mesh with more unknowns is solved.",
-      Patterns::Integer(100, 100000000),
-      "an integer from 100 to 100000000");
-  add("Maximum degree",
-      discretization.maximum_degree,
-      "hp: the highest degree of an element.",
-      Patterns::Integer(2, 12),
-      "an integer from 2 to 12");
-  add("Multipliers",
-      discretization.multipliers,
-      "hp: gauss (polynomials of degree p - 2 on every contact face, with the sign condition at "
-      "Gauss points) or nodal (no penetration at the nodes of the contact faces).");
+  declare_graded_meshes(discretization);
   add("Quadrature points",
       discretization.quadrature_points,
       "Gauss points per direction for loads; errors take one more. Meshes of at most 16384 cells "
@@ -270,6 +257,24 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
       positions,
       "at most 100 numbers separated by commas");
   leave();
+}
+
+void Declarations::declare_graded_meshes(DiscretizationParameters &discretization)
+{
+  add("Maximum unknowns",
+      discretization.maximum_unknowns,
+      "hp: no mesh with more unknowns is solved.",
+      Patterns::Integer(100, 100000000),
+      "an integer from 100 to 100000000");
+  add("Maximum degree",
+      discretization.maximum_degree,
+      "hp: the highest degree of an element.",
+      Patterns::Integer(2, 12),
+      "an integer from 2 to 12");
+  add("Multipliers",
+      discretization.multipliers,
+      "hp: gauss (polynomials of degree p - 2 on every contact face, with the sign condition at "
+      "Gauss points) or nodal (no penetration at the nodes of the contact faces).");
 }
 
 void Declarations::declare_solver(SolverParameters &solver)

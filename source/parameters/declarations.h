@@ -74,6 +74,8 @@ private:
   void declare_boundary(BoundaryParameters &boundary);
   void declare_data(Parameters &parameters);
   void declare_discretization(DiscretizationParameters &discretization);
+  /** The entries of Discretization for Strategy = hp. */
+  void declare_graded_meshes(DiscretizationParameters &discretization);
   void declare_solver(SolverParameters &solver);
   void declare_output(OutputParameters &output);
   [[noreturn]] void refuse_unknown(const Assignment &assignment) const;

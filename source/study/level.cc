@@ -37,6 +37,52 @@ FreeMotions motions_of(const MotionModes<dim> &modes,
   return {modes.couple(D), modes.K, work.value, work.magnitude};
 }
 
+/** The names of rigid motions that contact does not see. @throws InputError if loads drive one. */
+template <int dim>
+std::vector<std::string> undetermined_motions(const Parameters &parameters,
+                                              const Scene<dim> &scene,
+                                              const MotionModes<dim> &modes,
+                                              const DistributedVector &loads)
+{
+  std::vector<std::string> names;
+  if (modes.unseen.empty())
+    return names;
+  if (const auto driven = modes.driven_unseen(scene.plates, 1., NodalVector(loads)))
+    refuse_sliding(parameters, *modes.unseen[*driven].rigid);
+  for (const FreeMotion &motion : modes.unseen)
+    names.push_back(motion.rigid->name());
+  return names;
+}
+
+/** P, q and U. */
+template <int dim>
+Pressure find_contact(const Parameters &parameters,
+                      const Discretization<dim> &discretization,
+                      const StiffnessInverse &inverse,
+                      const MotionModes<dim> &modes,
+                      const FreeState &free,
+                      const DistributedVector &f,
+                      const dealii::Vector<double> &start,
+                      const Progress &progress,
+                      LevelSolution<dim> &solution)
+{
+  Pressure pressure = {
+    dealii::Vector<double>(discretization.multipliers.n_multipliers()), {}, {}, {}, {}};
+  solution.P = pressure.P;
+  if (modes.size() == 0 && free.nothing_touches())
+  {
+    solution.U = free.U;
+    return pressure;
+  }
+  pressure = find_pressure(parameters, discretization, inverse, modes, start, progress, solution);
+  solution.P = pressure.P;
+  solution.U = timed(solution.record.times.recovery,
+                     [&]() { return recover(discretization, inverse, modes, f, solution); });
+  correct_rounding(parameters, discretization, inverse, modes, f, pressure, solution);
+  solution.P = pressure.P;
+  return pressure;
+}
+
 /** Makes q part of what is prescribed: U_0 + Z q is the body without contact then. */
 template <int dim>
 void prescribe_motions(const MotionModes<dim> &modes,
@@ -91,26 +137,9 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
     timed(times.compliance, [&]() { return make_motion_modes(space, scene, *inverse); });
   if (modes.size() > 0)
     solution.motions = motions_of(modes, scene, discretization.D, system.loads, free.U);
-  if (const auto driven = modes.driven_unseen(scene.plates, 1., NodalVector(system.loads)))
-    refuse_sliding(parameters, *modes.unseen[*driven].rigid);
-  for (const FreeMotion &motion : modes.unseen)
-    record.motions.undetermined.push_back(motion.rigid->name());
-  const bool may_touch = modes.size() > 0 || !free.nothing_touches();
-
-  Pressure pressure = {
-    dealii::Vector<double>(discretization.multipliers.n_multipliers()), {}, {}, {}, {}};
-  if (may_touch)
-    pressure =
-      find_pressure(parameters, discretization, *inverse, modes, start, progress, solution);
-  solution.P = pressure.P;
-  solution.U =
-    may_touch
-      ? timed(times.recovery,
-              [&]() { return recover(discretization, *inverse, modes, system.f, solution); })
-      : free.U;
-  if (may_touch)
-    correct_rounding(parameters, discretization, *inverse, modes, system.f, pressure, solution);
-  solution.P = pressure.P;
+  record.motions.undetermined = undetermined_motions(parameters, scene, modes, system.loads);
+  const Pressure pressure = find_contact(
+    parameters, discretization, *inverse, modes, free, system.f, start, progress, solution);
   solution.scene = with_plates_moved(scene, modes.plate_motions(scene.plates, solution.q));
   prescribe_motions(modes, solution, free);
   solution.loads = system.loads;
