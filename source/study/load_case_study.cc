@@ -66,6 +66,7 @@ void solve_load_cases(const Parameters &parameters,
     writer.write_cases(results);
   }
   solution.record.load_cases = summarise(results, seconds);
+  solution.record.times.postprocess += seconds;
   solution.factors = nullptr;
 }
 } // namespace Signorini

@@ -67,6 +67,8 @@ class CaseSolver
 public:
   /** One solve for each kind of load that the scene has. Collective. */
   explicit CaseSolver(CaseData data);
+  CaseSolver(const CaseSolver &) = delete;
+  CaseSolver &operator=(const CaseSolver &) = delete;
 
   /** Collective. */
   CaseResult solve(const LoadCase &load_case);
@@ -85,11 +87,12 @@ private:
   {
     LoadKind kind;
     NodalVector U;
-    dealii::Vector<double> closing; // D^T U
+    /** D^T U. */
+    dealii::Vector<double> closing;
+    /** On the free motions. */
     MotionWork work;
-    /** f_i, and the plates with what acts on them. */
+    /** f_i. */
     NodalVector loads;
-    std::vector<Plate> plates;
   };
 
   LoadResponse respond(LoadKind kind) const;
