@@ -93,6 +93,7 @@ bool extend(std::vector<Coordinates> &basis, Coordinates x)
 std::vector<PlateMotion> follow(const RigidMotion &rigid, const std::vector<Plate> &plates)
 {
   std::vector<PlateMotion> motions;
+  motions.reserve(plates.size());
   for (const Plate &plate : plates)
     motions.push_back({plate.is_pushed ? rigid.velocity(plate.centre) * plate.direction : 0.,
                        plate.turns ? rigid.rotation / rigid.size : 0.});
