@@ -50,6 +50,7 @@ void read_numbers_of(const Given<std::string> &given,
   if (given.value.empty())
     return;
   std::vector<std::string> names;
+  names.reserve(plates.size());
   for (const Plate &plate : plates)
     names.push_back(geometry.sides[plate.side].name());
   if (names.empty())
