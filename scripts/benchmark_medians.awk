@@ -2,6 +2,7 @@
 # From the table of all runs to one row per scene, solvers and level: the median of every column. Adds t_solution, the
 # seconds of a level up to its certified answer (no errors, no output), and t_nested, the same summed up over the
 # levels that lead to it. Columns that are not numbers in a scene stay empty.
+# usage: awk -f benchmark_median.awk -f benchmark_medians.awk RUNS
 BEGIN { FS = OFS = "," }
 NR == 1 {
   n_columns = NF
@@ -14,16 +15,6 @@ NR == 1 {
   if (!(key in count)) keys[++n_keys] = key
   ++count[key]
   for (c = 4; c <= NF; ++c) value[key, c, count[key]] = $c
-}
-function median(key, c,    n, i, j, x, sorted) {
-  n = count[key]
-  for (i = 1; i <= n; ++i) {
-    x = value[key, c, i]
-    if (x == "") return ""
-    for (j = i - 1; j >= 1 && sorted[j] + 0 > x + 0; --j) sorted[j + 1] = sorted[j]
-    sorted[j + 1] = x
-  }
-  return n % 2 == 1 ? sorted[(n + 1) / 2] : (sorted[n / 2] + sorted[n / 2 + 1]) / 2
 }
 END {
   for (k = 1; k <= n_keys; ++k) {

@@ -2,6 +2,7 @@
 # From the runs to a target to one row per strategy, scene, end of contact and request: medians. The file that the variable
 # worst names gets one row per strategy, scene and request, with the largest value of every column over the ends of
 # contact; the same rows go to folder/targets-SCENE-STRATEGY.csv.
+# usage: awk -f benchmark_median.awk -f benchmark_target_medians.awk -v worst=FILE -v folder=FOLDER RUNS
 BEGIN { FS = OFS = "," }
 NR == 1 {
   n_columns = NF
@@ -18,16 +19,6 @@ NR == 1 {
   if (!(key in count)) keys[++n_keys] = key
   ++count[key]
   for (c = 6; c <= NF; ++c) value[key, c, count[key]] = $c
-}
-function median(key, c,    n, i, j, x, sorted) {
-  n = count[key]
-  for (i = 1; i <= n; ++i) {
-    x = value[key, c, i]
-    if (x == "") return ""
-    for (j = i - 1; j >= 1 && sorted[j] + 0 > x + 0; --j) sorted[j + 1] = sorted[j]
-    sorted[j + 1] = x
-  }
-  return n % 2 == 1 ? sorted[(n + 1) / 2] : (sorted[n / 2] + sorted[n / 2 + 1]) / 2
 }
 END {
   for (k = 1; k <= n_keys; ++k) {
