@@ -72,10 +72,12 @@ class ContactTracer
 public:
   ContactTracer(const DisplacementSpace<2> &space,
                 const MultiplierSpace<2> &multipliers,
+                const std::vector<BoundaryCondition<2>> &boundary,
                 const NodalVector &U,
                 const dealii::Vector<double> &P)
     : multipliers_(multipliers)
     , surface_(multipliers.surface())
+    , boundary_(boundary)
     , U_(U)
     , P_(P)
     , recovered_(multipliers, P)
@@ -85,7 +87,7 @@ public:
 
   std::vector<ContactPoint> trace(const Piece<2> &piece, const Positions &positions)
   {
-    const BoundaryCondition<2> &condition = surface_.condition(piece);
+    const BoundaryCondition<2> &condition = boundary_[surface_.patches()[piece.patch].side];
     const SurfaceRule<2> rule = surface_.at(piece, positions);
     const std::vector<dealii::Tensor<1, 2>> u =
       traces_.displacement(surface_.faces()[piece.face], rule, U_);
@@ -111,6 +113,7 @@ public:
 private:
   const MultiplierSpace<2> &multipliers_;
   const ContactSurface<2> &surface_;
+  const std::vector<BoundaryCondition<2>> &boundary_;
   const NodalVector &U_;
   const dealii::Vector<double> &P_;
   const RecoveredPressure recovered_;
@@ -124,11 +127,22 @@ std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space
                                                const dealii::Vector<double> &P,
                                                const unsigned int n_parts)
 {
+  return trace_contact_line(
+    space, multipliers, multipliers.surface().scene().boundary, U, P, n_parts);
+}
+
+std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
+                                               const MultiplierSpace<2> &multipliers,
+                                               const std::vector<BoundaryCondition<2>> &boundary,
+                                               const NodalVector &U,
+                                               const dealii::Vector<double> &P,
+                                               const unsigned int n_parts)
+{
   const ContactSurface<2> &surface = multipliers.surface();
   Positions along_piece;
   for (unsigned int i = 0; i <= n_parts; ++i)
     along_piece.emplace_back(static_cast<double>(i) / n_parts);
-  ContactTracer tracer(space, multipliers, U, P);
+  ContactTracer tracer(space, multipliers, boundary, U, P);
   std::vector<ContactSegment> line;
   for (const Piece<2> &piece : surface.pieces())
   {

@@ -36,18 +36,6 @@ std::string commented(const std::string &text)
   return result;
 }
 
-/** Curves know the gap and the exact pressure of the surface's scene; a load case has others. */
-void use_gap_of(const Scene<2> &scene, std::vector<ContactSegment> &line)
-{
-  for (ContactSegment &segment : line)
-    for (auto *const points : {&segment.rows, &segment.curve})
-      for (ContactPoint &point : *points)
-      {
-        point.g = scene.boundary[segment.side_number].data->value(point.x);
-        point.p_exact.reset();
-      }
-}
-
 /** The load cases with a solution as curves. */
 TravelCurve travel_curve(const std::vector<CaseResult> &cases)
 {
@@ -218,9 +206,8 @@ void ResultsWriter::write_case_fields(const Discretization<dim> &discretization,
     write_solution_vtu(
       directory_ / ("solution" + ending + ".vtu"), discretization.space, scene, U, {}, number);
   write_on_first_rank([&]() {
-    std::vector<ContactSegment> line =
-      trace_contact_line(discretization.space, discretization.multipliers, U, P);
-    use_gap_of(scene, line);
+    const std::vector<ContactSegment> line =
+      trace_contact_line(discretization.space, discretization.multipliers, scene.boundary, U, P);
     write_file(directory_ / ("contact" + ending + ".csv"),
                [&](std::ostream &stream) { write_contact_csv(stream, line); });
   });

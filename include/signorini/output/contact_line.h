@@ -54,6 +54,14 @@ std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space
                                                const dealii::Vector<double> &P,
                                                unsigned int n_parts = 1);
 
+/** The same with gap and exact pressure of other conditions on the same sides. */
+std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
+                                               const MultiplierSpace<2> &multipliers,
+                                               const std::vector<BoundaryCondition<2>> &boundary,
+                                               const NodalVector &U,
+                                               const dealii::Vector<double> &P,
+                                               unsigned int n_parts = 1);
+
 /** contact-LL.csv. */
 void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment> &line);
 
