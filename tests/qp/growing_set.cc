@@ -8,8 +8,8 @@
 #include <cmath>
 #include <memory>
 #include <set>
-#include <stdexcept>
 
+#include "columns_on_demand.h"
 #include "random_numbers.h"
 #include "tests.h"
 
@@ -24,79 +24,6 @@ QPResult by_active_set(const BoundConstrainedQP &qp, const Vector &start)
   return solve_by_active_set(qp, start, ActiveSetOptions());
 }
 
-/** Hands out columns of a matrix and remembers which: what was asked for once is kept. */
-class Columns final : public ComplianceOperator
-{
-public:
-  explicit Columns(const Matrix &from)
-    : from_(from)
-    , kept_(from.m(), from.n())
-  {
-  }
-
-  unsigned int size() const override
-  {
-    return from_.m();
-  }
-  Vector apply(const Vector &P) const override
-  {
-    Vector product(size());
-    for (unsigned int j = 0; j < size(); ++j)
-      if (P[j] != 0.)
-      {
-        keep(j);
-        for (unsigned int i = 0; i < size(); ++i)
-          product[i] += kept_(i, j) * P[j];
-      }
-    return product;
-  }
-  Vector diagonal() const override
-  {
-    throw std::logic_error("the whole diagonal costs all columns");
-  }
-  Matrix columns(const Indices &numbers) const override
-  {
-    Matrix found(size(), numbers.size());
-    for (unsigned int k = 0; k < numbers.size(); ++k)
-    {
-      keep(numbers[k]);
-      for (unsigned int i = 0; i < size(); ++i)
-        found(i, k) = kept_(i, numbers[k]);
-    }
-    return found;
-  }
-  const Matrix &dense() const override
-  {
-    throw std::logic_error("all of C costs all columns");
-  }
-  bool is_explicit() const override
-  {
-    return false;
-  }
-
-  /** In ascending order. */
-  const std::set<unsigned int> &asked() const
-  {
-    return asked_;
-  }
-  const Matrix &kept() const
-  {
-    return kept_;
-  }
-
-private:
-  void keep(const unsigned int j) const
-  {
-    if (asked_.insert(j).second)
-      for (unsigned int i = 0; i < size(); ++i)
-        kept_(i, j) = from_(i, j);
-  }
-
-  const Matrix &from_;
-  mutable Matrix kept_;
-  mutable std::set<unsigned int> asked_;
-};
-
 /** Solves with columns on demand and compares with the whole matrix. @return the columns asked for.
  */
 unsigned int compare(Checks &checks,
@@ -107,7 +34,7 @@ unsigned int compare(Checks &checks,
 {
   const BoundConstrainedQP qp(C, F);
   const QPResult whole = by_active_set(qp, Vector());
-  const Columns columns(C);
+  const ColumnsOnDemand columns(C);
   const QPResult found = solve_on_growing_set(columns, F, start, by_active_set);
   Vector difference = found.P;
   difference -= whole.P;
@@ -115,7 +42,7 @@ unsigned int compare(Checks &checks,
   checks.that(name + ": converged", found.converged);
   checks.near(name + ": KKT residual of the whole problem", qp.kkt_residual(found.P), 0., 1e-12);
   // The same through solve_dual_problem(), which sees that columns are expensive.
-  const auto again = std::make_shared<const Columns>(C);
+  const auto again = std::make_shared<const ColumnsOnDemand>(C);
   const QPResult chosen = solve_dual_problem(again, F, start, DualSolverOptions());
   difference = chosen.P;
   difference -= found.P;
@@ -216,7 +143,7 @@ int main()
       checks, "random " + std::to_string(k), C, shifted, k % 2 == 0 ? Vector() : random.vector(m));
   }
 
-  const Columns columns(C);
+  const ColumnsOnDemand columns(C);
   Vector open(m);
   open = 1.;
   const QPResult nothing = solve_on_growing_set(columns, open, Vector(), by_active_set);

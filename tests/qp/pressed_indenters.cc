@@ -6,10 +6,10 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
-#include <set>
-#include <stdexcept>
 #include <vector>
 
+#include "columns_on_demand.h"
+#include "matrices.h"
 #include "motion_problem.h"
 #include "random_numbers.h"
 #include "tests.h"
@@ -20,28 +20,11 @@ using Matrix = dealii::FullMatrix<double>;
 
 namespace
 {
-/** int int -log|x - y| over pairs of m equal patches of [0, 1], as in random_problems.cc. */
-Matrix half_plane(const unsigned int m)
-{
-  const auto antiderivative = [](const double t) {
-    return t == 0. ? 0. : 0.75 * t * t - 0.5 * t * t * std::log(std::abs(t));
-  };
-  const double H = 1. / m;
-  Matrix C(m, m);
-  for (unsigned int i = 0; i < m; ++i)
-    for (unsigned int j = 0; j < m; ++j)
-    {
-      const double d = H * (static_cast<double>(i) - j);
-      C(i, j) = antiderivative(d + H) - 2. * antiderivative(d) + antiderivative(d - H);
-    }
-  return C;
-}
-
 /** A parabola, pressed by a force at the place e, that may rotate. */
 MotionProblem
 indenter(const unsigned int m, const double curvature, const double force, const double e)
 {
-  MotionProblem problem{half_plane(m), Vector(m), {Matrix(m, 2), Matrix(2, 2), Vector(2)}};
+  MotionProblem problem{logarithmic_kernel(m), Vector(m), {Matrix(m, 2), Matrix(2, 2), Vector(2)}};
   for (unsigned int i = 0; i < m; ++i)
   {
     const double x = (i + 0.5) / m - 0.5;
@@ -53,60 +36,6 @@ indenter(const unsigned int m, const double curvature, const double force, const
   problem.motions.b[1] = force * e;
   return problem;
 }
-
-/** Hands out columns, and counts them. */
-class Columns final : public ComplianceOperator
-{
-public:
-  explicit Columns(const Matrix &from)
-    : from_(from)
-  {
-  }
-  unsigned int size() const override
-  {
-    return from_.m();
-  }
-  Vector apply(const Vector &P) const override
-  {
-    Vector product(size());
-    for (unsigned int j = 0; j < size(); ++j)
-      if (P[j] != 0.)
-      {
-        asked.insert(j);
-        for (unsigned int i = 0; i < size(); ++i)
-          product[i] += from_(i, j) * P[j];
-      }
-    return product;
-  }
-  Vector diagonal() const override
-  {
-    throw std::logic_error("the whole diagonal costs all columns");
-  }
-  Matrix columns(const Indices &numbers) const override
-  {
-    Matrix found(size(), numbers.size());
-    for (unsigned int k = 0; k < numbers.size(); ++k)
-    {
-      asked.insert(numbers[k]);
-      for (unsigned int i = 0; i < size(); ++i)
-        found(i, k) = from_(i, numbers[k]);
-    }
-    return found;
-  }
-  const Matrix &dense() const override
-  {
-    throw std::logic_error("all of C costs all columns");
-  }
-  bool is_explicit() const override
-  {
-    return false;
-  }
-
-  mutable std::set<unsigned int> asked;
-
-private:
-  const Matrix &from_;
-};
 
 void indenters(Checks &checks)
 {
@@ -130,7 +59,7 @@ void indenters(Checks &checks)
                   1e-9 * held.P.linfty_norm());
       checks.near("indenter: force", found.qp.P.mean_value(), -1., 1e-11);
       checks.between("indenter: linear solves", found.qp.iterations, 1., 2. * held.iterations + 6.);
-      const auto columns = std::make_shared<const Columns>(problem.C);
+      const auto columns = std::make_shared<const ColumnsOnDemand>(problem.C);
       const MotionResult few =
         solve_dual_problem(columns, problem.F, problem.motions, Vector(), DualSolverOptions());
       checks.near("indenter: columns on demand",
@@ -140,7 +69,7 @@ void indenters(Checks &checks)
       unsigned int pressing = 0;
       for (const double P_i : found.qp.P)
         pressing += P_i < 0. ? 1 : 0;
-      checks.between("indenter: columns", columns->asked.size(), pressing, 1.5 * pressing + 10);
+      checks.between("indenter: columns", columns->asked().size(), pressing, 1.5 * pressing + 10);
       const MotionResult warm = solve(problem, ContactSolver::active_set, found.qp.P);
       checks.that("indenter: its own start costs one solve",
                   warm.qp.iterations == 1 && warm.outer_iterations == 0);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "matrices.h"
 #include "motion_problem.h"
 #include "random_numbers.h"
 #include "tests.h"
@@ -17,19 +18,6 @@ using Matrix = dealii::FullMatrix<double>;
 
 namespace
 {
-/** M^T M + I for a random M. */
-Matrix random_matrix(const unsigned int m, RandomNumbers &random)
-{
-  Matrix M(m, m), C(m, m);
-  for (unsigned int i = 0; i < m; ++i)
-    for (unsigned int j = 0; j < m; ++j)
-      M(i, j) = random();
-  M.Tmmult(C, M);
-  for (unsigned int i = 0; i < m; ++i)
-    C(i, i) += 1.;
-  return C;
-}
-
 /** b = K q - B^T P for some P <= 0, so that there is a solution. */
 MotionProblem random_problem(const unsigned int m,
                              const unsigned int k,

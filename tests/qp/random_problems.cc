@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "matrices.h"
 #include "random_numbers.h"
 #include "tests.h"
 
@@ -18,40 +19,6 @@ using Matrix = dealii::FullMatrix<double>;
 
 namespace
 {
-/** M^T M + I with random M. */
-Matrix random_matrix(const unsigned int m, RandomNumbers &random)
-{
-  Matrix M(m, m), C(m, m);
-  for (unsigned int i = 0; i < m; ++i)
-    for (unsigned int j = 0; j < m; ++j)
-      M(i, j) = random();
-  M.Tmmult(C, M);
-  for (unsigned int i = 0; i < m; ++i)
-    C(i, i) += 1.;
-  return C;
-}
-
-/**
- * int int -log|x - y| over pairs of m equal patches of [0,1]: the flexibility of a half-plane, as
- * the compliance of contact problems resembles it. Positive definite on intervals shorter than 4.
- */
-Matrix logarithmic_kernel(const unsigned int m)
-{
-  // Second differences of the second antiderivative of -log|t|.
-  const auto antiderivative = [](const double t) {
-    return t == 0. ? 0. : 0.75 * t * t - 0.5 * t * t * std::log(std::abs(t));
-  };
-  const double H = 1. / m;
-  Matrix C(m, m);
-  for (unsigned int i = 0; i < m; ++i)
-    for (unsigned int j = 0; j < m; ++j)
-    {
-      const double d = H * (static_cast<double>(i) - j);
-      C(i, j) = antiderivative(d + H) - 2. * antiderivative(d) + antiderivative(d - H);
-    }
-  return C;
-}
-
 /** C_AA P_A = F_A - C_AI bound_I with the members of A as the bits of @p set. */
 Vector solve_on(const BoundConstrainedQP &qp, const unsigned int set)
 {
