@@ -135,6 +135,16 @@ void MatrixScatter<dim>::add_diagonals(const dealii::FullMatrix<double> &cell_ma
 }
 
 template <int dim>
+void MatrixScatter<dim>::add_condensed(const dealii::FullMatrix<double> &cell_matrix,
+                                       const dealii::Vector<double> &cell_vector,
+                                       const Indices &indices)
+{
+  condense(cell_matrix, cell_vector, indices);
+  add_to_rows(condensed_, masters_);
+  add_diagonals(cell_matrix, indices);
+}
+
+template <int dim>
 void MatrixScatter<dim>::add(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices)
 {
   if (!one_rank_)
@@ -142,11 +152,7 @@ void MatrixScatter<dim>::add(const dealii::FullMatrix<double> &cell_matrix, cons
   else if (!has_constraints(indices))
     add_to_rows(cell_matrix, indices);
   else
-  {
-    condense(cell_matrix, dealii::Vector<double>(indices.size()), indices);
-    add_to_rows(condensed_, masters_);
-    add_diagonals(cell_matrix, indices);
-  }
+    add_condensed(cell_matrix, dealii::Vector<double>(indices.size()), indices);
 }
 
 template <int dim>
@@ -164,10 +170,8 @@ void MatrixScatter<dim>::add(const dealii::FullMatrix<double> &cell_matrix,
   }
   else
   {
-    condense(cell_matrix, cell_vector, indices);
-    add_to_rows(condensed_, masters_);
+    add_condensed(cell_matrix, cell_vector, indices);
     vector.add(masters_, condensed_vector_);
-    add_diagonals(cell_matrix, indices);
   }
 }
 

@@ -11,123 +11,113 @@
 
 namespace Signorini
 {
-/**
- * Shape functions at the Gauss points of a cell; on the pieces of a cell that a kink crosses, at
- * the Gauss points of each piece. Cells of degree p have p - 1 points per direction more than those
- * of degree one.
- */
-template <int dim>
-class CellValues
+/** FEValues or FEFaceValues with Gauss' rules, one object for every element of a space. Cells of
+ * degree p have p - 1 points per direction more than those of degree one. */
+template <int dim, int rule_dim, typename Values>
+class ValuesByElement
 {
 public:
   /** @param n_points per direction, for degree one. */
-  CellValues(const dealii::Mapping<dim> &mapping,
-             const DisplacementSpace<dim> &space,
-             const Kinks<dim> &kinks,
-             const unsigned int n_points,
-             const dealii::UpdateFlags flags)
-    : mapping_(mapping)
+  ValuesByElement(const dealii::Mapping<dim> &mapping,
+                  const DisplacementSpace<dim> &space,
+                  const Kinks<dim> &kinks,
+                  const unsigned int n_points,
+                  const dealii::UpdateFlags flags)
+    : kinks_(kinks)
+    , mapping_(mapping)
     , space_(space)
-    , kinks_(kinks)
     , n_points_(n_points)
     , flags_(flags)
     , plain_(space.elements().size())
   {
   }
+
+protected:
+  template <typename CellIterator>
+  unsigned int n_points(const CellIterator &cell) const
+  {
+    return n_points_ + space_.element(cell).degree - 1;
+  }
+  /** With Gauss' rule. */
+  template <typename CellIterator>
+  Values &plain(const CellIterator &cell)
+  {
+    std::unique_ptr<Values> &values = plain_[space_.element_number(cell)];
+    if (values == nullptr)
+      values = make(cell, dealii::QGauss<rule_dim>(n_points(cell)));
+    return *values;
+  }
+  /** With another rule; valid until the next one. */
+  template <typename CellIterator>
+  Values &cut(const CellIterator &cell, const dealii::Quadrature<rule_dim> &rule)
+  {
+    cut_ = make(cell, rule);
+    return *cut_;
+  }
+
+  const Kinks<dim> &kinks_;
+
+private:
+  template <typename CellIterator>
+  std::unique_ptr<Values> make(const CellIterator &cell, const dealii::Quadrature<rule_dim> &rule)
+  {
+    return std::make_unique<Values>(mapping_, space_.element(cell), rule, flags_);
+  }
+
+  const dealii::Mapping<dim> &mapping_;
+  const DisplacementSpace<dim> &space_;
+  unsigned int n_points_;
+  dealii::UpdateFlags flags_;
+  std::vector<std::unique_ptr<Values>> plain_;
+  std::unique_ptr<Values> cut_;
+};
+
+/** Shape functions at the Gauss points of a cell; on the pieces of a cell that a kink crosses, at
+ * the Gauss points of each piece. */
+template <int dim>
+class CellValues : public ValuesByElement<dim, dim, dealii::FEValues<dim>>
+{
+public:
+  using ValuesByElement<dim, dim, dealii::FEValues<dim>>::ValuesByElement;
 
   /** @param cell of the mesh, or of a DoFHandler where functions shall be evaluated. */
   template <typename CellIterator>
   const dealii::FEValues<dim> &reinit(const CellIterator &cell)
   {
-    const unsigned int number = space_.element_number(cell);
-    const dealii::FiniteElement<dim> &element = space_.elements()[number];
-    const unsigned int n_points = n_points_ + element.degree - 1;
-    dealii::FEValues<dim> *values = nullptr;
-    if (needs_cuts<dim>(kinks_, cell))
-    {
-      cut_ = std::make_unique<dealii::FEValues<dim>>(
-        mapping_, element, cut_quadrature<dim>(kinks_, cell, n_points), flags_);
-      values = cut_.get();
-    }
-    else
-    {
-      std::unique_ptr<dealii::FEValues<dim>> &plain = plain_[number];
-      if (plain == nullptr)
-        plain = std::make_unique<dealii::FEValues<dim>>(
-          mapping_, element, dealii::QGauss<dim>(n_points), flags_);
-      values = plain.get();
-    }
-    values->reinit(cell);
-    return *values;
+    dealii::FEValues<dim> &values =
+      needs_cuts<dim>(this->kinks_, cell)
+        ? this->cut(cell, cut_quadrature<dim>(this->kinks_, cell, this->n_points(cell)))
+        : this->plain(cell);
+    values.reinit(cell);
+    return values;
   }
-
-private:
-  const dealii::Mapping<dim> &mapping_;
-  const DisplacementSpace<dim> &space_;
-  const Kinks<dim> &kinks_;
-  unsigned int n_points_;
-  dealii::UpdateFlags flags_;
-  /** By element. */
-  std::vector<std::unique_ptr<dealii::FEValues<dim>>> plain_;
-  std::unique_ptr<dealii::FEValues<dim>> cut_;
 };
 
 /** Shape functions at the Gauss points of a face; where a kink cuts the face, at the Gauss points
- * of its parts. More points for higher degrees as in CellValues. */
+ * of its parts. */
 template <int dim>
-class FaceValues
+class FaceValues : public ValuesByElement<dim, dim - 1, dealii::FEFaceValues<dim>>
 {
 public:
   using CellIterator = typename dealii::Triangulation<dim>::active_cell_iterator;
-
-  /** @param n_points per direction, for degree one. */
-  FaceValues(const dealii::Mapping<dim> &mapping,
-             const DisplacementSpace<dim> &space,
-             const Kinks<dim> &kinks,
-             const unsigned int n_points,
-             const dealii::UpdateFlags flags)
-    : mapping_(mapping)
-    , space_(space)
-    , kinks_(kinks)
-    , n_points_(n_points)
-    , flags_(flags)
-    , plain_(space.elements().size())
-  {
-  }
+  using ValuesByElement<dim, dim - 1, dealii::FEFaceValues<dim>>::ValuesByElement;
 
   const dealii::FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no)
   {
-    const unsigned int number = space_.element_number(cell);
-    const dealii::FiniteElement<dim> &element = space_.elements()[number];
-    const dealii::QGauss<dim - 1> rule(n_points_ + element.degree - 1);
+    dealii::FEFaceValues<dim> *values = nullptr;
     // In space, planes do not cut faces yet.
     if constexpr (dim == 2)
     {
       const auto face = cell->face(face_no);
-      const std::vector<double> cuts = kinks_.cut(face->vertex(0), face->vertex(1));
+      const std::vector<double> cuts = this->kinks_.cut(face->vertex(0), face->vertex(1));
       if (cuts.size() > 2)
-      {
-        cut_ = std::make_unique<dealii::FEFaceValues<dim>>(
-          mapping_, element, split_quadrature(rule, cuts), flags_);
-        cut_->reinit(cell, face_no);
-        return *cut_;
-      }
+        values =
+          &this->cut(cell, split_quadrature(dealii::QGauss<dim - 1>(this->n_points(cell)), cuts));
     }
-    std::unique_ptr<dealii::FEFaceValues<dim>> &plain = plain_[number];
-    if (plain == nullptr)
-      plain = std::make_unique<dealii::FEFaceValues<dim>>(mapping_, element, rule, flags_);
-    plain->reinit(cell, face_no);
-    return *plain;
+    if (values == nullptr)
+      values = &this->plain(cell);
+    values->reinit(cell, face_no);
+    return *values;
   }
-
-private:
-  const dealii::Mapping<dim> &mapping_;
-  const DisplacementSpace<dim> &space_;
-  const Kinks<dim> &kinks_;
-  unsigned int n_points_;
-  dealii::UpdateFlags flags_;
-  /** By element. */
-  std::vector<std::unique_ptr<dealii::FEFaceValues<dim>>> plain_;
-  std::unique_ptr<dealii::FEFaceValues<dim>> cut_;
 };
 } // namespace Signorini

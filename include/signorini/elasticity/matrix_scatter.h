@@ -45,6 +45,10 @@ private:
   void condense(const dealii::FullMatrix<double> &cell_matrix,
                 const dealii::Vector<double> &cell_vector,
                 const Indices &indices);
+  /** condense(), with the matrix added to the rows. */
+  void add_condensed(const dealii::FullMatrix<double> &cell_matrix,
+                     const dealii::Vector<double> &cell_vector,
+                     const Indices &indices);
   /** A positive number on the diagonal of a constrained row. */
   void add_diagonals(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
 
