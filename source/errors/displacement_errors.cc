@@ -4,8 +4,8 @@
 #include <signorini/base/exceptions.h>
 #include <signorini/elasticity/cell_chunks.h>
 #include <signorini/elasticity/integration.h>
+#include <signorini/elasticity/nodal_interpolation.h>
 #include <signorini/errors/displacement_errors.h>
-#include <signorini/postprocess/nodal_interpolation.h>
 #include <signorini/postprocess/patch_interpolation.h>
 
 #include <array>

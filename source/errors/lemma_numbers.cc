@@ -2,13 +2,13 @@
 // Lemmas 2, 3 and 5 and the bounds (26), (27) and (30) as numbers.
 
 #include <signorini/elasticity/cell_stiffness.h>
+#include <signorini/elasticity/nodal_interpolation.h>
 #include <signorini/elasticity/trace_values.h>
 #include <signorini/errors/displacement_errors.h>
 #include <signorini/errors/lemma_numbers.h>
 #include <signorini/errors/pressure_errors.h>
 #include <signorini/norms/h1_gram_matrix.h>
 #include <signorini/norms/spectral_norm.h>
-#include <signorini/postprocess/nodal_interpolation.h>
 #include <signorini/stiffness_inverse/stiffness_inverse.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>

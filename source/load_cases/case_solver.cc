@@ -47,22 +47,16 @@ CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const
   const NodalVector loads = kind == LoadKind::travel
                               ? NodalVector(space.dofs().n_dofs())
                               : NodalVector(assemble_loads(space, scene, data_.n_points));
-  // U = k + A^{-1} (f - A k) with what is prescribed, k.
   const NodalVector k = space.prescribed(scene);
-  NodalVector rest = loads;
+  NodalVector r = loads;
   if (kind == LoadKind::travel)
-    rest -= NodalVector(internal_forces(space, scene, k).forces);
-  rest = space.condense(rest);
-  DistributedVector b = space.make_vector();
-  for (const auto i : space.locally_owned())
-    b(i) += rest[i];
+    r -= NodalVector(internal_forces(space, scene, k).forces);
   LoadResponse response;
   response.kind = kind;
-  response.U = solve_homogeneous(data_.inverse, space, b);
-  response.U += k;
+  response.U = solve_prescribed(data_.inverse, space, k, r);
   response.closing = data_.D.transpose_product(response.U);
   response.loads = loads;
-  response.work = data_.modes.work(scene.plates, 1., loads, response.U);
+  response.work = data_.modes.work(scene.plates, loads, response.U);
   return response;
 }
 
@@ -82,7 +76,8 @@ bool CaseSolver::slides(const LoadCase &load_case) const
   NodalVector loads(data_.space.dofs().n_dofs());
   for (const LoadResponse &response : responses_)
     loads.add(share_of(load_case, response.kind), response.loads);
-  return data_.modes.driven_unseen(data_.scene.plates, load_case.force, loads).has_value();
+  const std::vector<Plate> plates = plates_of_case(data_.scene.plates, load_case);
+  return data_.modes.driven_unseen(plates, loads).has_value();
 }
 
 CaseResult CaseSolver::solve_dual(const LoadCase &load_case)
@@ -137,16 +132,15 @@ CaseResult CaseSolver::solve(const LoadCase &load_case)
     ++result.n_zones;
   }
   result.active = summarise_contact(data_.multipliers, P_).active;
-  result.plates = data_.modes.plate_motions(scene_of_case(data_.scene, load_case).plates, q_);
+  result.plates = data_.modes.plate_motions(plates_of_case(data_.scene.plates, load_case), q_);
   return result;
 }
 
 NodalVector CaseSolver::displacement() const
 {
-  NodalVector U(data_.space.dofs().n_dofs());
   DistributedVector forces = data_.space.make_vector();
   data_.condensed_D.add_product(P_, forces);
-  U = solve_homogeneous(data_.inverse, data_.space, forces);
+  NodalVector U = solve_homogeneous(data_.inverse, data_.space, forces);
   for (const LoadResponse &response : responses_)
     U.add(share_of(last_, response.kind), response.U);
   if (data_.modes.size() > 0)

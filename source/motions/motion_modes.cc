@@ -2,9 +2,10 @@
 // Z = k - A^{-1} A k for the lifts k of free motions.
 
 #include <signorini/elasticity/cell_stiffness.h>
-#include <signorini/elasticity/node_positions.h>
+#include <signorini/elasticity/nodal_interpolation.h>
 #include <signorini/motions/motion_modes.h>
 #include <signorini/recovery/recovery.h>
+#include <signorini/scene/field_function.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +18,8 @@ namespace
 /** The nodal values of a rigid motion. */
 NodalVector interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space)
 {
-  NodalVector values(space.dofs().n_dofs());
-  NodePositions<2> positions(space);
-  for (const auto &cell : space.dofs().active_cell_iterators())
-  {
-    const std::vector<dealii::Point<2>> &nodes = positions(cell);
-    const std::vector<dealii::types::global_dof_index> indices = space.cell_dofs(cell);
-    for (unsigned int i = 0; i < indices.size(); ++i)
-    {
-      const auto [component, node] = cell->get_fe().system_to_component_index(i);
-      values[indices[i]] = motion.velocity(nodes[node])[component];
-    }
-  }
-  return values;
+  return interpolate_at_nodes(
+    space, FieldFunction([&](const dealii::Point<2> &x) { return motion.velocity(x); }));
 }
 
 /** What the motion says about plates, pins and other supports; zero elsewhere. */
@@ -40,14 +30,6 @@ NodalVector lift(const FreeMotion &motion, const DisplacementSpace<2> &space, co
     for (const auto &pin : space.pins())
       k[pin.dof] = motion.rigid->velocity(pin.node)[pin.component];
   return k;
-}
-
-/** (a(u, phi_i))_i for all i. */
-NodalVector forces_of(const NodalVector &U,
-                      const DisplacementSpace<2> &space,
-                      const Scene<2> &scene)
-{
-  return NodalVector(internal_forces(space, scene, U).forces);
 }
 
 /** The forces of a mode; empty where all of them are rounding: V^h contains the rigid motion. */
@@ -90,13 +72,9 @@ NodalVector extend(const NodalVector &k,
                    const Scene<2> &scene,
                    const StiffnessInverse &inverse)
 {
-  const NodalVector condensed = space.condense(forces_of(k, space, scene));
-  DistributedVector b = space.make_vector();
-  for (const auto i : space.locally_owned())
-    b(i) -= condensed[i];
-  NodalVector z = solve_homogeneous(inverse, space, b);
-  z += k;
-  return z;
+  NodalVector r(internal_forces(space, scene, k).forces);
+  r *= -1.;
+  return solve_prescribed(inverse, space, k, r);
 }
 } // namespace
 
@@ -115,7 +93,6 @@ dealii::FullMatrix<double> MotionModes<dim>::couple(const Coupling &D) const
 
 template <int dim>
 MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates,
-                                  const double share_of_plates,
                                   const NodalVector &loads,
                                   const NodalVector &U_0) const
 {
@@ -123,7 +100,7 @@ MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates,
   for (unsigned int j = 0; j < size(); ++j)
   {
     WorkSum sum;
-    sum.add(share_of_plates * motions[j].work_of_plates(plates));
+    sum.add(motions[j].work_of_plates(plates));
     sum.add_product(Z[j], loads, 1.);
     if (forces[j].size() > 0)
       sum.add_product(forces[j], U_0, -1.);
@@ -135,13 +112,12 @@ MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates,
 
 template <int dim>
 std::optional<unsigned int> MotionModes<dim>::driven_unseen(const std::vector<Plate> &plates,
-                                                            const double share_of_plates,
                                                             const NodalVector &loads) const
 {
   for (unsigned int j = 0; j < unseen.size(); ++j)
   {
     WorkSum sum;
-    sum.add(share_of_plates * unseen[j].work_of_plates(plates));
+    sum.add(unseen[j].work_of_plates(plates));
     sum.add_product(unseen_Z[j], loads, 1.);
     if (std::abs(sum.value) > unseen_tolerance * sum.magnitude)
       return j;

@@ -33,6 +33,25 @@ NodalVector solve_homogeneous(const StiffnessInverse &inverse,
   return w;
 }
 
+template <int dim>
+NodalVector solve_prescribed(const StiffnessInverse &inverse,
+                             const DisplacementSpace<dim> &space,
+                             const NodalVector &k,
+                             const NodalVector &r)
+{
+  const NodalVector condensed = space.condense(r);
+  DistributedVector b = space.make_vector();
+  for (const auto i : space.locally_owned())
+    b(i) += condensed[i];
+  NodalVector U = solve_homogeneous(inverse, space, b);
+  U += k;
+  return U;
+}
+
+template NodalVector solve_prescribed(const StiffnessInverse &,
+                                      const DisplacementSpace<2> &,
+                                      const NodalVector &,
+                                      const NodalVector &);
 template NodalVector solve_homogeneous(const StiffnessInverse &,
                                        const DisplacementSpace<2> &,
                                        DistributedVector &);

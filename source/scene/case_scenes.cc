@@ -56,23 +56,24 @@ FunctionPointer<2> scale(const FunctionPointer<2> &function, const double factor
     return function;
   return std::make_shared<ScaledFunction>(function, factor);
 }
+} // namespace
 
-void scale_plates(const LoadCase &load_case, Scene<2> &scene)
+std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &load_case)
 {
-  for (Plate &plate : scene.plates)
+  for (Plate &plate : plates)
   {
     plate.force *= load_case.force;
     plate.moment *= load_case.force;
     plate.travel *= load_case.travel;
   }
+  return plates;
 }
-} // namespace
 
 Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case)
 {
   scene.exact_displacement = nullptr;
   scene.body_force = scale(scene.body_force, load_case.weight);
-  scale_plates(load_case, scene);
+  scene.plates = plates_of_case(std::move(scene.plates), load_case);
   scene.foundation_position += load_case.shift;
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
   {

@@ -123,8 +123,7 @@ double FreeMotion::work_of_plates(const std::vector<Plate> &plates_of_scene) con
 {
   double work = 0.;
   for (std::size_t p = 0; p < plates.size(); ++p)
-    work +=
-      plates_of_scene[p].force * plates[p].travel + plates_of_scene[p].moment * plates[p].rotation;
+    work += plates_of_scene[p].work(plates[p]);
   return work;
 }
 

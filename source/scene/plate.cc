@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sides that move as rigid plates.
 
+#include <signorini/scene/field_function.h>
 #include <signorini/scene/plate.h>
 
 namespace Signorini
@@ -11,23 +12,10 @@ dealii::Tensor<1, 2> Plate::displacement(const PlateMotion &motion, const dealii
   return motion.travel * direction + motion.rotation * dealii::Tensor<1, 2>({-arm[1], arm[0]});
 }
 
-PlateDisplacement::PlateDisplacement(const Plate &plate, const PlateMotion &motion)
-  : dealii::Function<2>(2)
-  , plate_(plate)
-  , motion_(motion)
+std::shared_ptr<const dealii::Function<2>> plate_displacement(const Plate &plate,
+                                                              const PlateMotion &motion)
 {
-}
-
-double PlateDisplacement::value(const dealii::Point<2> &x, const unsigned int component) const
-{
-  return plate_.displacement(motion_, x)[component];
-}
-
-void PlateDisplacement::vector_value(const dealii::Point<2> &x,
-                                     dealii::Vector<double> &values) const
-{
-  const dealii::Tensor<1, 2> u = plate_.displacement(motion_, x);
-  values[0] = u[0];
-  values[1] = u[1];
+  return std::make_shared<FieldFunction>(
+    [plate, motion](const dealii::Point<2> &x) { return plate.displacement(motion, x); });
 }
 } // namespace Signorini

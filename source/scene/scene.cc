@@ -29,8 +29,7 @@ Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &m
 {
   if constexpr (dim == 2)
     for (std::size_t p = 0; p < scene.plates.size(); ++p)
-      scene.boundary[scene.plates[p].side].data =
-        std::make_shared<PlateDisplacement>(scene.plates[p], motions[p]);
+      scene.boundary[scene.plates[p].side].data = plate_displacement(scene.plates[p], motions[p]);
   return scene;
 }
 

@@ -165,7 +165,7 @@ void read_boundary(const BoundaryParameters &given,
   scene.plates = read_plates(given.plates, load, scene.geometry);
   for (const Plate &plate : scene.plates)
     roles.assign(scene.geometry.sides[plate.side].name(), Role::displacement, given.plates).data =
-      std::make_shared<PlateDisplacement>(plate, PlateMotion{plate.travel, 0.});
+      plate_displacement(plate, PlateMotion{plate.travel, 0.});
   if (scene.contact_sides().empty())
     throw InputError(given.contact.where() +
                      ": no contact side is given, allowed: one or more of " + join(sides) + ".");

@@ -33,7 +33,7 @@ FreeMotions motions_of(const MotionModes<dim> &modes,
                        const DistributedVector &loads,
                        const NodalVector &U_0)
 {
-  const MotionWork work = modes.work(scene.plates, 1., NodalVector(loads), U_0);
+  const MotionWork work = modes.work(scene.plates, NodalVector(loads), U_0);
   return {modes.couple(D), modes.K, work.value, work.magnitude};
 }
 
@@ -47,7 +47,7 @@ std::vector<std::string> undetermined_motions(const Parameters &parameters,
   std::vector<std::string> names;
   if (modes.unseen.empty())
     return names;
-  if (const auto driven = modes.driven_unseen(scene.plates, 1., NodalVector(loads)))
+  if (const auto driven = modes.driven_unseen(scene.plates, NodalVector(loads)))
     refuse_sliding(parameters, *modes.unseen[*driven].rigid);
   for (const FreeMotion &motion : modes.unseen)
     names.push_back(motion.rigid->name());

@@ -76,19 +76,12 @@ double motion_balance(const std::vector<Plate> &plates,
   return largest;
 }
 
-/** The work of forces and moments that drive plates. */
-double work_of_plates(const MotionRecord &record)
-{
-  double work = 0.;
-  for (const PlateRecord &plate : record.plates)
-    work += plate.plate.force * plate.motion.travel + plate.plate.moment * plate.motion.rotation;
-  return work;
-}
-
 /** The energy is that of the problem with given forces: they lose what they do. */
 void subtract_work_of_plates(LevelRecord &record)
 {
-  const double work = work_of_plates(record.motions);
+  double work = 0.;
+  for (const PlateRecord &plate : record.motions.plates)
+    work += plate.plate.work(plate.motion);
   record.certificate.energy -= work;
   if (record.bound && record.bound->energy_lower && record.bound->energy_upper)
   {

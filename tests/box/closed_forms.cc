@@ -4,8 +4,8 @@
 #include <signorini/compliance/compliance.h>
 #include <signorini/elasticity/cell_stiffness.h>
 #include <signorini/elasticity/linear_system.h>
+#include <signorini/elasticity/nodal_interpolation.h>
 #include <signorini/postprocess/error_estimate.h>
-#include <signorini/postprocess/nodal_interpolation.h>
 
 #include "box.h"
 #include "tests.h"

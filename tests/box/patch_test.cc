@@ -3,9 +3,9 @@
 
 #include <signorini/compliance/compliance.h>
 #include <signorini/compliance/free_state.h>
+#include <signorini/elasticity/nodal_interpolation.h>
 #include <signorini/postprocess/certificate.h>
 #include <signorini/postprocess/contact_pressure.h>
-#include <signorini/postprocess/nodal_interpolation.h>
 #include <signorini/postprocess/patch_interpolation.h>
 #include <signorini/qp/dual_solver.h>
 #include <signorini/recovery/recovery.h>

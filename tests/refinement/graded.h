@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/postprocess/nodal_interpolation.h>
+#include <signorini/elasticity/nodal_interpolation.h>
 #include <signorini/refinement/mesh_plan.h>
+#include <signorini/scene/field_function.h>
 #include <signorini/scene_input/make_scene.h>
 #include <signorini/study/level.h>
 
-#include <deal.II/base/function.h>
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
@@ -15,35 +15,13 @@
 #include <vector>
 
 /** A displacement as a function of x. */
-using Field = std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)>;
-
-class FieldFunction : public dealii::Function<2>
-{
-public:
-  explicit FieldFunction(Field field)
-    : dealii::Function<2>(2)
-    , field_(std::move(field))
-  {
-  }
-  double value(const dealii::Point<2> &x, const unsigned int component) const override
-  {
-    return field_(x)[component];
-  }
-  void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override
-  {
-    for (unsigned int d = 0; d < 2; ++d)
-      values[d] = field_(x)[d];
-  }
-
-private:
-  Field field_;
-};
+using Field = Signorini::FieldFunction::Field;
 
 /** The values of a displacement at all nodes. */
 inline Signorini::NodalVector nodal_values(const Signorini::DisplacementSpace<2> &space,
                                            const Field &field)
 {
-  return interpolate_at_nodes(space, FieldFunction(field));
+  return interpolate_at_nodes(space, Signorini::FieldFunction(field));
 }
 
 /** A scene from the text of a parameter file, on the mesh of a plan. */

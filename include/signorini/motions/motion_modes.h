@@ -52,17 +52,15 @@ struct MotionModes
   /** B = D^T Z, m x k. */
   dealii::FullMatrix<double> couple(const Coupling &D) const;
   /**
-   * Work on z_j: of the forces on plates, times @p share_of_plates, and of the loads f_i (not
-   * condensed) less a(z_j, u_0). @param U_0 complete.
+   * Work on z_j: of what drives the plates, and of the loads f_i (not condensed) less a(z_j, u_0).
+   * @param U_0 complete.
    */
   MotionWork work(const std::vector<Plate> &plates,
-                  double share_of_plates,
                   const NodalVector &loads,
                   const NodalVector &U_0) const;
   /** The number of the first unseen motion that the forces on plates and the loads f_i drive,
    * within rounding and what curved cells lack of a rotation; none if they are in balance. */
   std::optional<unsigned int> driven_unseen(const std::vector<Plate> &plates,
-                                            double share_of_plates,
                                             const NodalVector &loads) const;
   /** U += sum_j q_j z_j. */
   void add_to(NodalVector &U, const dealii::Vector<double> &q) const;

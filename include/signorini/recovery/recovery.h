@@ -20,4 +20,12 @@ template <int dim>
 NodalVector solve_homogeneous(const StiffnessInverse &inverse,
                               const DisplacementSpace<dim> &space,
                               DistributedVector &b);
+
+/** k + A^{-1} T^T r: the displacement with what is prescribed, k, for r = f - A k. Every rank knows
+ * all entries of both. Collective. */
+template <int dim>
+NodalVector solve_prescribed(const StiffnessInverse &inverse,
+                             const DisplacementSpace<dim> &space,
+                             const NodalVector &k,
+                             const NodalVector &r);
 } // namespace Signorini

@@ -10,6 +10,9 @@ namespace Signorini
  * @param scene with rigid things as foundation where shift is not zero. */
 Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case);
 
+/** The plates with the forces and travels of a load case. */
+std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &load_case);
+
 /** Which of a scene's loads act. */
 enum class LoadKind
 {

@@ -5,7 +5,7 @@
 
 #include <deal.II/base/function.h>
 
-#include <string>
+#include <memory>
 
 namespace Signorini
 {
@@ -43,19 +43,15 @@ struct Plate
 
   /** The displacement of the point @p x of the plate. */
   dealii::Tensor<1, 2> displacement(const PlateMotion &motion, const dealii::Point<2> &x) const;
+  /** What the force and the moment that drive the plate do in a motion (force x length per
+   * thickness). */
+  double work(const PlateMotion &motion) const
+  {
+    return force * motion.travel + moment * motion.rotation;
+  }
 };
 
 /** The displacement of a plate as data of its side. */
-class PlateDisplacement final : public dealii::Function<2>
-{
-public:
-  PlateDisplacement(const Plate &plate, const PlateMotion &motion);
-
-  double value(const dealii::Point<2> &x, unsigned int component = 0) const override;
-  void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override;
-
-private:
-  Plate plate_;
-  PlateMotion motion_;
-};
+std::shared_ptr<const dealii::Function<2>> plate_displacement(const Plate &plate,
+                                                              const PlateMotion &motion);
 } // namespace Signorini

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // I^h. (VectorTools::interpolate fills in the locally owned cells only.)
 
+#include <signorini/elasticity/nodal_interpolation.h>
 #include <signorini/elasticity/node_positions.h>
-#include <signorini/postprocess/nodal_interpolation.h>
 
 namespace Signorini
 {
