@@ -17,7 +17,7 @@ struct OneLevel
 {
   OneLevel(const std::string &text, const unsigned int level)
     : parameters(Signorini::parse_parameters(text, "test"))
-    , scene(Signorini::make_scene(parameters))
+    , scene(Signorini::make_scene<2>(parameters))
     , discretization(parameters, scene, level, MPI_COMM_WORLD)
   {
   }

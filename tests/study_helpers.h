@@ -14,13 +14,14 @@
 #include <vector>
 
 /** Solves a study silently, without files. */
-inline Signorini::StudyResult solve(const std::string &text,
-                                    const std::vector<std::string> &overrides = {})
+template <int dim = 2>
+Signorini::StudyResult<dim> solve(const std::string &text,
+                                  const std::vector<std::string> &overrides = {})
 {
   std::ostream silence(nullptr);
   const Signorini::Parameters parameters = Signorini::parse_parameters(text, "test", overrides);
   return Signorini::run_study(parameters,
-                              Signorini::make_scene(parameters),
+                              Signorini::make_scene<dim>(parameters),
                               MPI_COMM_WORLD,
                               {silence, "", [](const std::string &) {}});
 }

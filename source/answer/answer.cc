@@ -4,47 +4,80 @@
 #include <signorini/answer/answer.h>
 #include <signorini/elasticity/trace_values.h>
 
+#include <type_traits>
+
 namespace Signorini
 {
 namespace
 {
+template <int dim>
+dealii::Tensor<1, dim> to_tensor(const AnswerVector &x)
+{
+  dealii::Tensor<1, dim> tensor;
+  for (unsigned int d = 0; d < dim; ++d)
+    tensor[d] = x[d];
+  return tensor;
+}
+
 /** The sum of the forces. Its line of action is given by the point nearest to the mean of theirs.
  */
+template <int dim>
 SideForce total_force(const std::vector<SideForce> &parts)
 {
-  SideForce total;
+  Resultant<dim> sum;
   double sizes = 0.;
-  dealii::Tensor<1, 2> centre;
+  dealii::Tensor<1, dim> centre;
   for (const SideForce &part : parts)
   {
-    total.resultant += part.resultant;
+    const dealii::Tensor<1, dim> force = to_tensor<dim>(part.resultant.force);
+    sum.force += force;
+    sum.moment += to_tensor<Moment<dim>::dimension>(part.resultant.moment);
     if (part.through)
     {
-      const double size = part.resultant.force.norm();
+      const double size = force.norm();
       sizes += size;
-      centre += size * *part.through;
+      centre += size * to_tensor<dim>(*part.through);
     }
   }
+  SideForce total = {{}, {sum.force, sum.moment}, {}};
   if (sizes > 0.)
-    total.through = point_of_action(total.resultant, dealii::Point<2>(centre / sizes), sizes);
+    total.through = point_of_action(sum, dealii::Point<dim>(centre / sizes), sizes);
   return total;
 }
-} // namespace
 
-std::optional<Penetration> largest_penetration(const DisplacementSpace<2> &space,
-                                               const MultiplierSpace<2> &multipliers,
-                                               const NodalVector &U)
+/** Between 0 and 1 on a piece. */
+std::vector<dealii::Point<1>> sample_positions(std::integral_constant<int, 2> /*dim*/)
 {
   constexpr unsigned int n_intervals = 16;
   std::vector<dealii::Point<1>> positions;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     positions.emplace_back(static_cast<double>(i) / n_intervals);
-  const ContactSurface<2> &surface = multipliers.surface();
-  TraceValues<2> traces(space);
+  return positions;
+}
+std::vector<dealii::Point<2>> sample_positions(std::integral_constant<int, 3> /*dim*/)
+{
+  constexpr unsigned int n_intervals = 4;
+  std::vector<dealii::Point<2>> positions;
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+    for (unsigned int j = 0; j <= n_intervals; ++j)
+      positions.emplace_back(static_cast<double>(i) / n_intervals,
+                             static_cast<double>(j) / n_intervals);
+  return positions;
+}
+} // namespace
+
+template <int dim>
+std::optional<Penetration> largest_penetration(const DisplacementSpace<dim> &space,
+                                               const MultiplierSpace<dim> &multipliers,
+                                               const NodalVector &U)
+{
+  const auto positions = sample_positions(std::integral_constant<int, dim>());
+  const ContactSurface<dim> &surface = multipliers.surface();
+  TraceValues<dim> traces(space);
   std::optional<Penetration> largest;
-  for (const Piece<2> &piece : surface.pieces())
+  for (const Piece<dim> &piece : surface.pieces())
   {
-    const SurfaceRule<2> rule = surface.at(piece, positions);
+    const SurfaceRule<dim> rule = surface.at(piece, positions);
     const std::vector<double> u_n =
       traces.normal_displacement(surface.faces()[piece.face], rule, U);
     for (std::size_t q = 0; q < rule.size(); ++q)
@@ -53,7 +86,7 @@ std::optional<Penetration> largest_penetration(const DisplacementSpace<2> &space
       if (!largest || depth > largest->value)
         largest = {depth,
                    {surface.side(surface.patches()[piece.patch]).name(),
-                    rule.on_side[q][0],
+                    dim == 2 ? rule.on_side[q][0] : 0.,
                     rule.points[q]}};
     }
   }
@@ -70,22 +103,44 @@ Columns<Answer> Answer::columns()
           {"largest_von_mises", [](const Answer &answer) { return answer.von_mises.value; }}};
 }
 
-Answer compute_answer(const DisplacementSpace<2> &space,
-                      const Scene<2> &scene,
-                      const MultiplierSpace<2> &multipliers,
+template <int dim>
+Answer compute_answer(const DisplacementSpace<dim> &space,
+                      const Scene<dim> &scene,
+                      const MultiplierSpace<dim> &multipliers,
                       const NodalForces &forces,
                       const NodalVector &U,
                       const dealii::Vector<double> &P)
 {
   Answer answer;
+  answer.dimension = dim;
   answer.size = scene.geometry.diameter();
   answer.contact_by_side = contact_forces(multipliers, scene, P);
-  answer.contact_force = total_force(answer.contact_by_side);
+  answer.contact_force = total_force<dim>(answer.contact_by_side);
   answer.reactions = reactions(space, scene, forces);
   answer.peak_pressure = peak_pressure(multipliers, P);
-  answer.zones = contact_zones(multipliers, P);
+  if constexpr (dim == 2)
+    answer.zones = contact_zones(multipliers, P);
   answer.penetration = largest_penetration(space, multipliers, U);
   answer.von_mises = largest_von_mises(space, scene, U);
   return answer;
 }
+
+template std::optional<Penetration> largest_penetration(const DisplacementSpace<2> &,
+                                                        const MultiplierSpace<2> &,
+                                                        const NodalVector &);
+template Answer compute_answer(const DisplacementSpace<2> &,
+                               const Scene<2> &,
+                               const MultiplierSpace<2> &,
+                               const NodalForces &,
+                               const NodalVector &,
+                               const dealii::Vector<double> &);
+template std::optional<Penetration> largest_penetration(const DisplacementSpace<3> &,
+                                                        const MultiplierSpace<3> &,
+                                                        const NodalVector &);
+template Answer compute_answer(const DisplacementSpace<3> &,
+                               const Scene<3> &,
+                               const MultiplierSpace<3> &,
+                               const NodalForces &,
+                               const NodalVector &,
+                               const dealii::Vector<double> &);
 } // namespace Signorini

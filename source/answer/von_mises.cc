@@ -16,37 +16,53 @@ namespace Signorini
 {
 namespace
 {
-/** The corners of the reference cell and its middle. */
-dealii::Quadrature<2> corners_and_middle()
+/** The value and the place of the largest one, zero at the origin if there is none. */
+template <int dim>
+struct StressAt
 {
-  std::vector<dealii::Point<2>> points = {dealii::Point<2>(0.5, 0.5)};
-  for (const unsigned int v : dealii::GeometryInfo<2>::vertex_indices())
-    points.push_back(dealii::GeometryInfo<2>::unit_cell_vertex(v));
-  return dealii::Quadrature<2>(points);
+  double value = 0.;
+  dealii::Point<dim> point;
+};
+
+/** The corners of the reference cell and its middle. */
+template <int dim>
+dealii::Quadrature<dim> corners_and_middle()
+{
+  std::vector<dealii::Point<dim>> points(1);
+  for (unsigned int d = 0; d < dim; ++d)
+    points[0][d] = 0.5;
+  for (const unsigned int v : dealii::GeometryInfo<dim>::vertex_indices())
+    points.push_back(dealii::GeometryInfo<dim>::unit_cell_vertex(v));
+  return dealii::Quadrature<dim>(points);
 }
 
-/** Takes the larger one; of equals (a symmetric body has some) the one further left or down, so
+/** Takes the larger one; of equals (a symmetric body has some) the one further left, then
+ * further down, so
  * that neither ranks nor rounding choose. */
-void take_larger(const VonMises &candidate, VonMises &largest)
+template <int dim>
+void take_larger(const StressAt<dim> &candidate, StressAt<dim> &largest)
 {
   constexpr double rounding = 1e-9;
   const double excess = candidate.value - largest.value;
   const bool equal = std::abs(excess) <= rounding * largest.value;
-  const dealii::Tensor<1, 2> step = candidate.point - largest.point;
-  const bool comes_first = step[0] < 0. || (step[0] == 0. && step[1] < 0.);
+  const dealii::Tensor<1, dim> step = candidate.point - largest.point;
+  bool comes_first = false;
+  for (unsigned int d = dim; d-- > 0;)
+    comes_first = step[d] < 0. || (step[d] == 0. && comes_first);
   if (equal ? comes_first : excess > 0.)
     largest = candidate;
 }
 
 /** The stress at a point; nothing where the material's data has no value. */
-void compare(const Material<2> &material,
-             const dealii::Point<2> &x,
-             const dealii::SymmetricTensor<2, 2> &strain,
-             VonMises &largest)
+template <int dim>
+void compare(const Material<dim> &material,
+             const dealii::Point<dim> &x,
+             const dealii::SymmetricTensor<2, dim> &strain,
+             StressAt<dim> &largest)
 {
   try
   {
-    take_larger({von_mises(stress_in_space(material, x, strain)), x}, largest);
+    take_larger<dim>({von_mises(stress_in_space(material, x, strain)), x}, largest);
   }
   catch (const InputError &)
   {
@@ -54,24 +70,25 @@ void compare(const Material<2> &material,
 }
 
 /** The largest of a chunk of cells of several degrees, at the nodes of each. */
-VonMises largest_at_nodes(const Cells<2> &cells,
-                          const DisplacementSpace<2> &space,
-                          const Material<2> &material,
-                          const NodalVector &U)
+template <int dim>
+StressAt<dim> largest_at_nodes(const Cells<dim> &cells,
+                               const DisplacementSpace<dim> &space,
+                               const Material<dim> &material,
+                               const NodalVector &U)
 {
   const dealii::FEValuesExtractors::Vector displacement(0);
-  VonMises largest;
-  std::map<unsigned int, std::unique_ptr<dealii::FEValues<2>>> values_by_degree;
-  std::vector<dealii::SymmetricTensor<2, 2>> strains;
+  StressAt<dim> largest;
+  std::map<unsigned int, std::unique_ptr<dealii::FEValues<dim>>> values_by_degree;
+  std::vector<dealii::SymmetricTensor<2, dim>> strains;
   for (const auto &cell : cells)
   {
-    const dealii::FiniteElement<2> &element = cell->get_fe();
-    std::unique_ptr<dealii::FEValues<2>> &values = values_by_degree[element.degree];
+    const dealii::FiniteElement<dim> &element = cell->get_fe();
+    std::unique_ptr<dealii::FEValues<dim>> &values = values_by_degree[element.degree];
     if (values == nullptr)
-      values = std::make_unique<dealii::FEValues<2>>(
+      values = std::make_unique<dealii::FEValues<dim>>(
         space.mesh().mapping(),
         element,
-        dealii::Quadrature<2>(element.base_element(0).get_unit_support_points()),
+        dealii::Quadrature<dim>(element.base_element(0).get_unit_support_points()),
         dealii::update_gradients | dealii::update_quadrature_points);
     values->reinit(cell);
     strains.resize(values->n_quadrature_points);
@@ -83,28 +100,29 @@ VonMises largest_at_nodes(const Cells<2> &cells,
 }
 
 /** The largest of a chunk of cells. */
-VonMises largest_of(const Cells<2> &cells,
-                    const DisplacementSpace<2> &space,
-                    const Material<2> &material,
-                    const NodalVector &U,
-                    const std::vector<double> &dilatation)
+template <int dim>
+StressAt<dim> largest_of(const Cells<dim> &cells,
+                         const DisplacementSpace<dim> &space,
+                         const Material<dim> &material,
+                         const NodalVector &U,
+                         const std::vector<double> &dilatation)
 {
   if (space.has_several_elements())
     return largest_at_nodes(cells, space, material, U);
-  dealii::FEValues<2> values(space.mesh().mapping(),
-                             space.element(),
-                             corners_and_middle(),
-                             dealii::update_gradients | dealii::update_inverse_jacobians |
-                               dealii::update_quadrature_points);
-  PatchInterpolation<2> field(space, values.get_quadrature(), space.mesh().has_parents() ? 1 : 0);
-  VonMises largest;
+  dealii::FEValues<dim> values(space.mesh().mapping(),
+                               space.element(),
+                               corners_and_middle<dim>(),
+                               dealii::update_gradients | dealii::update_inverse_jacobians |
+                                 dealii::update_quadrature_points);
+  PatchInterpolation<dim> field(space, values.get_quadrature(), space.mesh().has_parents() ? 1 : 0);
+  StressAt<dim> largest;
   for (const auto &cell : cells)
   {
     values.reinit(cell);
-    const FieldValues<2> &u = field.evaluate(U, cell, values);
+    const FieldValues<dim> &u = field.evaluate(U, cell, values);
     for (const unsigned int q : values.quadrature_point_indices())
     {
-      dealii::SymmetricTensor<2, 2> strain = symmetrize(u.gradients[q]);
+      dealii::SymmetricTensor<2, dim> strain = symmetrize(u.gradients[q]);
       if (!dilatation.empty())
         replace_trace(strain, dilatation[cell->active_cell_index()]);
       compare(material, values.quadrature_point(q), strain, largest);
@@ -114,28 +132,56 @@ VonMises largest_of(const Cells<2> &cells,
 }
 
 /** The largest one of all ranks. */
-VonMises largest_of_ranks(const VonMises &mine, MPI_Comm communicator)
+template <int dim>
+StressAt<dim> largest_of_ranks(const StressAt<dim> &mine, MPI_Comm communicator)
 {
-  const std::array<double, 3> numbers = {{mine.value, mine.point[0], mine.point[1]}};
-  VonMises largest;
+  std::array<double, 1 + dim> numbers = {{mine.value}};
+  for (unsigned int d = 0; d < dim; ++d)
+    numbers[1 + d] = mine.point[d];
+  StressAt<dim> largest;
   for (const auto &of_rank : dealii::Utilities::MPI::all_gather(communicator, numbers))
-    take_larger({of_rank[0], {of_rank[1], of_rank[2]}}, largest);
+  {
+    StressAt<dim> other;
+    other.value = of_rank[0];
+    for (unsigned int d = 0; d < dim; ++d)
+      other.point[d] = of_rank[1 + d];
+    take_larger(other, largest);
+  }
+  return largest;
+}
+/** The largest one of all cells of this rank. */
+template <int dim>
+StressAt<dim> largest_of_cells(const DisplacementSpace<dim> &space,
+                               const Material<dim> &material,
+                               const NodalVector &U,
+                               const std::vector<double> &dilatation)
+{
+  StressAt<dim> largest;
+  integrate_by_chunks<StressAt<dim>, dim>(
+    space,
+    [&](const Cells<dim> &cells) { return largest_of(cells, space, material, U, dilatation); },
+    [&largest](const StressAt<dim> &of_chunk) { take_larger(of_chunk, largest); });
   return largest;
 }
 } // namespace
 
-VonMises largest_von_mises(const DisplacementSpace<2> &space,
-                           const Scene<2> &scene,
+template <int dim>
+VonMises largest_von_mises(const DisplacementSpace<dim> &space,
+                           const Scene<dim> &scene,
                            const NodalVector &U)
 {
   const std::vector<double> dilatation = space.strain_operator() == StrainOperator::mean_dilatation
                                            ? mean_dilatations(space, U)
                                            : std::vector<double>();
-  VonMises largest;
-  integrate_by_chunks<VonMises, 2>(
-    space,
-    [&](const Cells<2> &cells) { return largest_of(cells, space, *scene.material, U, dilatation); },
-    [&largest](const VonMises &of_chunk) { take_larger(of_chunk, largest); });
-  return largest_of_ranks(largest, space.mesh().communicator());
+  const StressAt<dim> largest = largest_of_ranks(
+    largest_of_cells(space, *scene.material, U, dilatation), space.mesh().communicator());
+  return {largest.value, largest.point};
 }
+
+template VonMises largest_von_mises(const DisplacementSpace<2> &,
+                                    const Scene<2> &,
+                                    const NodalVector &);
+template VonMises largest_von_mises(const DisplacementSpace<3> &,
+                                    const Scene<3> &,
+                                    const NodalVector &);
 } // namespace Signorini

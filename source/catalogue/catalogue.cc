@@ -10,9 +10,10 @@
 
 namespace Signorini
 {
-const std::vector<CatalogueEntry> &catalogue()
+template <>
+const std::vector<CatalogueEntry<2>> &catalogue()
 {
-  static const std::vector<CatalogueEntry> entries = {
+  static const std::vector<CatalogueEntry<2>> entries = {
     {"A1", "smooth manufactured contact on half of a side, exact solution known", make_a1},
     {"A1L", "as A1, with a gap that has a kink where contact ends", make_a1l},
     {"A2", "smooth manufactured contact in two zones, three transitions", make_a2},
@@ -39,12 +40,23 @@ const std::vector<CatalogueEntry> &catalogue()
   return entries;
 }
 
+template <>
+const std::vector<CatalogueEntry<3>> &catalogue()
+{
+  static const std::vector<CatalogueEntry<3>> entries = {
+    {"D3", "in space: smooth contact on a disc, exact solution known", make_d3},
+    {"V3", "in space: the contact of D3 with a material that varies in space", make_v3}};
+  return entries;
+}
+
 std::string describe_catalogue()
 {
   std::ostringstream text;
   text << std::left << std::setw(20) << "described"
        << "everything by the expressions of the parameter file\n";
-  for (const CatalogueEntry &entry : catalogue())
+  for (const CatalogueEntry<2> &entry : catalogue<2>())
+    text << std::setw(20) << entry.name << entry.title << "\n";
+  for (const CatalogueEntry<3> &entry : catalogue<3>())
     text << std::setw(20) << entry.name << entry.title << "\n";
   return text.str();
 }

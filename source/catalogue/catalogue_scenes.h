@@ -29,4 +29,8 @@ Scene<2> make_v1();
 Scene<2> make_patch_test();
 /** An elastic block pressed on a parabolic foundation. */
 Scene<2> make_block_on_parabola();
+/** In space: smooth contact on a disc. */
+Scene<3> make_d3();
+/** The same with a material that varies in space. */
+Scene<3> make_v3();
 } // namespace Signorini

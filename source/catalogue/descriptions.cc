@@ -105,6 +105,20 @@ const std::string block =
   "Load      none\n"
   "Gap       x^2/4\n"
   "Exact u   not known\n";
+
+/** Scenes with the displacement of D3. */
+std::string contact_on_disc(const std::string &modulus, const std::string &pressure)
+{
+  return line("Body", "the unit cube") + line("Material", "E = " + modulus + ", nu = 0.3") +
+         line("Boundary",
+              "clamped at z = 1, contact at z = 0, traction sigma(u) n on the upright sides") +
+         line("Load", "body force -div sigma(u)") +
+         line("Gap", "-a + (r-s)_+^2/2, a = -0.05 (1 + x (1-x) + y (1-y)), s = 1/e,") +
+         "          r the distance from (0.5707106781186547, 0.4422649730810374)\n" +
+         "Exact u   (-a_x B, -a_y B, a A + b B), A = (1-z)^2 (1+2z), B = z (1-z)^2,\n"
+         "          b = -0.3 (1 - r^2/s^2)_+^3\n" +
+         line("Exact p", pressure);
+}
 } // namespace
 
 std::string describe_scene(const std::string &name)
@@ -134,6 +148,7 @@ std::string describe_scene(const std::string &name)
     {"C3", lift("-10 (xi1-x)_+^3, xi1 = (sqrt(5)-1)/4, xi = 1/sqrt(2)", "(x-xi)_+^2")},
     {"C4", corner},
     {"D1", patch_test},
+    {"D3", contact_on_disc("1", "(lambda + 2 mu) b")},
     {"E1",
      round_body("the ring 1 < r < 2",
                 "clamped at r = 1, contact at r = 2",
@@ -159,6 +174,7 @@ std::string describe_scene(const std::string &name)
                 "-20 (-sin t - 0.6)_+^3")},
     {"O1", contact_of_a1(orthotropic, lift_of_o1, "-10 (xi-x)_+^3")},
     {"V1", contact_of_a1(varying, lift_of_v1, "-10 m(x,0) (xi-x)_+^3")},
+    {"V3", contact_on_disc("1 + x/2 + y z", "(lambda + 2 mu) b with lambda and mu at the point")},
     {"block on parabola", block}};
   return descriptions.at(name);
 }

@@ -13,103 +13,111 @@ namespace Signorini
 {
 namespace
 {
-class Displacement : public dealii::Function<2>
+template <int dim>
+class Displacement : public dealii::Function<dim>
 {
 public:
-  explicit Displacement(Field field)
-    : dealii::Function<2>(2)
+  explicit Displacement(FieldOf<dim> field)
+    : dealii::Function<dim>(dim)
     , field_(std::move(field))
   {
   }
-  double value(const dealii::Point<2> &x, const unsigned int component) const override
+  double value(const dealii::Point<dim> &x, const unsigned int component) const override
   {
     return field_(x).u[component];
   }
-  void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override
+  void vector_value(const dealii::Point<dim> &x, dealii::Vector<double> &values) const override
   {
-    const FieldAtPoint at_x = field_(x);
-    values[0] = at_x.u[0];
-    values[1] = at_x.u[1];
+    const ExactField<dim> at_x = field_(x);
+    std::copy(at_x.u.begin(), at_x.u.end(), values.begin());
   }
-  dealii::Tensor<1, 2> gradient(const dealii::Point<2> &x,
-                                const unsigned int component) const override
+  dealii::Tensor<1, dim> gradient(const dealii::Point<dim> &x,
+                                  const unsigned int component) const override
   {
-    const FieldAtPoint at_x = field_(x);
-    return dealii::Tensor<1, 2>({at_x.du[component][0], at_x.du[component][1]});
+    return row(field_(x), component);
   }
-  void vector_gradient(const dealii::Point<2> &x,
-                       std::vector<dealii::Tensor<1, 2>> &gradients) const override
+  void vector_gradient(const dealii::Point<dim> &x,
+                       std::vector<dealii::Tensor<1, dim>> &gradients) const override
   {
-    const FieldAtPoint at_x = field_(x);
-    for (unsigned int c = 0; c < 2; ++c)
-      gradients[c] = dealii::Tensor<1, 2>({at_x.du[c][0], at_x.du[c][1]});
+    const ExactField<dim> at_x = field_(x);
+    for (unsigned int c = 0; c < dim; ++c)
+      gradients[c] = row(at_x, c);
   }
 
 private:
-  Field field_;
+  static dealii::Tensor<1, dim> row(const ExactField<dim> &at_x, const unsigned int c)
+  {
+    dealii::Tensor<1, dim> gradient;
+    for (unsigned int d = 0; d < dim; ++d)
+      gradient[d] = at_x.du[c][d];
+    return gradient;
+  }
+
+  FieldOf<dim> field_;
 };
 
-class BodyForce : public dealii::Function<2>
+template <int dim>
+class BodyForce : public dealii::Function<dim>
 {
 public:
-  explicit BodyForce(Field field)
-    : dealii::Function<2>(2)
+  explicit BodyForce(FieldOf<dim> field)
+    : dealii::Function<dim>(dim)
     , field_(std::move(field))
   {
   }
-  double value(const dealii::Point<2> &x, const unsigned int component) const override
+  double value(const dealii::Point<dim> &x, const unsigned int component) const override
   {
     return field_(x).f[component];
   }
-  void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override
+  void vector_value(const dealii::Point<dim> &x, dealii::Vector<double> &values) const override
   {
-    const FieldAtPoint at_x = field_(x);
-    values[0] = at_x.f[0];
-    values[1] = at_x.f[1];
+    const ExactField<dim> at_x = field_(x);
+    std::copy(at_x.f.begin(), at_x.f.end(), values.begin());
   }
 
 private:
-  Field field_;
+  FieldOf<dim> field_;
 };
 
-class Traction : public dealii::Function<2>
+template <int dim>
+class Traction : public dealii::Function<dim>
 {
 public:
-  Traction(Field field,
-           std::shared_ptr<const Material<2>> material,
-           const dealii::Tensor<1, 2> &normal)
-    : dealii::Function<2>(2)
+  Traction(FieldOf<dim> field,
+           std::shared_ptr<const Material<dim>> material,
+           const dealii::Tensor<1, dim> &normal)
+    : dealii::Function<dim>(dim)
     , field_(std::move(field))
     , material_(std::move(material))
     , normal_(normal)
   {
   }
-  double value(const dealii::Point<2> &x, const unsigned int component) const override
+  double value(const dealii::Point<dim> &x, const unsigned int component) const override
   {
     return traction(x)[component];
   }
-  void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override
+  void vector_value(const dealii::Point<dim> &x, dealii::Vector<double> &values) const override
   {
-    const dealii::Tensor<1, 2> t = traction(x);
-    values[0] = t[0];
-    values[1] = t[1];
+    const dealii::Tensor<1, dim> t = traction(x);
+    for (unsigned int d = 0; d < dim; ++d)
+      values[d] = t[d];
   }
 
 private:
-  dealii::Tensor<1, 2> traction(const dealii::Point<2> &x) const
+  dealii::Tensor<1, dim> traction(const dealii::Point<dim> &x) const
   {
-    const FieldAtPoint at_x = field_(x);
-    dealii::SymmetricTensor<2, 2> strain;
-    strain[0][0] = at_x.du[0][0];
-    strain[1][1] = at_x.du[1][1];
-    strain[0][1] = 0.5 * (at_x.du[0][1] + at_x.du[1][0]);
-    const dealii::SymmetricTensor<2, 2> stress = material_->hooke(x) * strain;
+    const ExactField<dim> at_x = field_(x);
+    dealii::SymmetricTensor<2, dim> strain;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        strain[i][j] = 0.5 * (at_x.du[i][j] + at_x.du[j][i]);
+    const dealii::SymmetricTensor<2, dim> stress = material_->hooke(x) * strain;
     return stress * normal_;
   }
 
-  Field field_;
-  std::shared_ptr<const Material<2>> material_;
-  dealii::Tensor<1, 2> normal_;
+  FieldOf<dim> field_;
+  std::shared_ptr<const Material<dim>> material_;
+  dealii::Tensor<1, dim> normal_;
 };
 
 class ProfileFunction : public dealii::Function<2>
@@ -139,19 +147,36 @@ std::array<double, 3> cube_of_positive_part(const double a, const std::array<dou
 
 FunctionPointer<2> displacement_of(const Field &field)
 {
-  return std::make_shared<Displacement>(field);
+  return std::make_shared<Displacement<2>>(field);
 }
 
 FunctionPointer<2> body_force_of(const Field &field)
 {
-  return std::make_shared<BodyForce>(field);
+  return std::make_shared<BodyForce<2>>(field);
 }
 
 FunctionPointer<2> traction_of(const Field &field,
                                std::shared_ptr<const Material<2>> material,
                                const dealii::Tensor<1, 2> &normal)
 {
-  return std::make_shared<Traction>(field, std::move(material), normal);
+  return std::make_shared<Traction<2>>(field, std::move(material), normal);
+}
+
+FunctionPointer<3> displacement_of(const FieldOf<3> &field)
+{
+  return std::make_shared<Displacement<3>>(field);
+}
+
+FunctionPointer<3> body_force_of(const FieldOf<3> &field)
+{
+  return std::make_shared<BodyForce<3>>(field);
+}
+
+FunctionPointer<3> traction_of(const FieldOf<3> &field,
+                               std::shared_ptr<const Material<3>> material,
+                               const dealii::Tensor<1, 3> &normal)
+{
+  return std::make_shared<Traction<3>>(field, std::move(material), normal);
 }
 
 FunctionPointer<2> function_of(const Profile &profile, const unsigned int d)

@@ -9,14 +9,19 @@
 namespace Signorini
 {
 /** An exact displacement u_i, its gradient u_{i,k} and the body force f = -div sigma at a point. */
-struct FieldAtPoint
+template <int dim>
+struct ExactField
 {
-  std::array<double, 2> u;
-  std::array<std::array<double, 2>, 2> du;
-  std::array<double, 2> f;
+  std::array<double, dim> u;
+  std::array<std::array<double, dim>, dim> du;
+  std::array<double, dim> f;
 };
 
-using Field = std::function<FieldAtPoint(const dealii::Point<2> &)>;
+template <int dim>
+using FieldOf = std::function<ExactField<dim>(const dealii::Point<dim> &)>;
+
+using FieldAtPoint = ExactField<2>;
+using Field = FieldOf<2>;
 
 /** a (q)_+^3 with two derivatives, from q with two derivatives. */
 std::array<double, 3> cube_of_positive_part(double a, const std::array<double, 3> &q);
@@ -26,12 +31,17 @@ using Profile = std::function<double(double)>;
 
 /** u and its gradient as a deal.II function. */
 FunctionPointer<2> displacement_of(const Field &field);
+FunctionPointer<3> displacement_of(const FieldOf<3> &field);
 /** f as a deal.II function. */
 FunctionPointer<2> body_force_of(const Field &field);
+FunctionPointer<3> body_force_of(const FieldOf<3> &field);
 /** t = sigma n as a deal.II function. */
 FunctionPointer<2> traction_of(const Field &field,
                                std::shared_ptr<const Material<2>> material,
                                const dealii::Tensor<1, 2> &normal);
+FunctionPointer<3> traction_of(const FieldOf<3> &field,
+                               std::shared_ptr<const Material<3>> material,
+                               const dealii::Tensor<1, 3> &normal);
 /** A profile in the coordinate @p d. */
 FunctionPointer<2> function_of(const Profile &profile, unsigned int d = 0);
 

@@ -115,7 +115,8 @@ double extrapolate(const std::array<double, 2> &norms)
 }
 } // namespace
 
-ExactPressure::ExactPressure(const Scene<2> &scene)
+template <>
+ExactPressure<2>::ExactPressure(const Scene<2> &scene)
   : scene_(scene)
 {
   for (const unsigned int number : scene.contact_sides())
@@ -127,10 +128,11 @@ ExactPressure::ExactPressure(const Scene<2> &scene)
   }
 }
 
-dealii::Vector<double> ExactPressure::project(const MultiplierSpace<2> &space) const
+template <int dim>
+dealii::Vector<double> ExactPressure<dim>::project(const MultiplierSpace<dim> &space) const
 {
-  constexpr unsigned int n_points = 10;
-  const auto p_on = [&](const Piece<2> &piece, const SurfaceRule<2> &rule) {
+  constexpr unsigned int n_points = dim == 2 ? 10 : 4;
+  const auto p_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
     std::vector<double> p(rule.size());
     space.surface().condition(piece).exact_pressure->value_list(rule.points, p);
     return p;
@@ -138,12 +140,15 @@ dealii::Vector<double> ExactPressure::project(const MultiplierSpace<2> &space) c
   return space.project(
     integrate_against_multipliers(space, n_points, Grading::towards_kinks, p_on));
 }
+template dealii::Vector<double> ExactPressure<2>::project(const MultiplierSpace<2> &) const;
+template dealii::Vector<double> ExactPressure<3>::project(const MultiplierSpace<3> &) const;
 
-DualNormErrors ExactPressure::errors_on_side(const MultiplierSpace<2> &space,
-                                             const dealii::Vector<double> &P,
-                                             const dealii::Vector<double> &projected_p,
-                                             const unsigned int first,
-                                             const unsigned int last) const
+template <>
+DualNormErrors ExactPressure<2>::errors_on_side(const MultiplierSpace<2> &space,
+                                                const dealii::Vector<double> &P,
+                                                const dealii::Vector<double> &projected_p,
+                                                const unsigned int first,
+                                                const unsigned int last) const
 {
   const std::vector<Patch<2>> &patches = space.surface().patches();
   const unsigned int number = patches[first].side, m = last - first;
@@ -186,8 +191,9 @@ DualNormErrors ExactPressure::errors_on_side(const MultiplierSpace<2> &space,
   return errors;
 }
 
-DualNormErrors ExactPressure::errors(const MultiplierSpace<2> &space,
-                                     const dealii::Vector<double> &P) const
+template <>
+DualNormErrors ExactPressure<2>::errors(const MultiplierSpace<2> &space,
+                                        const dealii::Vector<double> &P) const
 {
   const dealii::Vector<double> projected_p = project(space);
   DualNormErrors sum = {0., 0., 0., 0.};

@@ -152,7 +152,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
                                    const Scene<2> &scene,
                                    const MultiplierSpace<2> &multipliers,
                                    const Coupling &D,
-                                   const ExactPressure &pressure,
+                                   const ExactPressure<2> &pressure,
                                    const DistributedVector &loads,
                                    const LinearSolver linear_solver,
                                    const unsigned int n_points)

@@ -9,17 +9,18 @@
 
 namespace Signorini
 {
-PressureErrors compute_pressure_errors(const MultiplierSpace<2> &space,
+template <int dim>
+PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
                                        const dealii::Vector<double> &P,
                                        const unsigned int n_points)
 {
-  const RecoveredPressure recovered(space, P);
+  const RecoveredPressure<dim> recovered(space, P);
   double l2 = 0.;
   double post_l2 = 0.;
   std::vector<double> p;
-  for (const Piece<2> &piece : space.surface().pieces())
+  for (const Piece<dim> &piece : space.surface().pieces())
   {
-    const SurfaceRule<2> rule = space.surface().rule(
+    const SurfaceRule<dim> rule = space.surface().rule(
       piece, n_points + space.unknowns_on(piece.patch).size() - 1, Grading::towards_kinks);
     p.resize(rule.size());
     space.surface().condition(piece).exact_pressure->value_list(rule.points, p);
@@ -42,4 +43,11 @@ Columns<PressureErrors> PressureErrors::columns()
 {
   return {{"p_l2", &PressureErrors::l2}, {"p_post_l2", &PressureErrors::post_l2}};
 }
+
+template PressureErrors compute_pressure_errors(const MultiplierSpace<2> &,
+                                                const dealii::Vector<double> &,
+                                                unsigned int);
+template PressureErrors compute_pressure_errors(const MultiplierSpace<3> &,
+                                                const dealii::Vector<double> &,
+                                                unsigned int);
 } // namespace Signorini

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Gamma_c in space: patches are groups of faces that descend from one face of a coarser level.
+// Gamma_c in space: patches are squares of faces of a rectangular side.
 
 #include <signorini/base/exceptions.h>
 #include <signorini/mesh/contact_surface.h>
@@ -9,37 +9,105 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
-#include <tuple>
 
 namespace Signorini
 {
 namespace
 {
-/** Side, level and index of the cell to whose face a contact face belongs. */
-using Group = std::tuple<unsigned int, int, int, unsigned int>;
+/** Side, and the place of a patch among those of the side in both directions. */
+using Group = std::array<unsigned int, 3>;
 
-/** The ancestor of the face's cell that lies @p n_generations back, or the coarsest one. Children
- * of a face keep its number. */
-Group group_of(const ContactFace<3> &face, const unsigned int n_generations)
+/** The lines between the faces of a side in one direction, from its start, without the last one. */
+std::vector<double> lines(std::vector<double> starts, const double length)
 {
-  dealii::Triangulation<3>::cell_iterator cell = face.cell;
-  for (unsigned int g = 0; g < n_generations && cell->level() > 0; ++g)
-    cell = cell->parent();
-  return {face.side, cell->level(), cell->index(), face.face_no};
+  // Neighbouring faces agree but for rounding.
+  const double rounding = 1e-9 * length;
+  std::sort(starts.begin(), starts.end());
+  std::vector<double> distinct;
+  for (const double s : starts)
+    if (distinct.empty() || s > distinct.back() + rounding)
+      distinct.push_back(s);
+  return distinct;
 }
 
-/** log2 of the ratio. */
-unsigned int generations(const Partition &partition)
+/** Of a sorted list; zero for a single line. */
+double smallest_step(const std::vector<double> &lines)
 {
-  unsigned int n = 0;
-  while ((2U << n) <= partition.ratio)
-    ++n;
-  if (partition.patches_per_side > 0 || (1U << n) != partition.ratio)
-    throw ComputationError(
-      "In space, contact patches are groups of faces of the mesh: H/h must be a "
-      "power of two, and patches that are aligned with nothing do not exist.");
-  return n;
+  double smallest = 0.;
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    if (const double step = lines[i] - lines[i - 1]; smallest == 0. || step < smallest)
+      smallest = step;
+  return smallest;
+}
+
+/** The faces of a side, which is a rectangle, in rows and columns. */
+class FaceGrid
+{
+public:
+  FaceGrid(const Side<3> &side, const std::vector<dealii::Point<2>> &corners)
+  {
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      std::vector<double> starts;
+      for (const dealii::Point<2> &corner : corners)
+        starts.push_back(corner[d]);
+      lines_[d] = lines(std::move(starts), side.lengths()[d]);
+      steps_[d] = smallest_step(lines_[d]);
+    }
+  }
+
+  /** The place of the patch of ratio × ratio faces to which the face belongs. The last patches take
+   * what is left. */
+  std::array<unsigned int, 2> patch_of(const dealii::Point<2> &corner,
+                                       const unsigned int ratio) const
+  {
+    std::array<unsigned int, 2> place;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      const auto n_faces = static_cast<unsigned int>(lines_[d].size());
+      const auto nearest = std::lower_bound(
+        lines_[d].begin(),
+        lines_[d].end(),
+        corner[d],
+        [this, d](const double line, const double s) { return line < s - 0.5 * steps_[d]; });
+      const auto number = static_cast<unsigned int>(nearest - lines_[d].begin());
+      place[d] = std::min(number / ratio, std::max(n_faces / ratio, 1U) - 1);
+    }
+    return place;
+  }
+
+private:
+  std::array<std::vector<double>, 2> lines_;
+  std::array<double, 2> steps_ = {};
+};
+
+/** The corner of the box around a face in the coordinates of its side with the smaller ones. */
+dealii::Point<2> first_corner(const ContactFace<3> &face, const Side<3> &side)
+{
+  const auto mesh_face = face.cell->face(face.face_no);
+  dealii::Point<2> corner = side.coordinates(mesh_face->vertex(0));
+  for (unsigned int v = 1; v < mesh_face->n_vertices(); ++v)
+  {
+    const dealii::Point<2> s = side.coordinates(mesh_face->vertex(v));
+    for (unsigned int d = 0; d < 2; ++d)
+      corner[d] = std::min(corner[d], s[d]);
+  }
+  return corner;
+}
+
+/** By side. */
+std::map<unsigned int, FaceGrid> face_grids(const std::vector<ContactFace<3>> &faces,
+                                            const Geometry<3> &geometry)
+{
+  std::map<unsigned int, std::vector<dealii::Point<2>>> corners;
+  for (const ContactFace<3> &face : faces)
+    corners[face.side].push_back(first_corner(face, geometry.sides[face.side]));
+  std::map<unsigned int, FaceGrid> grids;
+  for (const auto &[side, of_side] : corners)
+    grids.emplace(side, FaceGrid(geometry.sides[side], of_side));
+  return grids;
 }
 
 /** Enlarges the box between @p lower and @p upper by a point. */
@@ -56,7 +124,9 @@ void extend(dealii::Point<2> &lower, dealii::Point<2> &upper, const dealii::Poin
 template <>
 void ContactSurface<3>::divide(const Partition &partition)
 {
-  const unsigned int n_generations = generations(partition);
+  if (partition.patches_per_side > 0)
+    throw ComputationError("In space, contact patches are groups of faces of the mesh.");
+  const std::map<unsigned int, FaceGrid> grids = face_grids(faces_, scene_.geometry);
   std::map<Group, unsigned int> numbers;
   for (unsigned int f = 0; f < faces_.size(); ++f)
   {
@@ -67,8 +137,9 @@ void ContactSurface<3>::divide(const Partition &partition)
     Piece<3> piece = {f, 0, first, first, {0., 0.}, {1., 1.}, {}};
     for (unsigned int v = 1; v < mesh_face->n_vertices(); ++v)
       extend(piece.lower, piece.upper, side.coordinates(mesh_face->vertex(v)));
-    const auto [group, is_new] =
-      numbers.emplace(group_of(face, n_generations), static_cast<unsigned int>(patches_.size()));
+    const auto place = grids.at(face.side).patch_of(first_corner(face, side), partition.ratio);
+    const auto [group, is_new] = numbers.emplace(Group{face.side, place[0], place[1]},
+                                                 static_cast<unsigned int>(patches_.size()));
     if (is_new)
       patches_.push_back({face.side, piece.lower, piece.upper, 0.});
     piece.patch = group->second;

@@ -76,6 +76,43 @@ NodalVector extend(const NodalVector &k,
   r *= -1.;
   return solve_prescribed(inverse, space, k, r);
 }
+
+/** Of plates, and of a body that only contact holds. */
+MotionModes<2> modes_of_plane(const DisplacementSpace<2> &space,
+                              const Scene<2> &scene,
+                              const StiffnessInverse &inverse)
+{
+  MotionModes<2> modes;
+  const FreeMotionBasis basis = free_motions(scene);
+  modes.motions = basis.seen;
+  modes.unseen = basis.unseen;
+  for (const FreeMotion &motion : modes.unseen)
+    modes.unseen_Z.push_back(interpolate(*motion.rigid, space));
+  if (space.mesh().is_curved())
+    modes.unseen_tolerance = 1e-3;
+  for (const FreeMotion &motion : modes.motions)
+  {
+    const bool strains =
+      !motion.rigid || (space.mesh().is_curved() && !motion.rigid->is_translation());
+    modes.Z.push_back(strains ? extend(lift(motion, space, scene), space, scene, inverse)
+                              : interpolate(*motion.rigid, space));
+    modes.forces.push_back(strains ? forces_of_mode(modes.Z.back(), space, scene) : NodalVector());
+  }
+  const unsigned int k = modes.size();
+  modes.K.reinit(k, k);
+  for (unsigned int i = 0; i < k; ++i)
+    for (unsigned int j = 0; j < k; ++j)
+      if (modes.forces[i].size() > 0 && modes.forces[j].size() > 0)
+        modes.K(i, j) = 0.5 * (modes.Z[i] * modes.forces[j] + modes.Z[j] * modes.forces[i]);
+  // Rounding must not make K indefinite.
+  for (unsigned int i = 0; i < k; ++i)
+    for (unsigned int j = 0; j < i; ++j)
+    {
+      const double largest = std::sqrt(std::max(0., modes.K(i, i) * modes.K(j, j)));
+      modes.K(i, j) = modes.K(j, i) = std::clamp(modes.K(i, j), -largest, largest);
+    }
+  return modes;
+}
 } // namespace
 
 template <int dim>
@@ -148,43 +185,18 @@ MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
                                    const Scene<dim> &scene,
                                    const StiffnessInverse &inverse)
 {
-  MotionModes<dim> modes;
-  if (scene.plates.empty() && !scene.is_held_by_contact)
-    return modes;
-  static_assert(dim == 2, "Plates and rigid motions are those of the plane.");
-  const FreeMotionBasis basis = free_motions(scene);
-  modes.motions = basis.seen;
-  modes.unseen = basis.unseen;
-  for (const FreeMotion &motion : modes.unseen)
-    modes.unseen_Z.push_back(interpolate(*motion.rigid, space));
-  if (space.mesh().is_curved())
-    modes.unseen_tolerance = 1e-3;
-  for (const FreeMotion &motion : modes.motions)
-  {
-    const bool strains =
-      !motion.rigid || (space.mesh().is_curved() && !motion.rigid->is_translation());
-    modes.Z.push_back(strains ? extend(lift(motion, space, scene), space, scene, inverse)
-                              : interpolate(*motion.rigid, space));
-    modes.forces.push_back(strains ? forces_of_mode(modes.Z.back(), space, scene) : NodalVector());
-  }
-  const unsigned int k = modes.size();
-  modes.K.reinit(k, k);
-  for (unsigned int i = 0; i < k; ++i)
-    for (unsigned int j = 0; j < k; ++j)
-      if (modes.forces[i].size() > 0 && modes.forces[j].size() > 0)
-        modes.K(i, j) = 0.5 * (modes.Z[i] * modes.forces[j] + modes.Z[j] * modes.forces[i]);
-  // Rounding must not make K indefinite.
-  for (unsigned int i = 0; i < k; ++i)
-    for (unsigned int j = 0; j < i; ++j)
-    {
-      const double largest = std::sqrt(std::max(0., modes.K(i, i) * modes.K(j, j)));
-      modes.K(i, j) = modes.K(j, i) = std::clamp(modes.K(i, j), -largest, largest);
-    }
-  return modes;
+  if constexpr (dim == 2)
+    if (!scene.plates.empty() || scene.is_held_by_contact)
+      return modes_of_plane(space, scene, inverse);
+  return MotionModes<dim>();
 }
 
 template struct MotionModes<2>;
+template struct MotionModes<3>;
 template MotionModes<2> make_motion_modes(const DisplacementSpace<2> &,
                                           const Scene<2> &,
+                                          const StiffnessInverse &);
+template MotionModes<3> make_motion_modes(const DisplacementSpace<3> &,
+                                          const Scene<3> &,
                                           const StiffnessInverse &);
 } // namespace Signorini

@@ -32,9 +32,12 @@ double rounded(const double value, const double size)
 }
 
 /** "(0.25, 0)". */
-std::string vector_text(const dealii::Tensor<1, 2> &x, const double size)
+std::string vector_text(const AnswerVector &x, const double size)
 {
-  return "(" + digits(rounded(x[0], size)) + ", " + digits(rounded(x[1], size)) + ")";
+  std::string text;
+  for (const double component : x.values())
+    text += (text.empty() ? "" : ", ") + digits(rounded(component, size));
+  return "(" + text + ")";
 }
 
 /** "label  part part part", broken between parts where the line is full. */
@@ -132,6 +135,8 @@ public:
 
   void print_zones()
   {
+    if (answer_.dimension == 3)
+      lines_.add("Contact area", {digits(level_.contact.length)});
     for (const ContactZone &zone : answer_.zones)
       if (zone.start.place.point.distance(zone.end.place.point) <= 1e-10 * answer_.size)
         lines_.add("Contact zone",
@@ -220,11 +225,14 @@ private:
   {
     const double scale = scale_of_forces();
     std::vector<std::string> parts = {vector_text(force.resultant.force, scale)};
+    const AnswerVector &moment = force.resultant.moment;
     if (force.through)
-      parts.insert(parts.end(),
-                   {"through",
-                    vector_text(*force.through, answer_.size) + ",",
-                    "moment " + digits(rounded(force.resultant.moment[0], scale * answer_.size))});
+      parts.insert(
+        parts.end(),
+        {"through",
+         vector_text(*force.through, answer_.size) + ",",
+         "moment " + (moment.size() == 1 ? digits(rounded(moment[0], scale * answer_.size))
+                                         : vector_text(moment, scale * answer_.size))});
     return parts;
   }
   std::string at(const BoundaryPlace &place) const
@@ -263,7 +271,8 @@ void print_answer(std::ostream &stream,
                   const std::filesystem::path &directory)
 {
   stream << "Answer of " << levels.back().sizes.word() << " " << levels.back().sizes.level
-         << ", per unit of thickness (pressure: positive in compression)\n";
+         << (levels.back().answer.dimension == 2 ? ", per unit of thickness" : "")
+         << " (pressure: positive in compression)\n";
   AnswerBlock block(stream, levels);
   block.print_forces();
   block.print_plates();

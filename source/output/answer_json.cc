@@ -19,15 +19,18 @@ AnswerJson optional_number(const std::optional<double> &value)
   return value ? AnswerJson(*value) : AnswerJson(nullptr);
 }
 
-AnswerJson components(const dealii::Tensor<1, 2> &x)
+AnswerJson components(const AnswerVector &x)
 {
-  return {x[0], x[1]};
+  return x.values();
 }
 
 AnswerJson describe(const BoundaryPlace &place)
 {
-  return {
-    {"side", place.side}, {"arc_length", place.arc_length}, {"point", components(place.point)}};
+  AnswerJson json = {{"side", place.side}};
+  if (place.point.size() == 2)
+    json["arc_length"] = place.arc_length;
+  json["point"] = components(place.point);
+  return json;
 }
 
 AnswerJson describe(const SideForce &force)
@@ -36,7 +39,8 @@ AnswerJson describe(const SideForce &force)
   if (!force.side.empty())
     json["side"] = force.side;
   json["force"] = components(force.resultant.force);
-  json["moment"] = force.resultant.moment[0];
+  const AnswerVector &moment = force.resultant.moment;
+  json["moment"] = moment.size() == 1 ? AnswerJson(moment[0]) : components(moment);
   json["through"] = force.through ? components(*force.through) : AnswerJson(nullptr);
   return json;
 }
@@ -125,23 +129,25 @@ void write_answer(std::ostream &stream,
   const ErrorBound bound = finest.bound.value_or(ErrorBound());
   AnswerJson total = describe(answer.contact_force);
   total["error"] = optional_number(bound.force_error);
-  const AnswerJson json = {{"level", finest.sizes.level},
-                           {"verdict", word_for(verdict.outcome)},
-                           {"accuracy", verdict.accuracy},
-                           {"contact_force", total},
-                           {"contact_by_side", describe(answer.contact_by_side)},
-                           {"reactions", describe(answer.reactions)},
-                           {"plates", plates_of(finest.motions)},
-                           {"undetermined_motions", finest.motions.undetermined},
-                           {"peak_pressure", peak_of(levels)},
-                           {"contact_zones", zones_of(answer)},
-                           {"penetration", penetration_of(answer)},
-                           {"von_mises", von_mises_of(levels)},
-                           {"energy",
-                            {{"value", finest.certificate.energy},
-                             {"lower", optional_number(bound.energy_lower)},
-                             {"upper", optional_number(bound.energy_upper)}}},
-                           {"seconds", total_seconds(levels)}};
+  AnswerJson json = {{"level", finest.sizes.level},
+                     {"verdict", word_for(verdict.outcome)},
+                     {"accuracy", verdict.accuracy},
+                     {"contact_force", total},
+                     {"contact_by_side", describe(answer.contact_by_side)},
+                     {"reactions", describe(answer.reactions)},
+                     {"plates", plates_of(finest.motions)},
+                     {"undetermined_motions", finest.motions.undetermined},
+                     {"peak_pressure", peak_of(levels)},
+                     {"contact_zones", zones_of(answer)},
+                     {"penetration", penetration_of(answer)},
+                     {"von_mises", von_mises_of(levels)},
+                     {"energy",
+                      {{"value", finest.certificate.energy},
+                       {"lower", optional_number(bound.energy_lower)},
+                       {"upper", optional_number(bound.energy_upper)}}},
+                     {"seconds", total_seconds(levels)}};
+  if (answer.dimension == 3)
+    json["contact_area"] = finest.contact.length;
   stream << json.dump(2) << "\n";
 }
 } // namespace Signorini

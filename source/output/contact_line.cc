@@ -116,7 +116,7 @@ private:
   const std::vector<BoundaryCondition<2>> &boundary_;
   const NodalVector &U_;
   const dealii::Vector<double> &P_;
-  const RecoveredPressure recovered_;
+  const RecoveredPressure<2> recovered_;
   TraceValues<2> traces_;
 };
 } // namespace

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The body for ParaView: displacement, its recovery, stresses, bound.
 
-#include <signorini/base/agreement.h>
 #include <signorini/base/exceptions.h>
-#include <signorini/base/gather.h>
 #include <signorini/output/files.h>
 #include <signorini/output/solution_vtu.h>
 #include <signorini/output/vtu_text.h>
@@ -255,25 +253,6 @@ FieldPiece<dim> fields_by_degree(const DisplacementSpace<dim> &space,
   }
   return piece;
 }
-
-/** Rank 0 writes the pieces of all: when the disk is full, all hear of it. */
-void write_pieces(const std::filesystem::path &path,
-                  std::string piece,
-                  const dealii::DataOutBase::VtkFlags &flags,
-                  MPI_Comm communicator)
-{
-  const std::vector<std::string> pieces = gather_texts(std::move(piece), communicator);
-  agree(communicator, [&]() {
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
-      return;
-    write_file(path, [&](std::ostream &stream) {
-      dealii::DataOutBase::write_vtu_header(stream, flags);
-      for (const std::string &text : pieces)
-        stream << text;
-      dealii::DataOutBase::write_vtu_footer(stream);
-    });
-  });
-}
 } // namespace
 
 template <int dim>
@@ -293,7 +272,7 @@ void write_solution_vtu(const std::filesystem::path &path,
   const FieldPiece<dim> piece = space.largest_degree() > 1
                                   ? fields_by_degree(space, U, stress)
                                   : fields_of_bilinear_cells(space, U, stress, bound);
-  write_pieces(path, piece.text(flags), flags, space.mesh().communicator());
+  write_vtu_pieces(path, piece.text(flags), flags, space.mesh().communicator());
 }
 
 void write_pvd(const std::filesystem::path &path,

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What deal.II cannot write into a VTU file.
 
+#include <signorini/base/agreement.h>
 #include <signorini/base/exceptions.h>
+#include <signorini/base/gather.h>
+#include <signorini/output/files.h>
 #include <signorini/output/vtu_text.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <cstdint>
@@ -47,5 +51,23 @@ std::string vtu_array(const std::string &name,
 void add_to_point_data(std::string &piece, const std::string &array)
 {
   piece.insert(piece.rfind('\n', piece.rfind("</PointData>")) + 1, array);
+}
+
+void write_vtu_pieces(const std::filesystem::path &path,
+                      std::string piece,
+                      const dealii::DataOutBase::VtkFlags &flags,
+                      MPI_Comm communicator)
+{
+  const std::vector<std::string> pieces = gather_texts(std::move(piece), communicator);
+  agree(communicator, [&]() {
+    if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
+      return;
+    write_file(path, [&](std::ostream &stream) {
+      dealii::DataOutBase::write_vtu_header(stream, flags);
+      for (const std::string &text : pieces)
+        stream << text;
+      dealii::DataOutBase::write_vtu_footer(stream);
+    });
+  });
 }
 } // namespace Signorini

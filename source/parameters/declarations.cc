@@ -65,7 +65,11 @@ Declarations::Declarations(Parameters &parameters)
 
 void Declarations::declare_scene(Parameters &parameters)
 {
-  add("Dimension", parameters.dimension, "Dimension of space.", Patterns::Integer(2, 2), "2");
+  add("Dimension",
+      parameters.dimension,
+      "2: the plane; 3: space, where bodies are boxes. A scene of the catalogue has its own.",
+      Patterns::Integer(2, 3),
+      "2 or 3");
   enter("Scene");
   add("Name",
       parameters.scene.name,
@@ -85,14 +89,15 @@ void Declarations::declare_material(MaterialParameters &material)
   add("Law", material.law, "Hooke's law.");
   add("Young's modulus",
       material.youngs_modulus,
-      "Expression in x, y (force/area), positive everywhere.");
+      "Expression in x, y (in space x, y, z) (force/area), positive everywhere.");
   add("Poisson's ratio",
       material.poissons_ratio,
-      "Expression in x, y, between -1 and 0.5 (both excluded) everywhere.");
+      "Expression in x, y (in space x, y, z), between -1 and 0.5 (both excluded) everywhere.");
   add("Hooke tensor",
       material.hooke_tensor,
       "General law: C11; C12; C13; C22; C23; C33 (force/area), expressions in Voigt's notation "
-      "with the strains e11, e22, 2*e12.");
+      "with the strains e11, e22, 2*e12. In space the 21 entries C11; C12; ... C16; C22; ... C66 "
+      "of the upper triangle, row by row, with the strains e11, e22, e33, 2*e23, 2*e13, 2*e12.");
   add("Orthotropic moduli",
       material.orthotropic_moduli,
       "Orthotropic law: Q11; Q22; Q12; Q66 (force/area), expressions in the material's own axes.");
@@ -124,11 +129,12 @@ void Declarations::declare_boundary(BoundaryParameters &boundary)
       "Sides that may touch the foundation: names separated by blanks; at least one.");
   add("Displacement",
       boundary.displacement,
-      "Prescribed displacement (length) by side: top: 0; -0.1 | left: 0; 0");
+      "Prescribed displacement (length) by side: top: 0; -0.1 | left: 0; 0. In space three "
+      "components: top: 0; 0; -0.1.");
   add("Traction",
       boundary.traction,
-      "Surface traction (force/area) by side: left: tx; ty | right: tx; ty. Sides without a role "
-      "are free.");
+      "Surface traction (force/area) by side: left: tx; ty | right: tx; ty; in space tx; ty; tz. "
+      "Sides without a role are free.");
   add(
     "Plates",
     boundary.plates,
@@ -142,7 +148,7 @@ void Declarations::declare_data(Parameters &parameters)
   enter("Load");
   add("Body force",
       parameters.load.body_force,
-      "Force per volume: fx; fy, expressions in x, y (force/volume).");
+      "Force per volume: fx; fy, in space fx; fy; fz, expressions in x, y, z (force/volume).");
   add("Plate force",
       parameters.load.plate_force,
       "Force on a plate along its direction (force per thickness) by side: top: 35.");
@@ -185,10 +191,11 @@ void Declarations::declare_data(Parameters &parameters)
   enter("Exact solution");
   add("Displacement",
       parameters.exact.displacement,
-      "u1; u2 as expressions (length); turns the columns u_... on.");
+      "u1; u2, in space u1; u2; u3, as expressions (length); turns the columns u_... on.");
   add("Displacement gradient",
       parameters.exact.displacement_gradient,
-      "du1/dx; du1/dy; du2/dx; du2/dy; without it fourth-order differences are taken.");
+      "du1/dx; du1/dy; du2/dx; du2/dy, in space all nine derivatives in this order; without it "
+      "fourth-order differences are taken.");
   add("Pressure",
       parameters.exact.pressure,
       "p = sigma_n, negative in compression (force/area), an expression for all contact sides or "

@@ -14,10 +14,17 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
       geometry.shape,
       "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
       "side1, ... in the order of its vertices; a half disc (the lower half) flat and arc, a disc "
-      "arc, a ring inner and outer; a file those that are named in it.");
-  add("Lower left", geometry.lower_left, "Corner of the rectangle: x, y (length).");
-  add("Upper right", geometry.upper_right, "Opposite corner of the rectangle: x, y (length).");
-  add("Cells", geometry.cells, "Coarse cells of the rectangle per direction: nx, ny.");
+      "arc, a ring inner and outer; a file those that are named in it; a box, the shape in space, "
+      "left, right (x), front, back (y), bottom, top (z).");
+  add("Lower left",
+      geometry.lower_left,
+      "Corner of the rectangle: x, y; of the box: x, y, z (length).");
+  add("Upper right",
+      geometry.upper_right,
+      "Opposite corner of the rectangle: x, y; of the box: x, y, z (length).");
+  add("Cells",
+      geometry.cells,
+      "Coarse cells per direction, of the rectangle: nx, ny; of the box: nx, ny, nz.");
   add(
     "Vertices",
     geometry.vertices,

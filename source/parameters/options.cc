@@ -9,6 +9,7 @@ template <>
 const OptionNames<Shape> &option_names()
 {
   static const OptionNames<Shape> names = {{Shape::rectangle, "rectangle"},
+                                           {Shape::box, "box"},
                                            {Shape::polygon, "polygon"},
                                            {Shape::half_disc, "half disc"},
                                            {Shape::disc, "disc"},

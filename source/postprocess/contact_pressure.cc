@@ -36,8 +36,9 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const dealii
   return summary;
 }
 
-RecoveredPressure::RecoveredPressure(const MultiplierSpace<2> &space,
-                                     const dealii::Vector<double> &P)
+template <>
+RecoveredPressure<2>::RecoveredPressure(const MultiplierSpace<2> &space,
+                                        const dealii::Vector<double> &P)
   : space_(space)
   , surface_(space.surface())
   , P_(P)
@@ -46,8 +47,9 @@ RecoveredPressure::RecoveredPressure(const MultiplierSpace<2> &space,
     means_.push_back(space.value(P, tau, surface_.patches()[tau].centre()));
 }
 
-RecoveredPressure::Neighbour RecoveredPressure::neighbour(const unsigned int patch,
-                                                          const int step) const
+template <>
+RecoveredPressure<2>::Neighbour RecoveredPressure<2>::neighbour(const unsigned int patch,
+                                                                const int step) const
 {
   const std::vector<Patch<2>> &patches = surface_.patches();
   const auto on_side = [&](const int t) {
@@ -68,7 +70,8 @@ RecoveredPressure::Neighbour RecoveredPressure::neighbour(const unsigned int pat
   return {static_cast<unsigned int>(next), patches[next].centre()[0] + step * side.length()};
 }
 
-double RecoveredPressure::operator()(const unsigned int patch, const dealii::Point<1> &s) const
+template <>
+double RecoveredPressure<2>::operator()(const unsigned int patch, const dealii::Point<1> &s) const
 {
   if (!space_.is_piecewise_constant())
     return std::min(0., space_.value(P_, patch, s));
@@ -83,7 +86,9 @@ double RecoveredPressure::operator()(const unsigned int patch, const dealii::Poi
   return std::min(0., means_[patch] + slope * (s[0] - middle));
 }
 
-dealii::Vector<double> transfer_pressure(const PatchPressure &from, const std::vector<Patch<2>> &to)
+template <>
+dealii::Vector<double> transfer_pressure(const PatchPressure<2> &from,
+                                         const std::vector<Patch<2>> &to)
 {
   const std::vector<Patch<2>> &patches = from.patches;
   dealii::Vector<double> transferred(to.size());

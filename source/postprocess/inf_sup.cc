@@ -46,4 +46,8 @@ template double measure_inf_sup(const DisplacementSpace<2> &,
                                 const MultiplierSpace<2> &,
                                 const Coupling &,
                                 LinearSolver);
+template double measure_inf_sup(const DisplacementSpace<3> &,
+                                const MultiplierSpace<3> &,
+                                const Coupling &,
+                                LinearSolver);
 } // namespace Signorini

@@ -46,4 +46,5 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
 }
 
 template std::vector<double> mean_dilatations(const DisplacementSpace<2> &, const NodalVector &);
+template std::vector<double> mean_dilatations(const DisplacementSpace<3> &, const NodalVector &);
 } // namespace Signorini

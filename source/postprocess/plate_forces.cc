@@ -26,4 +26,7 @@ std::vector<PlateForce> plate_forces(const DisplacementSpace<dim> &space,
 template std::vector<PlateForce> plate_forces(const DisplacementSpace<2> &,
                                               const Scene<2> &,
                                               const NodalForces &);
+template std::vector<PlateForce> plate_forces(const DisplacementSpace<3> &,
+                                              const Scene<3> &,
+                                              const NodalForces &);
 } // namespace Signorini

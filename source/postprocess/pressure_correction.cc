@@ -26,8 +26,9 @@ bool presses_nowhere(const dealii::Vector<double> &P)
 
 /** P of the dual problem on another partition; none where a patch sees no free node, or where the
  * solver fails. */
-std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<2> &multipliers,
-                                               const PressureData &data)
+template <int dim>
+std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multipliers,
+                                               const PressureData<dim> &data)
 {
   const Coupling D = assemble_coupling(data.space, multipliers);
   const Coupling condensed_D = condense(D, data.space.constraints());
@@ -42,8 +43,8 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<2> &multipl
   return data.solve_dual(D,
                          condensed_D,
                          free.F,
-                         transfer_pressure({data.multipliers.surface().patches(), data.P},
-                                           multipliers.surface().patches()));
+                         transfer_pressure<dim>({data.multipliers.surface().patches(), data.P},
+                                                multipliers.surface().patches()));
 }
 
 /**
@@ -51,15 +52,16 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<2> &multipl
  * positive. R^H p - p_H converges faster than p - p_H, see (25). The means of a line through the
  * middles of patches do not, and whole patches act on the body far more than what varies on them.
  */
+template <int dim>
 class ShiftedPressure
 {
 public:
-  ShiftedPressure(const MultiplierSpace<2> &multipliers, const dealii::Vector<double> &P)
+  ShiftedPressure(const MultiplierSpace<dim> &multipliers, const dealii::Vector<double> &P)
     : recovered_(multipliers, P)
     , shifts_(P)
   {
     dealii::Vector<double> integrals(P.size()), lengths(P.size());
-    for (const Piece<2> &piece : multipliers.surface().pieces())
+    for (const Piece<dim> &piece : multipliers.surface().pieces())
       for (std::size_t q = 0; q < piece.on_mesh.size(); ++q)
       {
         const double weight = piece.on_mesh.weights[q];
@@ -69,18 +71,19 @@ public:
     for (unsigned int k = 0; k < P.size(); ++k)
       shifts_[k] -= integrals[k] / lengths[k];
   }
-  double operator()(const unsigned int patch, const dealii::Point<1> &s) const
+  double operator()(const unsigned int patch, const dealii::Point<dim - 1> &s) const
   {
     return std::min(0., recovered_(patch, s) + shifts_[patch]);
   }
 
 private:
-  RecoveredPressure recovered_;
+  RecoveredPressure<dim> recovered_;
   dealii::Vector<double> shifts_;
 };
 
 /** z_h for a load. */
-PressureCorrection correct_by(const Coupling &load, const PressureData &data)
+template <int dim>
+PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &data)
 {
   dealii::Vector<double> one(1);
   one = 1.;
@@ -101,19 +104,20 @@ PressureCorrection correct_by(const Coupling &load, const PressureData &data)
 }
 } // namespace
 
-Coupling recovered_load(const DisplacementSpace<2> &space,
-                        const MultiplierSpace<2> &multipliers,
+template <int dim>
+Coupling recovered_load(const DisplacementSpace<dim> &space,
+                        const MultiplierSpace<dim> &multipliers,
                         const dealii::Vector<double> &P)
 {
-  const ContactSurface<2> &surface = multipliers.surface();
+  const ContactSurface<dim> &surface = multipliers.surface();
   const dealii::FEValuesExtractors::Vector displacement(0);
-  const ShiftedPressure recovered(multipliers, P);
-  TraceValues<2> traces(space);
+  const ShiftedPressure<dim> recovered(multipliers, P);
+  TraceValues<dim> traces(space);
   std::map<dealii::types::global_dof_index, double> forces;
-  for (const Piece<2> &piece : surface.pieces())
+  for (const Piece<dim> &piece : surface.pieces())
   {
-    const ContactFace<2> &face = surface.faces()[piece.face];
-    const SurfaceRule<2> &rule = piece.on_mesh;
+    const ContactFace<dim> &face = surface.faces()[piece.face];
+    const SurfaceRule<dim> &rule = piece.on_mesh;
     const auto &values = traces.reinit(face, rule.on_face);
     const auto indices = space.cell_dofs(face.cell);
     for (std::size_t q = 0; q < rule.size(); ++q)
@@ -127,22 +131,32 @@ Coupling recovered_load(const DisplacementSpace<2> &space,
   return condense(Coupling({Coupling::Column(forces.begin(), forces.end())}), space.constraints());
 }
 
-PressureCorrection correct_pressure(const PressureData &data)
+template <int dim>
+PressureCorrection correct_pressure(const PressureData<dim> &data)
 {
-  const ContactSurface<2> &surface = data.multipliers.surface();
-  const ContactSurface<2> finer(data.space.mesh(), data.scene, Partition{recovery_ratio, 0});
+  const ContactSurface<dim> &surface = data.multipliers.surface();
+  const ContactSurface<dim> finer(data.space.mesh(), data.scene, Partition{recovery_ratio, 0});
   if (surface.has_unstable_patch())
     return {};
   if (finer.patches().size() > surface.patches().size())
   {
-    const MultiplierSpace<2> multipliers(finer);
+    const MultiplierSpace<dim> multipliers(finer);
     if (const auto P = solve_on(multipliers, data))
       return presses_nowhere(*P) && presses_nowhere(data.P)
                ? PressureCorrection()
-               : correct_by(recovered_load(data.space, multipliers, *P), data);
+               : correct_by<dim>(recovered_load(data.space, multipliers, *P), data);
   }
   return presses_nowhere(data.P)
            ? PressureCorrection()
-           : correct_by(recovered_load(data.space, data.multipliers, data.P), data);
+           : correct_by<dim>(recovered_load(data.space, data.multipliers, data.P), data);
 }
+
+template Coupling recovered_load(const DisplacementSpace<2> &,
+                                 const MultiplierSpace<2> &,
+                                 const dealii::Vector<double> &);
+template PressureCorrection correct_pressure(const PressureData<2> &);
+template Coupling recovered_load(const DisplacementSpace<3> &,
+                                 const MultiplierSpace<3> &,
+                                 const dealii::Vector<double> &);
+template PressureCorrection correct_pressure(const PressureData<3> &);
 } // namespace Signorini

@@ -55,6 +55,9 @@ template NodalVector solve_prescribed(const StiffnessInverse &,
 template NodalVector solve_homogeneous(const StiffnessInverse &,
                                        const DisplacementSpace<2> &,
                                        DistributedVector &);
+template NodalVector solve_homogeneous(const StiffnessInverse &,
+                                       const DisplacementSpace<3> &,
+                                       DistributedVector &);
 template NodalVector recover_displacement(const StiffnessInverse &,
                                           const DisplacementSpace<2> &,
                                           const Coupling &,

@@ -14,6 +14,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <variant>
 
 namespace Signorini
 {
@@ -65,19 +66,42 @@ void refuse_to_overwrite(const RunInput &input, const std::string &echo)
                    "another name of the scene.");
 }
 
+template <int dim>
+RunSummary study_scene(const Parameters &parameters,
+                       const Scene<dim> &scene,
+                       const RunInput &input,
+                       MPI_Comm communicator,
+                       Screen &screen)
+{
+  const StudyResult<dim> result =
+    run_study(parameters, scene, communicator, {screen.out(), input.directory, screen.progress()});
+  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    describe_interruption("after the last level; the results are complete.");
+  if (!result.verdict.reason.empty())
+    screen.complain(result.verdict.reason);
+  RunSummary summary = {
+    result.verdict.is_certified() ? 0 : 2, word_for(result.verdict.outcome), {}};
+  if (!result.levels.empty())
+    summary.finest = result.levels.back();
+  return summary;
+}
+
 /** As far as no InputError ends it. */
 RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &screen)
 {
   const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   Parameters parameters;
-  Scene<2> scene;
+  std::variant<Scene<2>, Scene<3>> scene;
   // A mesh file may be missing on one rank.
   agree(communicator, [&]() {
     parameters = parse_parameters(input.text,
                                   input.name,
                                   input.overrides,
                                   std::filesystem::path(input.file_name).parent_path().string());
-    scene = make_scene(parameters);
+    if (dimension_of(parameters) == 2)
+      scene = make_scene<2>(parameters);
+    else
+      scene = make_scene<3>(parameters);
   });
   std::optional<ResultsDirectory> results;
   agree(communicator, [&]() {
@@ -88,17 +112,11 @@ RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &scre
   });
   try
   {
-    const StudyResult result = run_study(
-      parameters, scene, communicator, {screen.out(), input.directory, screen.progress()});
-    if (first_rank)
-      describe_interruption("after the last level; the results are complete.");
-    if (!result.verdict.reason.empty())
-      screen.complain(result.verdict.reason);
-    RunSummary summary = {
-      result.verdict.is_certified() ? 0 : 2, word_for(result.verdict.outcome), {}};
-    if (!result.levels.empty())
-      summary.finest = result.levels.back();
-    return summary;
+    return std::visit(
+      [&](const auto &of_dim) {
+        return study_scene(parameters, of_dim, input, communicator, screen);
+      },
+      scene);
   }
   catch (const InputError &error)
   {

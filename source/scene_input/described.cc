@@ -17,6 +17,7 @@ namespace Signorini
 namespace
 {
 /** Reads the entries of one parameter file that hold expressions. */
+template <int dim>
 class SceneReader
 {
 public:
@@ -26,32 +27,33 @@ public:
   }
 
   /** The components of a vector, separated by ';'. @p text is all of the entry or a part of it. */
-  std::vector<Expression<2>> components(const std::string &text,
-                                        const unsigned int n,
-                                        const Entry &entry) const
+  std::vector<Expression<dim>> components(const std::string &text,
+                                          const unsigned int n,
+                                          const Entry &entry) const
   {
     const std::vector<std::string> parts = split_list(text, ';');
     if (parts.size() != n)
       throw InputError(entry.where() + ": found " + std::to_string(parts.size()) +
                        " component(s) in " + quote(text) + ", allowed: " + std::to_string(n) +
                        (n == 1 ? " expression." : " expressions separated by ';'."));
-    std::vector<Expression<2>> expressions;
+    std::vector<Expression<dim>> expressions;
     expressions.reserve(n);
     for (const std::string &part : parts)
       expressions.emplace_back(part, constants_, entry.where());
     return expressions;
   }
-  std::vector<Expression<2>> components(const Given<std::string> &given, const unsigned int n) const
+  std::vector<Expression<dim>> components(const Given<std::string> &given,
+                                          const unsigned int n) const
   {
     return components(given.value, n, given);
   }
 
   /** Data of the problem. */
-  FunctionPointer<2> function(const std::string &text,
-                              const unsigned int n,
-                              const Entry &entry) const
+  FunctionPointer<dim> function(const std::string &text,
+                                const unsigned int n,
+                                const Entry &entry) const
   {
-    return std::make_shared<ExpressionFunction<2>>(components(text, n, entry));
+    return std::make_shared<ExpressionFunction<dim>>(components(text, n, entry));
   }
 
   const Constants &constants() const
@@ -81,36 +83,61 @@ void refuse_foreign_moduli(const MaterialParameters &given)
                        ", found Law = " + to_text(given.law.value) + ".");
 }
 
-std::shared_ptr<const Material<2>> read_material(const MaterialParameters &given,
-                                                 const SceneReader &reader,
-                                                 const Geometry<2> &geometry)
+/** The expressions of moduli, with plausible values on the body. */
+template <int dim>
+std::vector<Expression<dim>> read_moduli(const Given<std::string> &entry,
+                                         const unsigned int n,
+                                         const SceneReader<dim> &reader,
+                                         const Geometry<dim> &geometry)
+{
+  std::vector<Expression<dim>> expressions = reader.components(entry, n);
+  check_moduli(expressions, geometry);
+  return expressions;
+}
+
+/** Those of the stress normal to the plane; empty in plane stress. */
+std::vector<Expression<2>> read_moduli_across(const MaterialParameters &given,
+                                              const unsigned int n,
+                                              const SceneReader<2> &reader,
+                                              const Geometry<2> &geometry)
+{
+  return given.moduli_across.value.empty() ? std::vector<Expression<2>>()
+                                           : read_moduli(given.moduli_across, n, reader, geometry);
+}
+
+template <int dim>
+std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &given,
+                                                   const SceneReader<dim> &reader,
+                                                   const Geometry<dim> &geometry)
 {
   refuse_foreign_moduli(given);
-  const dealii::Point<2> reference = geometry.inner_point();
-  const auto moduli = [&](const Given<std::string> &entry, const unsigned int n) {
-    std::vector<Expression<2>> expressions = reader.components(entry, n);
-    check_moduli(expressions, geometry);
-    return expressions;
-  };
-  const auto across = [&](const unsigned int n) {
-    return given.moduli_across.value.empty() ? std::vector<Expression<2>>()
-                                             : moduli(given.moduli_across, n);
-  };
-  if (given.law == MaterialLaw::general)
-    return make_general(moduli(given.hooke_tensor, 6), across(3), reference);
-  if (given.law == MaterialLaw::orthotropic)
-    return make_orthotropic(
-      moduli(given.orthotropic_moduli, 4), given.orientation, across(2), reference);
-  const Expression<2> youngs_modulus = moduli(given.youngs_modulus, 1).front();
-  const Expression<2> poissons_ratio = reader.components(given.poissons_ratio, 1).front();
-  return make_isotropic<2>(youngs_modulus, poissons_ratio, given.plane_state, reference);
+  const dealii::Point<dim> reference = geometry.inner_point();
+  if constexpr (dim == 2)
+  {
+    if (given.law == MaterialLaw::general)
+      return make_general(read_moduli(given.hooke_tensor, 6, reader, geometry),
+                          read_moduli_across(given, 3, reader, geometry),
+                          reference);
+    if (given.law == MaterialLaw::orthotropic)
+      return make_orthotropic(read_moduli(given.orthotropic_moduli, 4, reader, geometry),
+                              given.orientation,
+                              read_moduli_across(given, 2, reader, geometry),
+                              reference);
+  }
+  else if (given.law == MaterialLaw::general)
+    return make_general_in_space(read_moduli(given.hooke_tensor, 21, reader, geometry), reference);
+  const Expression<dim> youngs_modulus =
+    read_moduli(given.youngs_modulus, 1, reader, geometry).front();
+  const Expression<dim> poissons_ratio = reader.components(given.poissons_ratio, 1).front();
+  return make_isotropic<dim>(youngs_modulus, poissons_ratio, given.plane_state, reference);
 }
 
 /** Gives sides their roles; a side has one role only. */
+template <int dim>
 class RoleReader
 {
 public:
-  explicit RoleReader(Scene<2> &scene)
+  explicit RoleReader(Scene<dim> &scene)
     : scene_(scene)
     , entries_(scene.geometry.sides.size())
   {
@@ -118,7 +145,7 @@ public:
   }
 
   /** @p entry is the one that names the side. */
-  BoundaryCondition<2> &assign(const std::string &name, const Role role, const Entry &entry)
+  BoundaryCondition<dim> &assign(const std::string &name, const Role role, const Entry &entry)
   {
     const std::size_t side = scene_.geometry.find_side(name);
     if (side == scene_.geometry.sides.size())
@@ -133,18 +160,19 @@ public:
   }
 
 private:
-  Scene<2> &scene_;
+  Scene<dim> &scene_;
   /** Where each side was named; null: nowhere yet. */
   std::vector<const Entry *> entries_;
 };
 
+template <int dim>
 void read_boundary(const BoundaryParameters &given,
                    const LoadParameters &load,
-                   const SceneReader &reader,
-                   Scene<2> &scene)
+                   const SceneReader<dim> &reader,
+                   Scene<dim> &scene)
 {
   const std::vector<std::string> sides = scene.geometry.side_names();
-  RoleReader roles(scene);
+  RoleReader<dim> roles(scene);
   const auto assign = [&](const Given<std::string> &names, const Role role) {
     for (const std::string &name : split_words(names))
     {
@@ -158,48 +186,70 @@ void read_boundary(const BoundaryParameters &given,
   assign(given.contact, Role::contact);
   const auto assign_data = [&](const Given<std::string> &list, const Role role) {
     for (const auto &[name, text] : read_side_list(list.value, list.where(), sides))
-      roles.assign(name, role, list).data = reader.function(text, 2, list);
+      roles.assign(name, role, list).data = reader.function(text, dim, list);
   };
   assign_data(given.displacement, Role::displacement);
   assign_data(given.traction, Role::traction);
-  scene.plates = read_plates(given.plates, load, scene.geometry);
-  for (const Plate &plate : scene.plates)
-    roles.assign(scene.geometry.sides[plate.side].name(), Role::displacement, given.plates).data =
-      plate_displacement(plate, PlateMotion{plate.travel, 0.});
+  if constexpr (dim == 2)
+  {
+    scene.plates = read_plates(given.plates, load, scene.geometry);
+    for (const Plate &plate : scene.plates)
+      roles.assign(scene.geometry.sides[plate.side].name(), Role::displacement, given.plates).data =
+        plate_displacement(plate, PlateMotion{plate.travel, 0.});
+  }
   if (scene.contact_sides().empty())
     throw InputError(given.contact.where() +
                      ": no contact side is given, allowed: one or more of " + join(sides) + ".");
 }
 
-/** The gaps of all contact sides: rigid things or expressions. */
-void read_gaps(const ContactParameters &given, const SceneReader &reader, Scene<2> &scene)
+template <int dim>
+std::vector<std::string> names_of_contact_sides(const Scene<dim> &scene)
 {
-  read_foundation(given, reader.constants(), scene);
-  for (const auto &[side, text] : gaps_without_foundation(given, scene))
+  std::vector<std::string> names;
+  for (const unsigned int side : scene.contact_sides())
+    names.push_back(scene.geometry.sides[side].name());
+  return names;
+}
+
+/** The gaps of all contact sides: rigid things or expressions. */
+template <int dim>
+void read_gaps(const ContactParameters &given, const SceneReader<dim> &reader, Scene<dim> &scene)
+{
+  SideTexts gaps;
+  if constexpr (dim == 2)
+  {
+    read_foundation(given, reader.constants(), scene);
+    gaps = gaps_without_foundation(given, scene);
+  }
+  else
+    gaps = read_contact_list(given.gap.value,
+                             given.gap.where(),
+                             scene.geometry.side_names(),
+                             names_of_contact_sides(scene));
+  for (const auto &[side, text] : gaps)
     scene.boundary[scene.geometry.find_side(side)].data = reader.function(text, 1, given.gap);
 }
 
 /** One expression for all contact sides, or one per side. */
+template <int dim>
 void read_exact_pressure(const Given<std::string> &given,
-                         const SceneReader &reader,
-                         Scene<2> &scene)
+                         const SceneReader<dim> &reader,
+                         Scene<dim> &scene)
 {
   if (given.value.empty())
     return;
-  std::vector<std::string> names;
-  for (const unsigned int side : scene.contact_sides())
-    names.push_back(scene.geometry.sides[side].name());
-  for (const auto &[side, text] :
-       read_contact_list(given.value, given.where(), scene.geometry.side_names(), names))
+  for (const auto &[side, text] : read_contact_list(
+         given.value, given.where(), scene.geometry.side_names(), names_of_contact_sides(scene)))
     scene.boundary[scene.geometry.find_side(side)].exact_pressure =
-      std::make_shared<ExpressionFunction<2>>(reader.components(text, 1, given),
-                                              std::vector<Expression<2>>(),
-                                              1e-4 * scene.geometry.shortest_extent());
+      std::make_shared<ExpressionFunction<dim>>(reader.components(text, 1, given),
+                                                std::vector<Expression<dim>>(),
+                                                1e-4 * scene.geometry.shortest_extent());
 }
 
+template <int dim>
 void read_exact_displacement(const ExactSolutionParameters &given,
-                             const SceneReader &reader,
-                             Scene<2> &scene)
+                             const SceneReader<dim> &reader,
+                             Scene<dim> &scene)
 {
   if (given.displacement.value.empty())
   {
@@ -208,42 +258,51 @@ void read_exact_displacement(const ExactSolutionParameters &given,
                        given.displacement.name + ", which is not given.");
     return;
   }
-  std::vector<Expression<2>> gradients;
+  std::vector<Expression<dim>> gradients;
   if (!given.displacement_gradient.value.empty())
-    gradients = reader.components(given.displacement_gradient, 4);
-  scene.exact_displacement = std::make_shared<ExpressionFunction<2>>(
-    reader.components(given.displacement, 2),
+    gradients = reader.components(given.displacement_gradient, dim * dim);
+  scene.exact_displacement = std::make_shared<ExpressionFunction<dim>>(
+    reader.components(given.displacement, dim),
     gradients,
     // Differences of slender bodies must not leave them far behind.
     1e-4 * scene.geometry.shortest_extent());
 }
 
 /** Zero body forces need no volume integrals. */
-bool is_zero(const std::vector<Expression<2>> &force)
+template <int dim>
+bool is_zero(const std::vector<Expression<dim>> &force)
 {
-  for (const Expression<2> &component : force)
-    if (!component.is_constant() || component(dealii::Point<2>()) != 0.)
+  for (const Expression<dim> &component : force)
+    if (!component.is_constant() || component(dealii::Point<dim>()) != 0.)
       return false;
   return true;
 }
 } // namespace
 
-Scene<2> make_described_scene(const Parameters &parameters)
+template <int dim>
+Scene<dim> make_described_scene(const Parameters &parameters)
 {
-  const SceneReader reader(parameters.constants.values);
-  Scene<2> scene;
+  const SceneReader<dim> reader(parameters.constants.values);
+  Scene<dim> scene;
   scene.name = "described";
   scene.title = "described by expressions";
-  scene.geometry = make_geometry(parameters.geometry);
+  scene.geometry = make_geometry<dim>(parameters.geometry);
   scene.material = read_material(parameters.material, reader, scene.geometry);
   read_boundary(parameters.boundary, parameters.load, reader, scene);
   read_gaps(parameters.contact, reader, scene);
   read_exact_pressure(parameters.exact.pressure, reader, scene);
-  const std::vector<Expression<2>> force = reader.components(parameters.load.body_force, 2);
-  if (!is_zero(force))
-    scene.body_force = std::make_shared<ExpressionFunction<2>>(force);
+  const Given<std::string> &body_force = parameters.load.body_force;
+  if (dim == 2 || body_force.changed)
+  {
+    const std::vector<Expression<dim>> force = reader.components(body_force, dim);
+    if (!is_zero(force))
+      scene.body_force = std::make_shared<ExpressionFunction<dim>>(force);
+  }
   read_exact_displacement(parameters.exact, reader, scene);
   check_described_scene(parameters.exact, scene);
   return scene;
 }
+
+template Scene<2> make_described_scene(const Parameters &);
+template Scene<3> make_described_scene(const Parameters &);
 } // namespace Signorini

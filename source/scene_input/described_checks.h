@@ -9,9 +9,11 @@ namespace Signorini
 {
 /** Refuses moduli that are far too large or too small, at points all over the body.
  * @throws InputError */
-void check_moduli(const std::vector<Expression<2>> &moduli, const Geometry<2> &geometry);
+template <int dim>
+void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim> &geometry);
 
 /** Evaluates everything once where the integrals will, so that nonsense is found before work: data
  * without values, and an exact solution that contradicts itself. @throws InputError */
-void check_described_scene(const ExactSolutionParameters &exact, const Scene<2> &scene);
+template <int dim>
+void check_described_scene(const ExactSolutionParameters &exact, const Scene<dim> &scene);
 } // namespace Signorini

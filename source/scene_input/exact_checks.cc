@@ -8,6 +8,7 @@
 #include <signorini/scene/magnitudes.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -19,30 +20,36 @@ namespace
 constexpr double tolerated_difference = 1e-4;
 
 /** (u_c(x + h e_d) - u_c(x - h e_d)) / 2h. */
-double difference(const dealii::Function<2> &u,
-                  const dealii::Point<2> &x,
+template <int dim>
+double difference(const dealii::Function<dim> &u,
+                  const dealii::Point<dim> &x,
                   const unsigned int c,
                   const unsigned int d,
                   const double h)
 {
-  const dealii::Tensor<1, 2> step = h * dealii::Point<2>::unit_vector(d);
+  const dealii::Tensor<1, dim> step = h * dealii::Point<dim>::unit_vector(d);
   return (u.value(x + step, c) - u.value(x - step, c)) / (2. * h);
 }
 
 /** Points on lines of symmetry are where kinks are; these are a little aside. */
-dealii::Point<2> aside(const dealii::Point<2> &x, const Geometry<2> &geometry)
+template <int dim>
+dealii::Point<dim> aside(const dealii::Point<dim> &x, const Geometry<dim> &geometry)
 {
-  const dealii::Tensor<1, 2> to_inside = geometry.inner_point() - x;
+  const dealii::Tensor<1, dim> to_inside = geometry.inner_point() - x;
   const double h = geometry.shortest_extent();
-  return x + 1e-4 * to_inside + h * dealii::Tensor<1, 2>({1.37e-5, 0.73e-5});
+  dealii::Tensor<1, dim> offset;
+  for (unsigned int d = 0; d < dim; ++d)
+    offset[d] = std::array<double, 3>{1.37e-5, 0.73e-5, 0.91e-5}[d];
+  return x + 1e-4 * to_inside + h * offset;
 }
 
-double largest_displacement(const dealii::Function<2> &u,
-                            const std::vector<dealii::Point<2>> &points)
+template <int dim>
+double largest_displacement(const dealii::Function<dim> &u,
+                            const std::vector<dealii::Point<dim>> &points)
 {
   double largest = 0.;
-  for (const dealii::Point<2> &x : points)
-    for (unsigned int c = 0; c < 2; ++c)
+  for (const dealii::Point<dim> &x : points)
+    for (unsigned int c = 0; c < dim; ++c)
       largest = std::max(largest, std::abs(u.value(x, c)));
   return largest;
 }
@@ -56,8 +63,9 @@ struct Derivative
 };
 
 /** @param largest |u| and |grad u|, for what counts as zero. */
-Derivative compare_derivative(const dealii::Function<2> &u,
-                              const dealii::Point<2> &x,
+template <int dim>
+Derivative compare_derivative(const dealii::Function<dim> &u,
+                              const dealii::Point<dim> &x,
                               const unsigned int c,
                               const unsigned int d,
                               const double h,
@@ -73,9 +81,10 @@ Derivative compare_derivative(const dealii::Function<2> &u,
 }
 } // namespace
 
+template <int dim>
 void refuse_value(const std::string &where,
                   const std::string &found,
-                  const dealii::Point<2> &x,
+                  const dealii::Point<dim> &x,
                   const std::string &allowed)
 {
   std::ostringstream message;
@@ -83,18 +92,19 @@ void refuse_value(const std::string &where,
   throw InputError(message.str());
 }
 
+template <int dim>
 void check_exact_gradient(const ExactSolutionParameters &exact,
-                          const Scene<2> &scene,
-                          const std::vector<dealii::Point<2>> &points)
+                          const Scene<dim> &scene,
+                          const std::vector<dealii::Point<dim>> &points)
 {
   if (exact.displacement_gradient.value.empty())
     return;
-  const dealii::Function<2> &u = *scene.exact_displacement;
+  const dealii::Function<dim> &u = *scene.exact_displacement;
   const std::string where = exact.displacement_gradient.where();
   const double h = 1e-5 * scene.geometry.shortest_extent();
   double largest_gradient = 0.;
-  for (const dealii::Point<2> &x : points)
-    for (unsigned int c = 0; c < 2; ++c)
+  for (const dealii::Point<dim> &x : points)
+    for (unsigned int c = 0; c < dim; ++c)
     {
       const double size = u.gradient(x, c).norm();
       if (!(size <= largest_magnitude))
@@ -106,18 +116,18 @@ void check_exact_gradient(const ExactSolutionParameters &exact,
     }
   const std::pair<double, double> largest = {largest_displacement(u, points), largest_gradient};
   constexpr unsigned int several = 3;
-  for (unsigned int c = 0; c < 2; ++c)
-    for (unsigned int d = 0; d < 2; ++d)
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int d = 0; d < dim; ++d)
     {
       unsigned int n_objections = 0;
-      for (const dealii::Point<2> &sample : points)
+      for (const dealii::Point<dim> &sample : points)
       {
-        const dealii::Point<2> x = aside(sample, scene.geometry);
+        const dealii::Point<dim> x = aside(sample, scene.geometry);
         const Derivative derivative = compare_derivative(u, x, c, d, h, largest);
         n_objections += derivative.differ ? 1 : 0;
         if (n_objections == several)
           refuse_value(where,
-                       "du" + std::to_string(c + 1) + (d == 0 ? "/dx = " : "/dy = ") +
+                       "du" + std::to_string(c + 1) + "/d" + "xyz"[d] + " = " +
                          number_text(derivative.given),
                        x,
                        number_text(derivative.found) + ", the derivative of " +
@@ -126,22 +136,23 @@ void check_exact_gradient(const ExactSolutionParameters &exact,
     }
 }
 
+template <int dim>
 void check_exact_on_side(const ExactSolutionParameters &exact,
-                         const Scene<2> &scene,
+                         const Scene<dim> &scene,
                          const unsigned int i,
-                         const std::vector<dealii::Point<2>> &points)
+                         const std::vector<dealii::Point<dim>> &points)
 {
   if (scene.exact_displacement == nullptr)
     return;
-  const dealii::Function<2> &u = *scene.exact_displacement;
-  const Side<2> &side = scene.geometry.sides[i];
-  const BoundaryCondition<2> &condition = scene.boundary[i];
+  const dealii::Function<dim> &u = *scene.exact_displacement;
+  const Side<dim> &side = scene.geometry.sides[i];
+  const BoundaryCondition<dim> &condition = scene.boundary[i];
   const double size = std::max(largest_displacement(u, points),
                                largest_displacement(u, {scene.geometry.inner_point()}));
   const double tolerance = tolerated_difference * size;
   const auto check = [&](const bool holds,
                          const double found,
-                         const dealii::Point<2> &x,
+                         const dealii::Point<dim> &x,
                          const std::string &name,
                          const std::string &allowed) {
     if (!holds)
@@ -150,12 +161,14 @@ void check_exact_on_side(const ExactSolutionParameters &exact,
                    x,
                    allowed);
   };
-  for (const dealii::Point<2> &x : points)
+  for (const dealii::Point<dim> &x : points)
   {
-    const dealii::Tensor<1, 2> normal = side.normal(side.arc_length(x));
-    const double u_n = u.value(x, 0) * normal[0] + u.value(x, 1) * normal[1];
+    const dealii::Tensor<1, dim> normal = side.normal(side.coordinates(x));
+    double u_n = 0.;
+    for (unsigned int c = 0; c < dim; ++c)
+      u_n += u.value(x, c) * normal[c];
     if (condition.role == Role::clamped || condition.role == Role::displacement)
-      for (unsigned int c = 0; c < 2; ++c)
+      for (unsigned int c = 0; c < dim; ++c)
       {
         const double given = condition.data == nullptr ? 0. : condition.data->value(x, c);
         check(std::abs(u.value(x, c) - given) <= tolerance + tolerated_difference * std::abs(given),
@@ -173,4 +186,26 @@ void check_exact_on_side(const ExactSolutionParameters &exact,
     }
   }
 }
+template void refuse_value(const std::string &,
+                           const std::string &,
+                           const dealii::Point<2> &,
+                           const std::string &);
+template void check_exact_gradient(const ExactSolutionParameters &,
+                                   const Scene<2> &,
+                                   const std::vector<dealii::Point<2>> &);
+template void check_exact_on_side(const ExactSolutionParameters &,
+                                  const Scene<2> &,
+                                  unsigned int,
+                                  const std::vector<dealii::Point<2>> &);
+template void refuse_value(const std::string &,
+                           const std::string &,
+                           const dealii::Point<3> &,
+                           const std::string &);
+template void check_exact_gradient(const ExactSolutionParameters &,
+                                   const Scene<3> &,
+                                   const std::vector<dealii::Point<3>> &);
+template void check_exact_on_side(const ExactSolutionParameters &,
+                                  const Scene<3> &,
+                                  unsigned int,
+                                  const std::vector<dealii::Point<3>> &);
 } // namespace Signorini

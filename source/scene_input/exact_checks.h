@@ -10,9 +10,10 @@
 namespace Signorini
 {
 /** "WHERE: found FOUND at (X), allowed: ALLOWED." @throws InputError */
+template <int dim>
 [[noreturn]] void refuse_value(const std::string &where,
                                const std::string &found,
-                               const dealii::Point<2> &x,
+                               const dealii::Point<dim> &x,
                                const std::string &allowed);
 
 /**
@@ -20,16 +21,18 @@ namespace Signorini
  * inside the body. Where two differences do not agree (kinks, singularities) nothing is said.
  * @throws InputError if three points object.
  */
+template <int dim>
 void check_exact_gradient(const ExactSolutionParameters &exact,
-                          const Scene<2> &scene,
-                          const std::vector<dealii::Point<2>> &points);
+                          const Scene<dim> &scene,
+                          const std::vector<dealii::Point<dim>> &points);
 
 /**
  * An exact displacement satisfies what the scene prescribes on a side: u = 0, u·n = 0, u = u_D, or
  * u·n <= g. @throws InputError
  */
+template <int dim>
 void check_exact_on_side(const ExactSolutionParameters &exact,
-                         const Scene<2> &scene,
+                         const Scene<dim> &scene,
                          unsigned int side,
-                         const std::vector<dealii::Point<2>> &points);
+                         const std::vector<dealii::Point<dim>> &points);
 } // namespace Signorini

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coordinates_input.h"
 #include "mesh_file_input.h"
 #include "polygon_input.h"
 
@@ -29,7 +30,7 @@ void refuse_foreign_entries(const GeometryParameters &given)
   };
   for (const Entry *entry :
        std::initializer_list<const Entry *>{&given.lower_left, &given.upper_right, &given.cells})
-    refuse(*entry, shape == Shape::rectangle, "rectangle");
+    refuse(*entry, shape == Shape::rectangle || shape == Shape::box, "rectangle or box");
   for (const Entry *entry :
        std::initializer_list<const Entry *>{&given.vertices, &given.holes, &given.mesh_size})
     refuse(*entry, shape == Shape::polygon, "polygon");
@@ -40,31 +41,56 @@ void refuse_foreign_entries(const GeometryParameters &given)
   refuse(given.arcs, shape == Shape::file, "file");
 }
 
-Geometry<2> read_rectangle(const GeometryParameters &given)
+/** Opposite corners and coarse cells of a rectangle or a box. */
+template <int dim>
+struct Block
 {
-  const auto lower = two_numbers(given.lower_left, given.lower_left);
-  const auto upper = two_numbers(given.upper_right, given.upper_right);
-  const auto cells = two_numbers(given.cells, given.cells);
+  dealii::Point<dim> lower, upper;
+  std::vector<unsigned int> cells;
+};
+
+/** A point; what is not given is that of the unit square or cube. */
+template <int dim>
+dealii::Point<dim> read_corner(const Given<std::string> &given, const double by_default)
+{
+  const std::vector<double> numbers = given.changed ? read_coordinates(given.value, dim, given)
+                                                    : std::vector<double>(dim, by_default);
+  dealii::Point<dim> corner;
+  std::copy(numbers.begin(), numbers.end(), corner.begin_raw());
+  check_coordinates<dim>({corner}, given.where());
+  return corner;
+}
+
+template <int dim>
+Block<dim> read_block(const GeometryParameters &given)
+{
+  Block<dim> block;
+  const std::vector<double> cells = given.cells.changed
+                                      ? read_coordinates(given.cells, dim, given.cells)
+                                      : std::vector<double>(dim, 1.);
   for (const double n : cells)
+  {
     if (n < 1 || n > 10000 || n != std::floor(n))
       throw InputError(given.cells.where() + ": found " + quote(given.cells) +
-                       ", allowed: two integers from 1 to 10000.");
-  check_coordinates({{lower[0], lower[1]}}, given.lower_left.where());
-  check_coordinates({{upper[0], upper[1]}}, given.upper_right.where());
-  if (!(upper[0] > lower[0] && upper[1] > lower[1]))
-    throw InputError(
-      given.upper_right.where() + ": found " + quote(given.upper_right) +
-      ", allowed: a point to the right of and above Lower left = " + given.lower_left.value + ".");
-  return make_rectangle({lower[0], lower[1]},
-                        {upper[0], upper[1]},
-                        {static_cast<unsigned int>(cells[0]), static_cast<unsigned int>(cells[1])});
+                       ", allowed: " + (dim == 2 ? "two" : "three") + " integers from 1 to 10000.");
+    block.cells.push_back(static_cast<unsigned int>(n));
+  }
+  block.lower = read_corner<dim>(given.lower_left, 0.);
+  block.upper = read_corner<dim>(given.upper_right, 1.);
+  for (unsigned int d = 0; d < dim; ++d)
+    if (!(block.upper[d] > block.lower[d]))
+      throw InputError(given.upper_right.where() + ": found " + quote(given.upper_right) +
+                       ", allowed: a point to the right of and above " +
+                       (dim == 2 ? "" : "and behind ") + "Lower left = " + given.lower_left.value +
+                       ".");
+  return block;
 }
 
 Geometry<2> read_round_body(const GeometryParameters &given)
 {
-  const auto xy = two_numbers(given.centre, given.centre);
+  const auto xy = read_coordinates(given.centre, 2, given.centre);
   const dealii::Point<2> centre(xy[0], xy[1]);
-  check_coordinates({centre}, given.centre.where());
+  check_coordinates<2>({centre}, given.centre.where());
   if (given.shape == Shape::half_disc)
     return make_half_disc(given.radius, centre);
   if (given.shape == Shape::disc)
@@ -76,50 +102,24 @@ Geometry<2> read_round_body(const GeometryParameters &given)
 }
 } // namespace
 
-std::vector<double> two_numbers(const std::string &text, const Entry &entry)
+template <>
+Geometry<3> make_geometry(const GeometryParameters &given)
 {
-  std::vector<double> numbers;
-  if (!read_numbers(text, numbers) || numbers.size() != 2)
-    throw InputError(entry.where() + ": found " + quote(text) +
-                     ", allowed: two numbers separated by a comma.");
-  return numbers;
+  if (given.shape != Shape::box && given.shape.changed)
+    throw InputError(given.shape.where() + ": found '" + to_text(given.shape.value) +
+                     "' with Dimension = 3, allowed: " + to_text(Shape::box) + ".");
+  GeometryParameters of_box = given;
+  of_box.shape.value = Shape::box;
+  refuse_foreign_entries(of_box);
+  const Block<3> block = read_block<3>(given);
+  Geometry<3> geometry = make_box(block.lower, block.upper, block.cells);
+  check_size(geometry, given.upper_right.where());
+  geometry.distortion = given.distortion;
+  geometry.where_distortion = given.distortion.where();
+  return geometry;
 }
 
-void check_coordinates(const std::vector<dealii::Point<2>> &points, const std::string &where)
-{
-  for (const dealii::Point<2> &x : points)
-    for (unsigned int d = 0; d < 2; ++d)
-      if (!(std::abs(x[d]) <= largest_magnitude))
-        throw InputError(where + ": found the coordinate " + number_text(x[d]) +
-                         ", allowed: coordinates up to " + number_text(largest_magnitude) +
-                         "; take other units.");
-}
-
-void check_size(const Geometry<2> &geometry, const std::string &where)
-{
-  const double size = geometry.diameter();
-  double distance = 0., shortest = size;
-  for (const Side<2> &side : geometry.sides)
-  {
-    distance = std::max(distance, side.start().norm());
-    shortest = std::min(shortest, side.length());
-  }
-  if (!(size >= smallest_magnitude && size <= largest_magnitude))
-    throw InputError(where + ": found a body of the size " + number_text(size) +
-                     ", allowed: sizes from " + number_text(smallest_magnitude) + " to " +
-                     number_text(largest_magnitude) + "; take other units.");
-  if (!(distance <= largest_distance * size))
-    throw InputError(where + ": found a body of the size " + number_text(size) +
-                     " at the distance " + number_text(distance) +
-                     " from the origin, allowed: at most " + number_text(largest_distance) +
-                     " times its size; put the origin near the body.");
-  if (!(shortest * largest_slenderness >= size))
-    throw InputError(where + ": found a side of the length " + number_text(shortest) +
-                     " on a body of the size " + number_text(size) +
-                     ", allowed: sides of at least " + number_text(1. / largest_slenderness) +
-                     " of the size.");
-}
-
+template <>
 Geometry<2> make_geometry(const GeometryParameters &given)
 {
   refuse_foreign_entries(given);
@@ -127,9 +127,15 @@ Geometry<2> make_geometry(const GeometryParameters &given)
   switch (given.shape.value)
   {
   case Shape::rectangle:
-    geometry = read_rectangle(given);
+  {
+    const Block<2> block = read_block<2>(given);
+    geometry = make_rectangle(block.lower, block.upper, block.cells);
     check_size(geometry, given.upper_right.where());
     break;
+  }
+  case Shape::box:
+    throw InputError(given.shape.where() +
+                     ": found 'box' with Dimension = 2, allowed: Dimension = 3, or another shape.");
   case Shape::polygon:
     geometry = read_polygon(given);
     check_size(geometry, given.vertices.where());

@@ -7,5 +7,10 @@
 namespace Signorini
 {
 /** The body that the entries describe. @throws InputError */
+template <int dim>
+Geometry<dim> make_geometry(const GeometryParameters &given);
+template <>
 Geometry<2> make_geometry(const GeometryParameters &given);
+template <>
+Geometry<3> make_geometry(const GeometryParameters &given);
 } // namespace Signorini

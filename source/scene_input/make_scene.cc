@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "load_case_input.h"
+#include "space_input.h"
 
 namespace Signorini
 {
@@ -93,33 +94,47 @@ void refuse_bad_kinks(const Scene<2> &scene, const DiscretizationParameters &giv
   check(given.kinks_at_x, 0);
   check(given.kinks_at_y, 1);
 }
-} // namespace
 
-Scene<2> make_scene(const Parameters &parameters)
+/** What both dimensions ask of a scene that is read. */
+template <int dim>
+Scene<dim> read_scene(const Parameters &parameters)
 {
   const std::string &name = parameters.scene.name;
-  Scene<2> scene;
   if (name == described)
-    scene = make_described_scene(parameters);
-  else
+    return make_described_scene<dim>(parameters);
+  std::vector<std::string> names = {described};
+  for (const CatalogueEntry<dim> &entry : catalogue<dim>())
   {
-    std::vector<std::string> names = {described};
-    const CatalogueEntry *found = nullptr;
-    for (const CatalogueEntry &entry : catalogue())
-    {
-      names.push_back(entry.name);
-      if (entry.name == name)
-        found = &entry;
-    }
-    if (found == nullptr)
-      throw InputError(parameters.scene.name.where() + ": found " + quote(name) +
-                       ", allowed: " + join(names) + ".");
+    names.push_back(entry.name);
+    if (entry.name != name)
+      continue;
     refuse_description(parameters);
-    scene = found->make();
-    scene.name = found->name;
-    scene.title = found->title;
+    Scene<dim> scene = entry.make();
+    scene.name = entry.name;
+    scene.title = entry.title;
     scene.description = describe_scene(name);
+    return scene;
   }
+  throw InputError(parameters.scene.name.where() + ": found " + quote(name) +
+                   (dim == 2 ? "" : " with Dimension = 3") + ", allowed: " + join(names) + ".");
+}
+} // namespace
+
+unsigned int dimension_of(const Parameters &parameters)
+{
+  if (parameters.dimension.changed)
+    return parameters.dimension;
+  const auto &in_space = catalogue<3>();
+  const bool is_in_space = std::any_of(in_space.begin(), in_space.end(), [&](const auto &entry) {
+    return entry.name == parameters.scene.name.value;
+  });
+  return is_in_space ? 3 : parameters.dimension.value;
+}
+
+template <>
+Scene<2> make_scene(const Parameters &parameters)
+{
+  Scene<2> scene = read_scene<2>(parameters);
   judge_free_motions(scene, parameters.boundary.where);
   const DiscretizationParameters &discretization = parameters.discretization;
   refuse_bad_kinks(scene, discretization);
@@ -131,6 +146,20 @@ Scene<2> make_scene(const Parameters &parameters)
   for (const unsigned int side : scene.contact_sides())
     scene.kinks.add_ends_on(scene.geometry.sides[side]);
   scene.load_cases = read_load_cases(parameters.load_cases, scene);
+  return scene;
+}
+
+template <>
+Scene<3> make_scene(const Parameters &parameters)
+{
+  refuse_what_is_plane(parameters);
+  const Scene<3> scene = read_scene<3>(parameters);
+  const std::vector<std::string> names = free_rigid_motions(scene);
+  if (!names.empty())
+    throw InputError(parameters.boundary.where +
+                     ": the clamped, prescribed and roller sides leave " + join(names, " and ") +
+                     " of the body free; in space, hold the body with Clamped, Displacement or "
+                     "Rollers.");
   return scene;
 }
 } // namespace Signorini

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <optional>
 
+#include "coordinates_input.h"
 #include "polygon_loop.h"
 
 namespace Signorini
@@ -39,7 +40,7 @@ PolygonArc read_arc(const std::string &text, const Entry &entry)
   if (direction != "cw" && direction != "ccw")
     throw InputError(entry.where() + ": found " + quote(text) +
                      ", allowed: 'arc cx,cy ccw' (counter-clockwise) or 'arc cx,cy cw'.");
-  const auto xy = two_numbers(trim(rest.substr(0, blank)), entry);
+  const auto xy = read_coordinates(trim(rest.substr(0, blank)), 2, entry);
   return {dealii::Point<2>(xy[0], xy[1]), direction == "ccw"};
 }
 
@@ -47,7 +48,7 @@ PolygonArc read_arc(const std::string &text, const Entry &entry)
 PolygonVertex read_vertex(const std::string &text, const unsigned int number, const Entry &entry)
 {
   const std::size_t word = text.find("fillet");
-  const auto xy = two_numbers(trim(text.substr(0, word)), entry);
+  const auto xy = read_coordinates(trim(text.substr(0, word)), 2, entry);
   PolygonVertex vertex = {dealii::Point<2>(xy[0], xy[1]), 0., number};
   if (word != std::string::npos &&
       (!read_number(trim(text.substr(word + 6)), vertex.fillet) || !(vertex.fillet > 0.)))
@@ -83,7 +84,7 @@ PolygonLoop read_loop(const std::string &text, const Entry &entry)
     if (loop.edges[i].arc)
       points.push_back(loop.edges[i].arc->centre);
   }
-  check_coordinates(points, entry.where());
+  check_coordinates<2>(points, entry.where());
   const bool is_tiny = std::all_of(points.begin(), points.end(), [](const auto &x) {
     return std::abs(x[0]) < smallest_magnitude && std::abs(x[1]) < smallest_magnitude;
   });
@@ -107,7 +108,7 @@ Curve read_circle(const std::string &text, const Entry &entry)
     throw InputError(entry.where() + ": found " + quote(text) +
                      ", allowed: 'circle cx,cy,r' with a positive radius r.");
   const dealii::Point<2> centre(numbers[0], numbers[1]);
-  check_coordinates({centre, dealii::Point<2>(numbers[2], 0.)}, entry.where());
+  check_coordinates<2>({centre, dealii::Point<2>(numbers[2], 0.)}, entry.where());
   return Curve::arc(centre, numbers[2], dealii::numbers::PI, -dealii::numbers::PI, Body::outside);
 }
 

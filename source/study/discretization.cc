@@ -57,7 +57,15 @@ void refuse_blind_patches(const Parameters &parameters, const Coupling &condense
 template <int dim>
 void refuse_unstable_patches(const Parameters &parameters, const ContactSurface<dim> &surface)
 {
-  if (parameters.solver.require_stability && surface.has_unstable_patch())
+  if (!surface.has_unstable_patch())
+    return;
+  if (dim == 3)
+    throw InputError(parameters.discretization.coarsest_level.where() + ": found '" +
+                     std::to_string(parameters.discretization.coarsest_level.value) +
+                     "', where a contact patch is a single face (H = h), which is not stable in "
+                     "space, allowed: levels or Geometry/Cells with at least two faces per patch "
+                     "and direction.");
+  if (parameters.solver.require_stability)
     throw InputError(parameters.solver.require_stability.where() +
                      ": a contact patch is no longer than a face (H = h), which is not inf-sup "
                      "stable, allowed: a Patch ratio of at least 2 and levels on which every side "
@@ -186,4 +194,5 @@ std::vector<unsigned int> degrees_of(const DisplacementSpace<2> &space)
 }
 
 template struct Discretization<2>;
+template struct Discretization<3>;
 } // namespace Signorini

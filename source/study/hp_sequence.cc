@@ -33,7 +33,7 @@ Scene<2> without_graded_rules(Scene<2> scene)
   return scene;
 }
 
-class HpSequence final : public Sequence
+class HpSequence final : public Sequence<2>
 {
 public:
   explicit HpSequence(const StudyContext<2> &context)
@@ -70,7 +70,7 @@ public:
     progress("estimate");
     const StepFindings findings = examine_step(solution);
     progress("errors");
-    add_errors(parameters, context_.scene, discretization, nullptr, solution);
+    add_errors<2>(parameters, context_.scene, discretization, nullptr, solution);
     last_ = {std::move(next_), solution.U, solution.P};
     finished_ =
       (context_.judge.reaches_target(record) && is_checked(record)) || history_.stagnates();
@@ -93,7 +93,7 @@ public:
     return finished_;
   }
 
-  PatchPressure pressure() const override
+  PatchPressure<2> pressure() const override
   {
     return {last_.discretization->surface.patches(), last_.P};
   }
@@ -166,7 +166,7 @@ private:
 };
 } // namespace
 
-std::unique_ptr<Sequence> make_hp_sequence(const StudyContext<2> &context)
+std::unique_ptr<Sequence<2>> make_hp_sequence(const StudyContext<2> &context)
 {
   return std::make_unique<HpSequence>(context);
 }

@@ -158,4 +158,9 @@ template LevelSolution<2> solve_level(const Parameters &,
                                       const Discretization<2> &,
                                       const dealii::Vector<double> &,
                                       const Progress &);
+template LevelSolution<3> solve_level(const Parameters &,
+                                      const Scene<3> &,
+                                      const Discretization<3> &,
+                                      const dealii::Vector<double> &,
+                                      const Progress &);
 } // namespace Signorini

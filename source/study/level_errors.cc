@@ -11,7 +11,7 @@ template <int dim>
 void add_errors(const Parameters &parameters,
                 const Scene<dim> &scene,
                 const Discretization<dim> &discretization,
-                const ExactPressure *pressure,
+                const ExactPressure<dim> *pressure,
                 LevelSolution<dim> &solution)
 {
   if (!parameters.output.errors)
@@ -30,21 +30,27 @@ void add_errors(const Parameters &parameters,
   }
   if (pressure != nullptr)
     record.dual_norm_errors = pressure->errors(multipliers, solution.P);
-  if (parameters.output.lemmas && parameters.discretization.strategy == Strategy::nested &&
-      scene.exact_displacement != nullptr && pressure != nullptr)
-    record.lemmas = compute_lemma_numbers(discretization.space,
-                                          scene,
-                                          multipliers,
-                                          discretization.D,
-                                          *pressure,
-                                          solution.loads,
-                                          parameters.solver.linear_solver,
-                                          n_points);
+  if constexpr (dim == 2)
+    if (parameters.output.lemmas && parameters.discretization.strategy == Strategy::nested &&
+        scene.exact_displacement != nullptr && pressure != nullptr)
+      record.lemmas = compute_lemma_numbers(discretization.space,
+                                            scene,
+                                            multipliers,
+                                            discretization.D,
+                                            *pressure,
+                                            solution.loads,
+                                            parameters.solver.linear_solver,
+                                            n_points);
 }
 
 template void add_errors(const Parameters &,
                          const Scene<2> &,
                          const Discretization<2> &,
-                         const ExactPressure *,
+                         const ExactPressure<2> *,
                          LevelSolution<2> &);
+template void add_errors(const Parameters &,
+                         const Scene<3> &,
+                         const Discretization<3> &,
+                         const ExactPressure<3> *,
+                         LevelSolution<3> &);
 } // namespace Signorini

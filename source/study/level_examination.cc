@@ -39,13 +39,12 @@ bool wants_bound(const DiscretizationParameters &given, const unsigned int level
 }
 
 /** Where plates are and what holds them there. */
-template <int dim>
-void add_plates(const DisplacementSpace<dim> &space,
-                const SolvedSystem<dim> &solved,
+void add_plates(const DisplacementSpace<2> &space,
+                const SolvedSystem<2> &solved,
                 const NodalForces &nodal,
-                LevelSolution<dim> &solution)
+                LevelSolution<2> &solution)
 {
-  const Scene<dim> &scene = solution.scene;
+  const Scene<2> &scene = solution.scene;
   if (scene.plates.empty())
     return;
   const std::vector<PlateMotion> motions = solved.modes.plate_motions(scene.plates, solution.q);
@@ -116,7 +115,8 @@ void add_certificate_and_answer(const Discretization<dim> &discretization,
                                                     solved.pressure.diagonal_P},
                                forces);
   record.certificate.motion_balance = motion_balance(scene.plates, solved.modes, forces);
-  add_plates(space, solved, forces, solution);
+  if constexpr (dim == 2)
+    add_plates(space, solved, forces, solution);
   record.answer =
     compute_answer(space, scene, discretization.multipliers, forces, solution.U, solution.P);
 }
@@ -155,23 +155,22 @@ void add_estimate(const Discretization<dim> &discretization,
                   LevelSolution<dim> &solution)
 {
   const Scene<dim> &scene = solution.scene;
-  const PressureCorrection correction = correct_pressure({discretization.space,
-                                                          scene,
-                                                          discretization.multipliers,
-                                                          solved.free.U,
-                                                          solution.P,
-                                                          discretization.condensed_D,
-                                                          solved.inverse,
-                                                          discretization.n_points,
-                                                          dual_problem(solved, solution)});
+  const PressureCorrection correction = correct_pressure<dim>({discretization.space,
+                                                               scene,
+                                                               discretization.multipliers,
+                                                               solved.free.U,
+                                                               solution.P,
+                                                               discretization.condensed_D,
+                                                               solved.inverse,
+                                                               discretization.n_points,
+                                                               dual_problem(solved, solution)});
   solution.record.estimate = estimate_error(discretization.space, scene, solution.U, correction);
 }
 
 /** The bound of the error of U and P, and where it comes from. */
-template <int dim>
-void add_bound(const Discretization<dim> &discretization,
+void add_bound(const Discretization<2> &discretization,
                const StiffnessInverse &inverse,
-               LevelSolution<dim> &solution)
+               LevelSolution<2> &solution)
 {
   const StageTimer timer(solution.record.times.bound);
   LocatedBound located = compute_located_bound({{discretization.space,
@@ -210,11 +209,12 @@ void examine(const Parameters &parameters,
   add_certificate_and_answer(discretization, solved, solution);
   if (discretization.mesh.has_parents())
     add_estimate(discretization, solved, solution);
-  if (wants_bound(parameters.discretization, record.sizes.level))
-  {
-    progress("bound of the error");
-    add_bound(discretization, solved.inverse, solution);
-  }
+  if constexpr (dim == 2)
+    if (wants_bound(parameters.discretization, record.sizes.level))
+    {
+      progress("bound of the error");
+      add_bound(discretization, solved.inverse, solution);
+    }
   subtract_work_of_plates(record);
 }
 
@@ -223,4 +223,9 @@ template void examine(const Parameters &,
                       const SolvedSystem<2> &,
                       const Progress &,
                       LevelSolution<2> &);
+template void examine(const Parameters &,
+                      const Discretization<3> &,
+                      const SolvedSystem<3> &,
+                      const Progress &,
+                      LevelSolution<3> &);
 } // namespace Signorini

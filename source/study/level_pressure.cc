@@ -60,8 +60,9 @@ QPResult solve_contact(const Parameters &parameters,
   if (modes.size() == 0)
     return solve_dual_problem(C, F, start, options);
   const MotionResult result = solve_dual_problem(C, F, solution.motions, start, options);
-  if (result.escape)
-    refuse_escape(parameters, discretization, modes, solution.motions, *result.escape);
+  if constexpr (dim == 2)
+    if (result.escape)
+      refuse_escape(parameters, discretization, modes, solution.motions, *result.escape);
   solution.q = result.q;
   return result.qp;
 }
@@ -158,4 +159,23 @@ template void correct_rounding(const Parameters &,
                                const DistributedVector &,
                                Pressure &,
                                LevelSolution<2> &);
+template Pressure find_pressure(const Parameters &,
+                                const Discretization<3> &,
+                                const StiffnessInverse &,
+                                const MotionModes<3> &,
+                                const dealii::Vector<double> &,
+                                const Progress &,
+                                LevelSolution<3> &);
+template NodalVector recover(const Discretization<3> &,
+                             const StiffnessInverse &,
+                             const MotionModes<3> &,
+                             const DistributedVector &,
+                             const LevelSolution<3> &);
+template void correct_rounding(const Parameters &,
+                               const Discretization<3> &,
+                               const StiffnessInverse &,
+                               const MotionModes<3> &,
+                               const DistributedVector &,
+                               Pressure &,
+                               LevelSolution<3> &);
 } // namespace Signorini

@@ -20,10 +20,14 @@ namespace Signorini
 namespace
 {
 /** Mesh, matrix and factor took 3.5 kB per cell for 2^16 cells of a square, 4.1 kB for 2^18 and
- * 4.4 kB for 2^20 (condensed; Amesos MUMPS takes more): the factor grows like n log n. */
+ * 4.4 kB for 2^20 (condensed; Amesos MUMPS takes more): the factor grows like n log n. In space it
+ * grows like n^{4/3}: @@SPACE@@ */
+template <int dim>
 double sparse_bytes(const double cells)
 {
-  return cells * std::max(1e3, 240. * std::log2(cells) - 370.);
+  if (dim == 2)
+    return cells * std::max(1e3, 240. * std::log2(cells) - 370.);
+  return cells * (4e3 + 900. * std::cbrt(cells));
 }
 
 /** C, its copy and its factor; condensed also the factor of S, of order @p unknowns, and W. */
@@ -53,6 +57,19 @@ double available_bytes()
        {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"})
     available = std::min(available, read_limit(file));
   return available;
+}
+
+/** How much of the boundary may touch. */
+double share_of_contact(const Scene<2> &scene)
+{
+  double length = 0., contact_length = 0.;
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+  {
+    length += scene.geometry.sides[i].length();
+    if (scene.boundary[i].role == Role::contact)
+      contact_length += scene.geometry.sides[i].length();
+  }
+  return contact_length / length;
 }
 
 std::string gibibytes(const double bytes)
@@ -86,7 +103,7 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
   refuse_if_huge();
   dealii::Triangulation<dim> coarse_mesh;
   scene.geometry.make_coarse_mesh(coarse_mesh);
-  double all_faces = 0., length = 0., contact_length = 0.;
+  double all_faces = 0.;
   for (const auto &face : coarse_mesh.active_face_iterators())
     if (face->at_boundary())
     {
@@ -96,14 +113,9 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
           scene.boundary[face->boundary_id()].role == Role::contact)
         n_coarse_contact_faces_ += 1.;
     }
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-  {
-    length += scene.geometry.sides[i].length();
-    if (scene.boundary[i].role == Role::contact)
-      contact_length += scene.geometry.sides[i].length();
-  }
-  if (scene.geometry.number_after_refinement)
-    n_coarse_contact_faces_ = all_faces * contact_length / length;
+  if constexpr (dim == 2)
+    if (scene.geometry.number_after_refinement)
+      n_coarse_contact_faces_ = all_faces * share_of_contact(scene);
   refuse_if_huge();
 }
 
@@ -122,14 +134,15 @@ double MemoryLimit<dim>::n_contact_faces(const unsigned int level) const
 template <int dim>
 double MemoryLimit<dim>::n_patches(const unsigned int level) const
 {
-  return given_.patches > 0 ? n_contact_sides_ * given_.patches
-                            : std::floor(n_contact_faces(level) / given_.patch_ratio);
+  return given_.patches > 0
+           ? n_contact_sides_ * given_.patches
+           : std::floor(n_contact_faces(level) / std::pow(given_.patch_ratio.value, dim - 1.));
 }
 
 template <int dim>
 double MemoryLimit<dim>::needed(const unsigned int level) const
 {
-  return sparse_bytes(n_cells(level)) +
+  return sparse_bytes<dim>(n_cells(level)) +
          dense_bytes(n_patches(level), dim * n_contact_faces(level), condensed_);
 }
 
@@ -158,4 +171,5 @@ void MemoryLimit<dim>::check(const unsigned int level) const
 }
 
 template class MemoryLimit<2>;
+template class MemoryLimit<3>;
 } // namespace Signorini

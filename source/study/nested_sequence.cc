@@ -13,7 +13,7 @@ namespace Signorini
 namespace
 {
 template <int dim>
-class NestedSequence final : public Sequence
+class NestedSequence final : public Sequence<dim>
 {
 public:
   explicit NestedSequence(const StudyContext<dim> &context)
@@ -22,7 +22,7 @@ public:
     , next_level_(context.parameters.discretization.coarsest_level)
   {
     if (context.parameters.output.errors && context.scene.has_exact_pressure())
-      exact_pressure_ = std::make_unique<const ExactPressure>(context.scene);
+      exact_pressure_ = std::make_unique<const ExactPressure<dim>>(context.scene);
   }
 
   std::string name_of_next() const override
@@ -40,7 +40,7 @@ public:
       parameters, context_.scene, next_level_, context_.communicator);
     dealii::Vector<double> start;
     if (parameters.solver.warm_start && !pressure_.patches.empty())
-      start = transfer_pressure(pressure_, discretization.surface.patches());
+      start = transfer_pressure<dim>(pressure_, discretization.surface.patches());
     LevelSolution<dim> solution =
       solve_level(parameters, context_.scene, discretization, start, progress);
     progress("errors");
@@ -69,7 +69,7 @@ public:
     return finished_;
   }
 
-  PatchPressure pressure() const override
+  PatchPressure<dim> pressure() const override
   {
     return pressure_;
   }
@@ -78,18 +78,19 @@ private:
   StudyContext<dim> context_;
   MemoryLimit<dim> memory_;
   /** Null if it is not known. */
-  std::unique_ptr<const ExactPressure> exact_pressure_;
+  std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
   unsigned int next_level_;
   bool finished_ = false;
-  PatchPressure pressure_;
+  PatchPressure<dim> pressure_;
 };
 } // namespace
 
 template <int dim>
-std::unique_ptr<Sequence> make_nested_sequence(const StudyContext<dim> &context)
+std::unique_ptr<Sequence<dim>> make_nested_sequence(const StudyContext<dim> &context)
 {
   return std::make_unique<NestedSequence<dim>>(context);
 }
 
-template std::unique_ptr<Sequence> make_nested_sequence(const StudyContext<2> &);
+template std::unique_ptr<Sequence<2>> make_nested_sequence(const StudyContext<2> &);
+template std::unique_ptr<Sequence<3>> make_nested_sequence(const StudyContext<3> &);
 } // namespace Signorini

@@ -8,7 +8,7 @@
 #include <signorini/base/gather.h>
 #include <signorini/output/answer_output.h>
 #include <signorini/output/cases_csv.h>
-#include <signorini/output/contact_line.h>
+#include <signorini/output/contact_area.h>
 #include <signorini/output/matrix_market.h>
 #include <signorini/output/mesh_svg.h>
 #include <signorini/output/solution_vtu.h>
@@ -137,18 +137,19 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization,
   if (directory_.empty())
     return;
   start_directory();
-  std::vector<ContactSegment> line;
+  TracedContact<dim> traced;
   write_on_first_rank([&]() {
-    line =
-      trace_contact_line(discretization.space, discretization.multipliers, solution.U, solution.P);
+    traced = trace_contact(
+      discretization.space, discretization.multipliers, scene.boundary, solution.U, solution.P);
     write_file(level_file("contact", solution.record.sizes.level, ".csv"),
-               [&](std::ostream &stream) { write_contact_csv(stream, line); });
+               [&](std::ostream &stream) { write_contact_csv(stream, traced); });
   });
   const VtuLevels vtu = parameters_.output.vtu;
   if (vtu == VtuLevels::all || (vtu == VtuLevels::finest && last_level))
-    write_vtu(discretization, scene, solution, line);
-  if (parameters_.output.pictures && last_level)
-    prepare_pictures(discretization, scene, solution);
+    write_vtu(discretization, scene, solution, traced);
+  if constexpr (dim == 2)
+    if (parameters_.output.pictures && last_level)
+      prepare_pictures(discretization, scene, solution);
   if (solution.system != nullptr)
     write_dual_problem(discretization, solution);
 }
@@ -157,7 +158,7 @@ template <int dim>
 void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
                               const Scene<dim> &scene,
                               const LevelSolution<dim> &solution,
-                              const std::vector<ContactSegment> &line)
+                              const TracedContact<dim> &traced)
 {
   const unsigned int level = solution.record.sizes.level;
   const auto body = level_file("solution", level, ".vtu");
@@ -167,21 +168,21 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
   contact_files_.emplace_back(level, contact.filename().string());
   write_on_first_rank([&]() {
     write_file(contact, [&](std::ostream &stream) {
-      write_contact_vtu(stream, line, solution.bound_fields.contact);
+      write_contact_vtu(stream, traced, solution.bound_fields.contact);
     });
-    if (solution.record.sizes.is_graded())
-      write_file(level_file("mesh", level, ".svg"), [&](std::ostream &stream) {
-        write_mesh_svg(stream, discretization.space, scene, level);
-      });
+    if constexpr (dim == 2)
+      if (solution.record.sizes.is_graded())
+        write_file(level_file("mesh", level, ".svg"), [&](std::ostream &stream) {
+          write_mesh_svg(stream, discretization.space, scene, level);
+        });
     write_pvd(directory_ / "solution.pvd", solution_files_);
     write_pvd(directory_ / "contact.pvd", contact_files_);
   });
 }
 
-template <int dim>
-void ResultsWriter::prepare_pictures(const Discretization<dim> &discretization,
-                                     const Scene<dim> &scene,
-                                     const LevelSolution<dim> &solution)
+void ResultsWriter::prepare_pictures(const Discretization<2> &discretization,
+                                     const Scene<2> &scene,
+                                     const LevelSolution<2> &solution)
 {
   write_on_first_rank([&]() {
     const std::vector<ContactSegment> line =
@@ -354,5 +355,9 @@ template void ResultsWriter::write_case_fields(const Discretization<2> &,
 template void ResultsWriter::write_fields(const Discretization<2> &,
                                           const Scene<2> &,
                                           const LevelSolution<2> &,
+                                          bool);
+template void ResultsWriter::write_fields(const Discretization<3> &,
+                                          const Scene<3> &,
+                                          const LevelSolution<3> &,
                                           bool);
 } // namespace Signorini

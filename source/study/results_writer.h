@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/output/contact_line.h>
+#include <signorini/output/contact_area.h>
 #include <signorini/output/files.h>
 #include <signorini/pictures/gnuplot.h>
 #include <signorini/study/level.h>
@@ -70,17 +70,16 @@ public:
   void abandon(const std::vector<LevelRecord> &levels, const std::string &failure);
 
 private:
-  /** @param line on the first rank; empty on others. */
+  /** @param traced on the first rank; empty on others. */
   template <int dim>
   void write_vtu(const Discretization<dim> &discretization,
                  const Scene<dim> &scene,
                  const LevelSolution<dim> &solution,
-                 const std::vector<ContactSegment> &line);
+                 const TracedContact<dim> &traced);
   /** Keeps what write_pictures() needs of the finest level. */
-  template <int dim>
-  void prepare_pictures(const Discretization<dim> &discretization,
-                        const Scene<dim> &scene,
-                        const LevelSolution<dim> &solution);
+  void prepare_pictures(const Discretization<2> &discretization,
+                        const Scene<2> &scene,
+                        const LevelSolution<2> &solution);
   /** Collective. */
   template <int dim>
   void write_dual_problem(const Discretization<dim> &discretization,

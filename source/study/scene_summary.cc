@@ -52,6 +52,29 @@ std::string describe_partition(const DiscretizationParameters &given)
     return std::to_string(given.patches) + " equal patches per contact side";
   return "H = " + std::to_string(given.patch_ratio) + " h";
 }
+
+/** So many points along a side, in space in each direction. */
+constexpr unsigned int n_samples = 33;
+
+std::vector<dealii::Point<2>> sample(const Side<2> &side)
+{
+  std::vector<dealii::Point<2>> points;
+  for (unsigned int k = 0; k < n_samples; ++k)
+    points.push_back(side.point(side.length() * (k + 0.5) / n_samples));
+  return points;
+}
+
+std::vector<dealii::Point<3>> sample(const Side<3> &side)
+{
+  const auto lengths = side.lengths();
+  std::vector<dealii::Point<3>> points;
+  for (unsigned int i = 0; i < n_samples; ++i)
+    for (unsigned int j = 0; j < n_samples; ++j)
+      points.push_back(
+        side.point({lengths[0] * (i + 0.5) / n_samples, lengths[1] * (j + 0.5) / n_samples}));
+  return points;
+}
+
 /** Which meshes follow one another. */
 std::string describe_meshes(const Parameters &parameters)
 {
@@ -87,15 +110,10 @@ void print_scene(const Parameters &parameters, const Scene<dim> &scene, std::ost
 template <int dim>
 void print_scene_warnings(const Scene<dim> &scene, std::ostream &screen)
 {
-  constexpr unsigned int n_points = 33;
   double deepest = 0.;
   for (const unsigned int i : scene.contact_sides())
-    for (unsigned int k = 0; k < n_points; ++k)
-    {
-      const Side<dim> &side = scene.geometry.sides[i];
-      const double s = side.length() * (k + 0.5) / n_points;
-      deepest = std::max(deepest, -scene.boundary[i].data->value(side.point(s)));
-    }
+    for (const dealii::Point<dim> &x : sample(scene.geometry.sides[i]))
+      deepest = std::max(deepest, -scene.boundary[i].data->value(x));
   const double size = scene.geometry.shortest_extent();
   if (deepest > size)
     screen
@@ -148,5 +166,7 @@ void print_verdict(const std::vector<LevelRecord> &levels,
 }
 
 template void print_scene_warnings(const Scene<2> &, std::ostream &);
+template void print_scene_warnings(const Scene<3> &, std::ostream &);
+template void print_scene(const Parameters &, const Scene<3> &, std::ostream &);
 template void print_scene(const Parameters &, const Scene<2> &, std::ostream &);
 } // namespace Signorini

@@ -22,6 +22,7 @@ struct StudyContext
 };
 
 /** The meshes of a study, one after the other, each started from the solution on the one before. */
+template <int dim>
 class Sequence
 {
 public:
@@ -34,20 +35,20 @@ public:
   /** Whether the mesh solved last is the finest of the study. */
   virtual bool is_finished() const = 0;
   /** The pressure on the mesh solved last. */
-  virtual PatchPressure pressure() const = 0;
+  virtual PatchPressure<dim> pressure() const = 0;
 };
 
 /** T^h, T^{h/2}, ... from Coarsest level to Finest level, or until the target error is reached.
  * @throws InputError for levels that cannot fit into memory. */
 template <int dim>
-std::unique_ptr<Sequence> make_nested_sequence(const StudyContext<dim> &context);
+std::unique_ptr<Sequence<dim>> make_nested_sequence(const StudyContext<dim> &context);
 
 /** Graded meshes until the target error is reached, or the next one has too many unknowns. */
-std::unique_ptr<Sequence> make_hp_sequence(const StudyContext<2> &context);
+std::unique_ptr<Sequence<2>> make_hp_sequence(const StudyContext<2> &context);
 
 /** The one that the parameters ask for. */
 template <int dim>
-std::unique_ptr<Sequence> make_sequence(const StudyContext<dim> &context)
+std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context)
 {
   if constexpr (dim == 2)
     if (context.parameters.discretization.strategy == Strategy::hp)

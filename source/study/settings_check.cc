@@ -32,12 +32,11 @@ void check_strategy(const Given<Strategy> &strategy, const unsigned int n_ranks)
 }
 
 /** Other scenes number their boundary on level 0. */
-template <int dim>
-void check_coarsest_level(const Given<unsigned int> &coarsest_level, const Geometry<dim> &geometry)
+void check_coarsest_level(const Given<unsigned int> &coarsest_level, const Geometry<2> &geometry)
 {
   if (!geometry.number_after_refinement)
     return;
-  dealii::Triangulation<dim> mesh;
+  dealii::Triangulation<2> mesh;
   geometry.make_coarse_mesh(mesh);
   mesh.refine_global(coarsest_level);
   if (ends_inside_a_face(geometry.sides, mesh))
@@ -53,8 +52,10 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_C
   const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
   check_linear_solver(parameters.solver.linear_solver, n_ranks);
   check_strategy(parameters.discretization.strategy, n_ranks);
-  check_coarsest_level(parameters.discretization.coarsest_level, scene.geometry);
+  if constexpr (dim == 2)
+    check_coarsest_level(parameters.discretization.coarsest_level, scene.geometry);
 }
 
 template void check_settings(const Parameters &, const Scene<2> &, MPI_Comm);
+template void check_settings(const Parameters &, const Scene<3> &, MPI_Comm);
 } // namespace Signorini

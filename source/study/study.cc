@@ -34,20 +34,20 @@ void print_end(const std::vector<LevelRecord> &levels,
 } // namespace
 
 template <int dim>
-StudyResult run_study(const Parameters &parameters,
-                      const Scene<dim> &scene,
-                      MPI_Comm communicator,
-                      const StudyReport &report)
+StudyResult<dim> run_study(const Parameters &parameters,
+                           const Scene<dim> &scene,
+                           MPI_Comm communicator,
+                           const StudyReport &report)
 {
   const Judge judge({parameters.solver.tolerance,
                      parameters.solver.tolerated_error,
                      target_error(parameters.discretization)});
   const LibraryThreads one_thread_in_libraries(1);
   check_settings(parameters, scene, communicator);
-  const std::unique_ptr<Sequence> sequence =
+  const std::unique_ptr<Sequence<dim>> sequence =
     make_sequence<dim>({parameters, scene, communicator, judge});
   ResultsWriter writer(parameters, judge, scene.description, report.directory, communicator);
-  StudyResult result;
+  StudyResult<dim> result;
   print_scene(parameters, scene, report.screen);
   print_scene_warnings(scene, report.screen);
   const bool graded = parameters.discretization.strategy == Strategy::hp;
@@ -92,5 +92,8 @@ StudyResult run_study(const Parameters &parameters,
   return result;
 }
 
-template StudyResult run_study(const Parameters &, const Scene<2> &, MPI_Comm, const StudyReport &);
+template StudyResult<2>
+run_study(const Parameters &, const Scene<2> &, MPI_Comm, const StudyReport &);
+template StudyResult<3>
+run_study(const Parameters &, const Scene<3> &, MPI_Comm, const StudyReport &);
 } // namespace Signorini

@@ -50,8 +50,8 @@ void rollers(Checks &checks)
   // The top is pulled by sigma n = (0, -0.5); for the balance it counts as contact pressure.
   const auto found = reactions(level.space(), level.scene, forces_of(level, U, -0.5));
   checks.that("two rollers", found.size() == 2);
-  const Vector2 left = on(found, "left").resultant.force;
-  const Vector2 bottom = on(found, "bottom").resultant.force;
+  const AnswerVector left = on(found, "left").resultant.force;
+  const AnswerVector bottom = on(found, "bottom").resultant.force;
   checks.near("left roller", (left - Vector2({-0.1, 0.})).norm(), 0., 1e-14);
   checks.near("bottom roller", (bottom - Vector2({0., 1.})).norm(), 0., 1e-14);
   checks.near("moment of the left one", on(found, "left").resultant.moment[0], 0.05, 1e-14);
@@ -101,10 +101,10 @@ void held_sides(Checks &checks)
     const auto found = reactions(level.space(), level.scene, forces_of(level, U, 0.1));
     const double h = 1. / cells;
     const std::string name = std::to_string(cells) + " cells: ";
-    Resultant<2> sum;
+    Vector2 sum;
     for (const SideForce &force : found)
-      sum += force.resultant;
-    checks.near(name + "all together", (sum.force - Vector2({0., 0.1})).norm(), 0., 1e-14);
+      sum += Vector2({force.resultant.force[0], force.resultant.force[1]});
+    checks.near(name + "all together", (sum - Vector2({0., 0.1})).norm(), 0., 1e-14);
     checks.near(name + "right side",
                 (on(found, "right").resultant.force - Vector2({0.3, 0.})).norm(),
                 0.,

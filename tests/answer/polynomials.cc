@@ -184,7 +184,7 @@ void forces(Checks &checks)
 
 void graded(Checks &checks)
 {
-  const StudyResult study =
+  const StudyResult<2> study =
     solve(named_scene("B1"), {"Discretization/Strategy=hp", "Discretization/Coarsest level=2"});
   const LevelRecord &last = study.levels.back();
   const double xi = std::sqrt(0.5), force = 2. / 3. * std::pow(xi, 1.5);

@@ -128,7 +128,7 @@ void forces(Checks &checks)
   const Vector P = means(level.multipliers(), [](const double x) { return -x - 0.5 * x * x; });
   const auto found = contact_forces(level.multipliers(), level.scene, P);
   checks.that("one contact side", found.size() == 1 && found[0].side == "bottom");
-  const Resultant<2> &sum = found[0].resultant;
+  const SideForce::Total &sum = found[0].resultant;
   checks.near("no horizontal force", sum.force[0], 0., 1e-14);
   // p n = p (0,-1) points upwards.
   checks.near("force", sum.force[1], 1.5, 1e-13);

@@ -115,10 +115,14 @@ std::string message_of(const std::string &text,
   try
   {
     const Parameters parameters = parse_parameters(text, "bad.prm", overrides);
-    const Scene<2> scene = make_scene(parameters);
-    if (!late)
-      return "nothing was refused";
-    run_study(parameters, scene, MPI_COMM_WORLD, {silence, "", [](const std::string &) {}});
+    const auto read = [&](const auto &scene) {
+      if (late)
+        run_study(parameters, scene, MPI_COMM_WORLD, {silence, "", [](const std::string &) {}});
+    };
+    if (dimension_of(parameters) == 2)
+      read(make_scene<2>(parameters));
+    else
+      read(make_scene<3>(parameters));
   }
   catch (const InputError &error)
   {

@@ -16,9 +16,9 @@
 #include "../output/csv.h"
 
 /** Runs prm/benchmarks/NAME.prm; files go to a directory, if one is given. */
-inline Signorini::StudyResult run_benchmark(const std::string &name,
-                                            const std::vector<std::string> &overrides = {},
-                                            const std::string &directory = "")
+inline Signorini::StudyResult<2> run_benchmark(const std::string &name,
+                                               const std::vector<std::string> &overrides = {},
+                                               const std::string &directory = "")
 {
   std::ostream silence(nullptr);
   const Signorini::Parameters parameters =
@@ -26,7 +26,7 @@ inline Signorini::StudyResult run_benchmark(const std::string &name,
   if (!directory.empty())
     std::filesystem::create_directories(directory);
   return Signorini::run_study(parameters,
-                              Signorini::make_scene(parameters),
+                              Signorini::make_scene<2>(parameters),
                               MPI_COMM_WORLD,
                               {silence, directory, [](const std::string &) {}});
 }

@@ -45,7 +45,7 @@ struct Rest
 
 Rest compare(Checks &checks,
              const std::string &name,
-             const StudyResult &result,
+             const StudyResult<2> &result,
              const Roller &roller)
 {
   const LevelRecord &last = result.levels.back();

@@ -28,7 +28,7 @@ std::vector<std::string> operator+(std::vector<std::string> a, const std::vector
 
 void test_own_weight(Checks &checks)
 {
-  const StudyResult result = run_benchmark("own_weight");
+  const StudyResult<2> result = run_benchmark("own_weight");
   checks.that("own weight, certified", result.verdict.outcome == Outcome::certified);
   const LevelRecord &last = result.levels.back();
   checks.near("own weight, pressure", value(last, "p_l2").value(), 0., 1e-9);
@@ -53,7 +53,8 @@ double peak(const double share)
 
 void test_waves_nested(Checks &checks)
 {
-  const StudyResult result = run_benchmark("westergaard", {"Discretization/Finest level=6"}, "out");
+  const StudyResult<2> result =
+    run_benchmark("westergaard", {"Discretization/Finest level=6"}, "out");
   checks.that("waves, certified", result.verdict.outcome == Outcome::certified);
   const std::vector<LevelRecord> finest(result.levels.begin() + 1, result.levels.end());
   checks.near("waves, order of the pressure in L2", slope(finest, "p_l2"), 1., 0.15);
@@ -82,7 +83,7 @@ void test_waves_nested(Checks &checks)
 void test_waves_graded(Checks &checks, const double share)
 {
   const std::string name = "waves, share " + std::to_string(share);
-  const StudyResult result =
+  const StudyResult<2> result =
     run_benchmark("westergaard",
                   hp + std::vector<std::string>{"Constants/share=" + std::to_string(share),
                                                 "Discretization/Target error=1e-5"});
@@ -105,7 +106,7 @@ double test_punch(Checks &checks, const double w)
 {
   const std::string name = "punch, width " + std::to_string(std::lround(w));
   const std::string size = std::to_string(w);
-  const StudyResult result = run_benchmark(
+  const StudyResult<2> result = run_benchmark(
     "flat_punch",
     {"Geometry/Upper right=" + size + ", " + size, "Constants/width=" + size, "Output/VTU=none"},
     "punch");

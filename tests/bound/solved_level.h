@@ -19,7 +19,7 @@ struct SolvedLevel
 {
   SolvedLevel(const std::string &text, const unsigned int number)
     : parameters(Signorini::parse_parameters(text, "test"))
-    , scene(Signorini::make_scene(parameters))
+    , scene(Signorini::make_scene<2>(parameters))
     , level(parameters, scene, number, MPI_COMM_WORLD)
     , system(Signorini::assemble_linear_system(level.space, scene, level.n_points))
     , inverse(Signorini::factorise(system.matrix,

@@ -36,7 +36,7 @@ struct Body
   Body(const std::string &text,
        const unsigned int level,
        const StrainOperator strain_operator = StrainOperator::symmetric_gradient)
-    : scene(make_scene(parse_parameters(text, "test")))
+    : scene(make_scene<2>(parse_parameters(text, "test")))
     , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
     , space(mesh, scene, strain_operator)
     , stiffness(space, scene)

@@ -23,7 +23,7 @@ const std::string elastic = "subsection Material\nset Young's modulus = 2.5\n"
 struct System
 {
   System(const std::string &text, const unsigned int level)
-    : scene(make_scene(parse_parameters(text, "test")))
+    : scene(make_scene<2>(parse_parameters(text, "test")))
     , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
     , space(mesh, scene)
     , system(assemble_linear_system(space, scene, 3))

@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
     const Parameters parameters = parse_parameters(text, "fuzz.prm");
     if (parse_parameters(parameters.echo, "echo.prm").echo != parameters.echo)
       fail("The echo is not its own echo:\n" + parameters.echo);
-    make_scene(parameters);
+    make_scene<2>(parameters);
   }
   catch (const InputError &error)
   {

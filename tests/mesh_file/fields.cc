@@ -38,7 +38,7 @@ void check_constant_strain(Checks &checks,
                            const std::string &scene,
                            const double size)
 {
-  const StudyResult result = solve(scene, levels(0, 1));
+  const StudyResult<2> result = solve(scene, levels(0, 1));
   checks.near(name + ": levels", result.levels.size(), 2, 0);
   for (const LevelRecord &level : result.levels)
   {
@@ -77,7 +77,7 @@ void check_patch_tests(Checks &checks)
 }
 
 /** E3 of the catalogue on a mesh of the half disc from a file. */
-StudyResult solve_e3(const std::string &file, const std::string &arcs)
+StudyResult<2> solve_e3(const std::string &file, const std::string &arcs)
 {
   const Parameters of_file = parse_parameters("",
                                               "test",
@@ -87,9 +87,9 @@ StudyResult solve_e3(const std::string &file, const std::string &arcs)
                                                "Boundary/Contact=arc",
                                                "Boundary/Clamped=flat"});
   const Parameters parameters = parse_parameters(named_scene("E3"), "test", levels(1, 3));
-  const Scene<2> e3 = make_scene(parameters);
+  const Scene<2> e3 = make_scene<2>(parameters);
   Scene<2> scene = e3;
-  scene.geometry = make_scene(of_file).geometry;
+  scene.geometry = make_scene<2>(of_file).geometry;
   for (unsigned int i = 0; i < 2; ++i)
     scene.boundary[scene.geometry.find_side(e3.geometry.sides[i].name())] = e3.boundary[i];
   std::ostream silence(nullptr);
@@ -97,9 +97,9 @@ StudyResult solve_e3(const std::string &file, const std::string &arcs)
 }
 
 /** The mesh of the file has as many cells as the scene's on level 3, or a few less. */
-void check_half_disc(Checks &checks, const std::string &name, const StudyResult &result)
+void check_half_disc(Checks &checks, const std::string &name, const StudyResult<2> &result)
 {
-  static const StudyResult e3 = solve(named_scene("E3"), levels(4, 6));
+  static const StudyResult<2> e3 = solve(named_scene("E3"), levels(4, 6));
   const std::pair<const char *, double> orders[] = {
     {"u_h1", 1.}, {"u_l2", 2.}, {"p_l2", 1.}, {"u_superclose_h1", 1.7}, {"u_post_h1", 1.7}};
   for (const auto &[column, order] : orders)

@@ -24,11 +24,11 @@ constexpr double area = 5.;
 
 Scene<2> pentagon()
 {
-  return make_scene(parse_parameters("subsection Geometry\nset Shape = polygon\n"
-                                     "set Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\nend\n"
-                                     "subsection Boundary\nset Contact = side0 side2\n"
-                                     "set Rollers = side1\nset Clamped = side3\nend\n",
-                                     "test"));
+  return make_scene<2>(parse_parameters("subsection Geometry\nset Shape = polygon\n"
+                                        "set Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\nend\n"
+                                        "subsection Boundary\nset Contact = side0 side2\n"
+                                        "set Rollers = side1\nset Clamped = side3\nend\n",
+                                        "test"));
 }
 
 /** The same without anything that holds it: no row is condensed. */
@@ -124,14 +124,14 @@ void trapezoids(Checks &checks)
 {
   for (const double a : {0.25, 1., 3., 15.})
   {
-    Scene<2> scene =
-      make_scene(parse_parameters("subsection Geometry\nset Shape = polygon\nset Vertices = 0,0; "
-                                  "1,0; 1," +
-                                    std::to_string(1. + a) +
-                                    "; 0,1\nend\n"
-                                    "subsection Boundary\nset Contact = side0\n"
-                                    "set Clamped = side2\nend\n",
-                                  "test"));
+    Scene<2> scene = make_scene<2>(
+      parse_parameters("subsection Geometry\nset Shape = polygon\nset Vertices = 0,0; "
+                       "1,0; 1," +
+                         std::to_string(1. + a) +
+                         "; 0,1\nend\n"
+                         "subsection Boundary\nset Contact = side0\n"
+                         "set Clamped = side2\nend\n",
+                       "test"));
     for (auto &condition : scene.boundary)
       condition.role = Role::free;
     const GramMatrix body(std::move(scene), 0);

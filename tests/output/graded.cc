@@ -233,10 +233,10 @@ void run(Checks &checks)
                                                   "Discretization/Coarsest level=2",
                                                   "Discretization/Target error=1e-5",
                                                   "Output/VTU=all"});
-  const StudyResult study = run_study(parameters,
-                                      make_scene(parameters),
-                                      MPI_COMM_WORLD,
-                                      {screen, directory, [](const std::string &) {}});
+  const StudyResult<2> study = run_study(parameters,
+                                         make_scene<2>(parameters),
+                                         MPI_COMM_WORLD,
+                                         {screen, directory, [](const std::string &) {}});
   const LevelSizes &sizes = study.levels.back().sizes;
   const std::string number = "-0" + std::to_string(sizes.level);
   bool known = true;

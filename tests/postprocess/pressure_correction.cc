@@ -27,7 +27,7 @@ PressureCorrection correct(const SolvedLevel &given, const Vector &P)
   const Discretization<2> &level = given.level;
   const FreeState free =
     solve_free_state(*given.inverse, level.space, given.system.f, level.D, level.G);
-  return correct_pressure(
+  return correct_pressure<2>(
     {level.space,
      given.scene,
      level.multipliers,

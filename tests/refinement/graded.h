@@ -31,7 +31,7 @@ struct GradedLevel
     : parameters(
         Signorini::parse_parameters(text + "subsection Discretization\nset Strategy = hp\nend\n",
                                     "test"))
-    , scene(Signorini::make_scene(parameters))
+    , scene(Signorini::make_scene<2>(parameters))
     , discretization(parameters, scene, plan)
   {
   }

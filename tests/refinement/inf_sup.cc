@@ -36,7 +36,7 @@ double measure(const GradedLevel &level)
 double measure_paper(const unsigned int number)
 {
   const Parameters parameters = parse_parameters(square, "test");
-  const Scene<2> scene = make_scene(parameters);
+  const Scene<2> scene = make_scene<2>(parameters);
   const Discretization<2> level(parameters, scene, number, MPI_COMM_WORLD);
   return measure_inf_sup(
     level.space, level.multipliers, level.condensed_D, LinearSolver::automatic);

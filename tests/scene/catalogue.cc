@@ -186,7 +186,8 @@ const std::vector<Sample> samples = {
 
 void test_sample(Checks &checks, const Sample &sample)
 {
-  const Scene<2> scene = make_scene(parse_parameters("", "a.prm", {"Scene/Name=" + sample.name}));
+  const Scene<2> scene =
+    make_scene<2>(parse_parameters("", "a.prm", {"Scene/Name=" + sample.name}));
   const Point x(0.3, 0.4);
   const Stress s = stress(scene, x);
   const BoundaryCondition<2> &bottom = scene.boundary.at(scene.geometry.find_side("bottom"));
@@ -288,7 +289,7 @@ void test_sides(Checks &checks, const Scene<2> &scene)
 /** E2 at r = 1.5, theta = 0.7 and on its circle, from an independent program. */
 void test_e2(Checks &checks)
 {
-  const Scene<2> scene = make_scene(parse_parameters("", "a.prm", {"Scene/Name=E2"}));
+  const Scene<2> scene = make_scene<2>(parse_parameters("", "a.prm", {"Scene/Name=E2"}));
   const auto at = [](const double r, const double theta) {
     return Point(r * std::cos(theta), r * std::sin(theta));
   };
@@ -314,9 +315,10 @@ int main()
   for (const Sample &sample : samples)
     test_sample(checks, sample);
   test_e2(checks);
-  for (const CatalogueEntry &entry : catalogue())
+  for (const CatalogueEntry<2> &entry : catalogue<2>())
   {
-    const Scene<2> scene = make_scene(parse_parameters("", "a.prm", {"Scene/Name=" + entry.name}));
+    const Scene<2> scene =
+      make_scene<2>(parse_parameters("", "a.prm", {"Scene/Name=" + entry.name}));
     if (scene.exact_displacement == nullptr)
       continue;
     test_interior(checks, scene);

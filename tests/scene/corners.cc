@@ -121,7 +121,7 @@ void test_reentrant_bodies(Checks &checks)
 /** The roles of a scene: nu = 0.3 in plane strain, held at the top, contact at the bottom. */
 void test_scene(Checks &checks)
 {
-  const Scene<2> scene = make_described_scene(parse_parameters("",
+  const Scene<2> scene = make_described_scene<2>(parse_parameters("",
                                                                "scenes.prm",
                                                                {"Boundary/Contact=bottom",
                                                                 "Boundary/Clamped=top",

@@ -274,7 +274,7 @@ void test_gaps(Checks &checks)
 Scene<2> scene(std::vector<std::string> settings)
 {
   settings.insert(settings.end(), {"Boundary/Clamped=top", "Boundary/Contact=bottom, left"});
-  return make_scene(parse_parameters("", "foundation.prm", settings));
+  return make_scene<2>(parse_parameters("", "foundation.prm", settings));
 }
 
 const BoundaryCondition<2> &condition(const Scene<2> &scene, const std::string &side)

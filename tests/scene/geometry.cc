@@ -44,7 +44,7 @@ void test_rigid_motions(Checks &checks)
   {
     std::vector<std::string> settings = {"Boundary/Contact=bottom", "Geometry/Upper right=2, 1"};
     settings.insert(settings.end(), row.first.begin(), row.first.end());
-    const auto motions = free_rigid_motions(make_described_scene(parameters(settings)));
+    const auto motions = free_rigid_motions(make_described_scene<2>(parameters(settings)));
     const std::string name = row.first.empty() ? "nothing held" : row.first[0];
     checks.near(name + ": free motions", motions.size(), row.second.size(), 0);
     for (const std::string &expected : row.second)
@@ -57,7 +57,7 @@ void test_rigid_motions(Checks &checks)
   }
   // A roller on the slanted side of a triangle slides along it.
   const auto slide =
-    free_rigid_motions(make_described_scene(parameters({"Geometry/Shape=polygon",
+    free_rigid_motions(make_described_scene<2>(parameters({"Geometry/Shape=polygon",
                                                         "Geometry/Vertices=0,0; 4,0; 4,3",
                                                         "Boundary/Contact=side0",
                                                         "Boundary/Rollers=side2"})));

@@ -35,7 +35,7 @@ Geometry<2> body(const std::vector<std::string> &entries,
                                         "Boundary/Clamped=" + clamped};
   for (const std::string &entry : entries)
     overrides.push_back("Geometry/" + entry);
-  return make_scene(parse_parameters("", "test", overrides)).geometry;
+  return make_scene<2>(parse_parameters("", "test", overrides)).geometry;
 }
 
 Geometry<2> polygon(const std::string &vertices,

@@ -25,7 +25,7 @@ Parameters parameters(const std::vector<std::string> &settings)
 
 Scene<2> scene(const std::vector<std::string> &settings)
 {
-  return make_scene(parameters(settings));
+  return make_scene<2>(parameters(settings));
 }
 
 const BoundaryCondition<2> &condition(const Scene<2> &scene, const std::string &side)
@@ -174,7 +174,7 @@ void test_other_scenes(Checks &checks)
   checks.that("block is not known exactly",
               block.exact_displacement == nullptr && !block.has_exact_pressure());
   bool listed = true, described = true;
-  for (const CatalogueEntry &entry : catalogue())
+  for (const CatalogueEntry<2> &entry : catalogue<2>())
   {
     const Scene<2> found = scene({"Scene/Name=" + entry.name});
     listed = listed && found.name == entry.name && found.title == entry.title &&

@@ -61,7 +61,7 @@ const std::string clamped = "subsection Boundary\nset Clamped = top\nset Contact
 
 Scene<2> held()
 {
-  return make_scene(parse_parameters(clamped, "test"));
+  return make_scene<2>(parse_parameters(clamped, "test"));
 }
 
 /** The same body with nothing that holds it. */
@@ -229,7 +229,7 @@ void choice(Checks &checks)
 /** Ill-conditioned but regular: a slender bar, clamped at one end. */
 Scene<2> bar()
 {
-  return make_scene(
+  return make_scene<2>(
     parse_parameters("subsection Geometry\nset Upper right = 30, 1\nset Cells = 30, 1\nend\n"
                      "subsection Boundary\nset Clamped = left\nset Contact = bottom\nend\n",
                      "test"));

@@ -72,7 +72,7 @@ inline std::string text_of(const Family &family)
 /** What is known of one value on an axis. */
 struct Measured
 {
-  Signorini::StudyResult study;
+  Signorini::StudyResult<2> study;
   double condition = 0.;
   unsigned int psor = 0, active_set = 0;
 
@@ -124,7 +124,7 @@ inline Measured measure(const std::string &text, const std::vector<std::string> 
     all.end(),
     {"Output/Inf-sup constant=false", "Output/Compliance=true", "Discretization/Finest level=14"});
   const Parameters parameters = parse_parameters(text, "test", all);
-  const Scene<2> scene = make_scene(parameters);
+  const Scene<2> scene = make_scene<2>(parameters);
   const Discretization<2> discretization(
     parameters, scene, measured.finest().sizes.level, MPI_COMM_WORLD);
   const LevelSolution<2> level = solve_level(

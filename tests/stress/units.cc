@@ -9,8 +9,8 @@ namespace
 {
 /** Largest relative difference over the levels after division by the unit. */
 template <typename Quantity>
-double difference(const StudyResult &found,
-                  const StudyResult &expected,
+double difference(const StudyResult<2> &found,
+                  const StudyResult<2> &expected,
                   const double unit,
                   const Quantity &quantity)
 {

@@ -95,7 +95,7 @@ std::vector<std::string> without_inf_sup(std::vector<std::string> overrides)
  * Certified, and at most three active sets on every level that starts from the one before; four in
  * C3 and C4, where pressure and opening vanish together on several patches.
  */
-void check_answers(Checks &checks, const std::string &scene, const StudyResult &result)
+void check_answers(Checks &checks, const std::string &scene, const StudyResult<2> &result)
 {
   checks.that(scene + " certified", result.verdict.is_certified());
   const unsigned int limit = scene == "C3" || scene == "C4" ? 4 : 3;
@@ -151,7 +151,7 @@ void check_known_contact(Checks &checks, const std::string &scene, const Levels 
 void check_scene(Checks &checks, const Expectation &expected)
 {
   const std::string scene = expected.scene;
-  const StudyResult result =
+  const StudyResult<2> result =
     solve(named_scene(scene), without_inf_sup(levels(expected.coarsest, expected.coarsest + 3)));
   check_answers(checks, scene, result);
   for (unsigned int i = 0; i < n_quantities; ++i)
@@ -166,7 +166,7 @@ void check_scene(Checks &checks, const Expectation &expected)
 /** C2: nothing touches; linear elasticity. */
 void check_no_contact(Checks &checks)
 {
-  const StudyResult result = solve(named_scene("C2"), without_inf_sup(levels(4, 7)));
+  const StudyResult<2> result = solve(named_scene("C2"), without_inf_sup(levels(4, 7)));
   checks.that("C2 certified", result.verdict.is_certified());
   for (const LevelRecord &level : result.levels)
     checks.that("C2, nothing touches on level " + std::to_string(level.sizes.level),
@@ -182,7 +182,7 @@ void check_no_contact(Checks &checks)
 /** D1: exact on every level. */
 void check_patch_test(Checks &checks)
 {
-  const StudyResult result = solve(named_scene("D1"), without_inf_sup(levels(3, 5)));
+  const StudyResult<2> result = solve(named_scene("D1"), without_inf_sup(levels(3, 5)));
   check_answers(checks, "D1", result);
   for (const LevelRecord &level : result.levels)
     checks.that("D1 exact on level " + std::to_string(level.sizes.level),

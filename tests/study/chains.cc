@@ -56,7 +56,7 @@ Scene<2> with_one_side(const Scene<2> &two, const bool gap_jumps)
   return one;
 }
 
-StudyResult run(const Parameters &parameters, const Scene<2> &scene)
+StudyResult<2> run(const Parameters &parameters, const Scene<2> &scene)
 {
   std::ostream silence(nullptr);
   return run_study(parameters, scene, MPI_COMM_WORLD, {silence, "", [](const std::string &) {}});
@@ -68,9 +68,9 @@ void compare(Checks &checks,
              const bool gap_jumps = false)
 {
   const Parameters parameters = parse_parameters(text, "test", overrides);
-  const Scene<2> two = make_scene(parameters);
-  const StudyResult of_two = run(parameters, two),
-                    of_one = run(parameters, with_one_side(two, gap_jumps));
+  const Scene<2> two = make_scene<2>(parameters);
+  const StudyResult<2> of_two = run(parameters, two),
+                       of_one = run(parameters, with_one_side(two, gap_jumps));
   checks.near(name + ": levels", of_one.levels.size(), of_two.levels.size(), 0);
   const LevelRecord &a = of_two.levels.back(), &b = of_one.levels.back();
   for (const char *column : {"energy",

@@ -25,7 +25,7 @@ std::string contact(const std::string &name, const std::string &value)
 }
 
 /** Every number of both runs, but for seconds and memory. */
-bool same_digits(const StudyResult &a, const StudyResult &b)
+bool same_digits(const StudyResult<2> &a, const StudyResult<2> &b)
 {
   bool same = a.levels.size() == b.levels.size();
   for (std::size_t i = 0; i < a.levels.size() && same; ++i)
@@ -53,7 +53,7 @@ void test_digits(Checks &checks)
                               solve(block + contact("Foundation", pair.thing), overrides)));
 }
 
-double force_of(const StudyResult &result)
+double force_of(const StudyResult<2> &result)
 {
   return result.levels.back().contact.normal_force;
 }
@@ -63,12 +63,12 @@ void test_position(Checks &checks)
 {
   const std::string discs = "circle -0.5,-0.5 radius 0.5 | circle 0.5,-0.5 radius 0.5";
   const auto overrides = levels(3, 5);
-  const StudyResult lowered = solve(block + contact("Foundation", discs), overrides);
-  const StudyResult raised = solve(block + contact("Foundation", discs),
-                                   {overrides[0],
-                                    overrides[1],
-                                    "Boundary/Displacement=top: 0; 0",
-                                    "Contact/Foundation position=0, 0.05"});
+  const StudyResult<2> lowered = solve(block + contact("Foundation", discs), overrides);
+  const StudyResult<2> raised = solve(block + contact("Foundation", discs),
+                                      {overrides[0],
+                                       overrides[1],
+                                       "Boundary/Displacement=top: 0; 0",
+                                       "Contact/Foundation position=0, 0.05"});
   checks.that("certified", raised.verdict.outcome == Outcome::certified);
   checks.near("lowered and raised", force_of(raised), force_of(lowered), 1e-12);
   const std::vector<ContactZone> &zones = raised.levels.back().answer.zones;
@@ -80,14 +80,14 @@ void test_position(Checks &checks)
 void test_small_disc(Checks &checks)
 {
   const std::string small = "circle 0.53,-0.03 radius 0.02", large = "circle -0.5,-1 radius 1";
-  const StudyResult result =
+  const StudyResult<2> result =
     solve(block + contact("Foundation", small + " | " + large), graded("1e-3"));
   const std::vector<ContactZone> &zones = result.levels.back().answer.zones;
   checks.that("a small disc, the accuracy is reached",
               result.verdict.outcome == Outcome::accuracy_estimated);
   checks.that("a small disc is found", zones.size() == 2);
   // H is a third of the small zone.
-  const StudyResult nested =
+  const StudyResult<2> nested =
     solve(block + contact("Foundation", small + " | " + large), levels(7, 7));
   checks.near("force with a small disc, against a nested level",
               force_of(result) / force_of(nested),
@@ -99,7 +99,7 @@ void test_small_disc(Checks &checks)
  * (∓W/2, W/2) of the weight W = 2. */
 void test_groove(Checks &checks)
 {
-  const StudyResult result =
+  const StudyResult<2> result =
     solve("subsection Geometry\nset Shape = polygon\nset Vertices = 0,-1; 1,0; 0,1; -1,0\nend\n"
           "subsection Boundary\nset Contact = side0 side3\nend\n"
           "subsection Load\nset Body force = 0; -1\nend\n" +
@@ -117,12 +117,12 @@ void test_groove(Checks &checks)
 
 /** The half disc of scene E3 (R = 1, lambda = mu = 1, clamped at its diameter), pressed on the
  * plane y = travel - 1. */
-StudyResult press_half_disc(const double travel,
-                            const std::string &thing,
-                            const std::vector<std::string> &overrides)
+StudyResult<2> press_half_disc(const double travel,
+                               const std::string &thing,
+                               const std::vector<std::string> &overrides)
 {
   const Parameters parameters = parse_parameters(named_scene("E3"), "test", overrides);
-  Scene<2> scene = make_scene(parameters);
+  Scene<2> scene = make_scene<2>(parameters);
   scene.exact_displacement = nullptr;
   scene.body_force = nullptr;
   scene.kinks = Kinks<2>();
@@ -142,7 +142,10 @@ StudyResult press_half_disc(const double travel,
 /** Hertz: half the zone is b with b² = 4 F R_* /(pi E*), the peak 2 F/(pi b); here E* = 8/3, and
  * 1/R_* = 1 in contact with a plane and 1 - 1/2 in the hole. The law holds up to (b/R)² = 0.014;
  * nested levels know the zone up to a patch. */
-void check_hertz(Checks &checks, const std::string &name, const StudyResult &result, const double R)
+void check_hertz(Checks &checks,
+                 const std::string &name,
+                 const StudyResult<2> &result,
+                 const double R)
 {
   const bool is_nested = name == "nested";
   const LevelRecord &last = result.levels.back();

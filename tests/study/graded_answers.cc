@@ -11,21 +11,23 @@ using namespace Signorini;
 
 namespace
 {
-StudyResult solve_file(const std::string &name, const std::vector<std::string> &overrides)
+StudyResult<2> solve_file(const std::string &name, const std::vector<std::string> &overrides)
 {
   std::ostream silence(nullptr);
   const Parameters parameters =
     read_parameters(SOURCE_DIR "/../../prm/" + name + ".prm", overrides);
-  return run_study(
-    parameters, make_scene(parameters), MPI_COMM_WORLD, {silence, "", [](const std::string &) {}});
+  return run_study(parameters,
+                   make_scene<2>(parameters),
+                   MPI_COMM_WORLD,
+                   {silence, "", [](const std::string &) {}});
 }
 
 void check_agreement(Checks &checks, const std::string &name)
 {
   // Brackets belong to the finest level of a study.
-  const StudyResult coarse_result = solve_file(name, levels(5, 5));
-  const StudyResult fine_result = solve_file(name, levels(6, 6));
-  const StudyResult graded_result = solve_file(name, graded("1e-5"));
+  const StudyResult<2> coarse_result = solve_file(name, levels(5, 5));
+  const StudyResult<2> fine_result = solve_file(name, levels(6, 6));
+  const StudyResult<2> graded_result = solve_file(name, graded("1e-5"));
   checks.that(name + ", both are certified",
               fine_result.verdict.outcome == Outcome::certified &&
                 graded_result.verdict.outcome == Outcome::accuracy_estimated);
@@ -70,7 +72,7 @@ void check_missed_contact(Checks &checks)
   {
     std::vector<std::string> overrides = graded("1e-4");
     overrides.push_back("Discretization/Coarsest level=" + level);
-    const StudyResult result = solve(scene, overrides);
+    const StudyResult<2> result = solve(scene, overrides);
     const LevelRecord &first = result.levels.front(), &last = result.levels.back();
     const std::string name = "Tip, from level " + level;
     checks.that(name + ": missed at first, and no error is claimed",
@@ -94,7 +96,7 @@ void check_too_few_unknowns(Checks &checks)
 {
   std::vector<std::string> overrides = graded("1e-6");
   overrides.emplace_back("Discretization/Maximum unknowns=3000");
-  const StudyResult result = solve(named_scene("B1"), overrides);
+  const StudyResult<2> result = solve(named_scene("B1"), overrides);
   checks.that("3000 unknowns: not resolved, but solved",
               result.verdict.outcome == Outcome::not_resolved && result.verdict.equations_hold());
   checks.that("3000 unknowns: no step has more", result.levels.back().sizes.dofs <= 3000);

@@ -40,7 +40,7 @@ private:
 /** B1 with contact on (0, xi): its field depends on x - xi, and its gap is zero. */
 Scene<2> make_b1(const Parameters &parameters, const double xi, const bool is_known)
 {
-  Scene<2> scene = make_scene(parameters);
+  Scene<2> scene = make_scene<2>(parameters);
   const double shift = dealii::numbers::SQRT1_2 - xi;
   const auto move = [shift](FunctionPointer<2> &function) {
     if (function != nullptr)

@@ -65,7 +65,7 @@ double smallest_effectivity(const std::vector<GradedStep> &steps)
 
 std::vector<GradedStep> check_estimate(Checks &checks,
                                        const std::string &name,
-                                       const StudyResult &result)
+                                       const StudyResult<2> &result)
 {
   const std::vector<GradedStep> steps = steps_of(result.levels);
   checks.that(name + ", the target is reached",
@@ -101,7 +101,7 @@ void check_file(Checks &checks, const std::string &name)
   check_estimate(checks,
                  name,
                  run_study(parameters,
-                           make_scene(parameters),
+                           make_scene<2>(parameters),
                            MPI_COMM_WORLD,
                            {silence, "", [](const std::string &) {}}));
 }

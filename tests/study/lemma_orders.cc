@@ -16,7 +16,7 @@ int main(int argc, char **argv)
   auto overrides = levels(3, 6);
   overrides.emplace_back("Output/Lemmas=true");
   overrides.emplace_back("Output/Inf-sup constant=false");
-  const StudyResult result = solve(named_scene("A1"), overrides);
+  const StudyResult<2> result = solve(named_scene("A1"), overrides);
   struct Expectation
   {
     const char *name;

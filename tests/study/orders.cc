@@ -130,7 +130,7 @@ void check_patches_finer_than_the_mesh(Checks &checks)
                                           "Discretization/Finest level=2"};
   auto fine = level;
   fine.emplace_back("Discretization/Patches=7");
-  const StudyResult result = solve(a1, fine);
+  const StudyResult<2> result = solve(a1, fine);
   checks.that("seven patches on four faces: certified", result.verdict.equations_hold());
   checks.that("seven patches on four faces: C is singular, and the record says who answered",
               result.levels.back().dual.active_set_failure.value_or("").find("singular") !=

@@ -34,7 +34,7 @@ end
 
 void check_errors(Checks &checks, const std::string &name, const std::string &text)
 {
-  const StudyResult result = solve(text, levels(1, 3));
+  const StudyResult<2> result = solve(text, levels(1, 3));
   double largest = 0.;
   for (const LevelRecord &level : result.levels)
     for (const char *column : {"u_h1", "u_l2", "p_l2"})
@@ -83,7 +83,7 @@ end
 void check_orders(Checks &checks)
 {
   const Parameters parameters = parse_parameters(named_scene("E3"), "test", levels(2, 5));
-  Scene<2> scene = make_scene(parameters);
+  Scene<2> scene = make_scene<2>(parameters);
   using Point = dealii::Point<2>;
   scene.geometry =
     make_outlined_body({{"flat", Curve(Point(1., 0.), Point(-1., 0.), Point(0., 1.))},
@@ -91,7 +91,7 @@ void check_orders(Checks &checks)
                        0.5,
                        "test");
   std::ostream silence(nullptr);
-  const StudyResult result =
+  const StudyResult<2> result =
     run_study(parameters, scene, MPI_COMM_WORLD, {silence, "", [](const std::string &) {}});
   const auto order = [&](const char *column) {
     return slope({result.levels.end() - 3, result.levels.end()}, column);
@@ -114,7 +114,7 @@ void check_corner(Checks &checks)
                                                   "Discretization/Strategy=hp",
                                                   "Discretization/Target error=0.005",
                                                   "Discretization/Coarsest level=0"});
-  const Scene<2> scene = make_scene(parameters);
+  const Scene<2> scene = make_scene<2>(parameters);
   const MeshPlan plan = first_plan(scene, 0, 9);
   unsigned int n = 0;
   for (const Singularity &place : plan.singularities)
@@ -126,7 +126,7 @@ void check_corner(Checks &checks)
     }
   checks.near("L, re-entrant corner: found once", n, 1, 0);
   std::ostream silence(nullptr);
-  const StudyResult result =
+  const StudyResult<2> result =
     run_study(parameters, scene, MPI_COMM_WORLD, {silence, "", [](const std::string &) {}});
   checks.that("L, hp: the target is reached",
               value(result.levels.back(), "estimated_relative").value() < 0.005 &&

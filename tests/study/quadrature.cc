@@ -23,7 +23,7 @@ LevelRecord level_6(const std::string &scene, const std::vector<std::string> &ov
                      "test",
                      overrides);
   return run_study(parameters,
-                   make_scene(parameters),
+                   make_scene<2>(parameters),
                    MPI_COMM_WORLD,
                    {silence, "", [](const std::string &) {}})
     .levels.back();

@@ -43,12 +43,14 @@ const std::vector<Reference> references = {
    2.7803898504688527},
   {"two_sides", "", 4, 9, 2.23083963816478, -2.9371927226528616, 5.83514119178593}};
 
-StudyResult solve(const std::string &name, std::vector<std::string> overrides)
+StudyResult<2> solve(const std::string &name, std::vector<std::string> overrides)
 {
   std::ostream silence(nullptr);
   const Parameters parameters = read_parameters(SOURCE_DIR "/../runs/" + name + ".prm", overrides);
-  return run_study(
-    parameters, make_scene(parameters), MPI_COMM_WORLD, {silence, "", [](const std::string &) {}});
+  return run_study(parameters,
+                   make_scene<2>(parameters),
+                   MPI_COMM_WORLD,
+                   {silence, "", [](const std::string &) {}});
 }
 
 void compare(const Reference &reference, Checks &checks)
@@ -58,7 +60,7 @@ void compare(const Reference &reference, Checks &checks)
                                           std::to_string(reference.level)};
   if (!reference.overrides.empty())
     overrides.push_back(reference.overrides);
-  const StudyResult result = solve(reference.name, overrides);
+  const StudyResult<2> result = solve(reference.name, overrides);
   const LevelRecord &finest = result.levels.back();
   const std::string name =
     reference.name + " " + reference.overrides + " level " + std::to_string(reference.level);

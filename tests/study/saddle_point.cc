@@ -248,7 +248,7 @@ int main(int argc, char **argv)
   dealii::deal_II_exceptions::disable_abort_on_exception();
   Checks checks;
   LargestValues largest;
-  for (const CatalogueEntry &scene : catalogue())
+  for (const CatalogueEntry<2> &scene : catalogue<2>())
     check_scene(largest, scene.name, entry("Scene", "Name", scene.name));
   for (const auto &scene : described)
   {

@@ -22,6 +22,8 @@ struct Penetration
 /** What an engineer wants to know about one level. Pressures are positive in compression. */
 struct Answer
 {
+  /** Of the body: 2 or 3. */
+  unsigned int dimension = 2;
   /** Of the body (length): smaller coordinates may be rounding. */
   double size = 0.;
   /** Of all contact sides together. */
@@ -30,6 +32,7 @@ struct Answer
   std::vector<SideForce> reactions;
   /** Empty if nothing presses. */
   std::optional<PeakPressure> peak_pressure;
+  /** In the plane. */
   std::vector<ContactZone> zones;
   /** Empty without a contact side. */
   std::optional<Penetration> penetration;
@@ -38,15 +41,18 @@ struct Answer
   static Columns<Answer> columns();
 };
 
-/** u_{h,n} - g at 17 points of every piece. @throws InputError where g has no value. */
-std::optional<Penetration> largest_penetration(const DisplacementSpace<2> &space,
-                                               const MultiplierSpace<2> &multipliers,
+/** u_{h,n} - g at 17 points of every piece, in space at 5 x 5. @throws InputError where g has no
+ * value. */
+template <int dim>
+std::optional<Penetration> largest_penetration(const DisplacementSpace<dim> &space,
+                                               const MultiplierSpace<dim> &multipliers,
                                                const NodalVector &U);
 
 /** Collective. */
-Answer compute_answer(const DisplacementSpace<2> &space,
-                      const Scene<2> &scene,
-                      const MultiplierSpace<2> &multipliers,
+template <int dim>
+Answer compute_answer(const DisplacementSpace<dim> &space,
+                      const Scene<dim> &scene,
+                      const MultiplierSpace<dim> &multipliers,
                       const NodalForces &forces,
                       const NodalVector &U,
                       const dealii::Vector<double> &P);

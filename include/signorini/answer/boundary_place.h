@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <deal.II/base/point.h>
+#include <signorini/answer/answer_vector.h>
 
 #include <string>
 
 namespace Signorini
 {
-/** A point of a plane body's boundary. */
+/** A point of a body's boundary. */
 struct BoundaryPlace
 {
   std::string side;
-  /** From the start of the side (length). */
+  /** From the start of the side (length); in the plane. */
   double arc_length = 0.;
-  dealii::Point<2> point;
+  AnswerVector point;
 };
 } // namespace Signorini

@@ -22,7 +22,12 @@ struct PeakPressure
  * presses. Where both neighbours of a patch press, it is the parabola with the means of the three
  * patches, elsewhere RecoveredPressure. Both are of second order. Where patches have polynomials,
  * it is the largest value of -p_H on the patches that press.
+ *
+ * In space, where all four neighbours press, the sum of the
+ * parabolas in both coordinates, less the mean of the patch.
  */
 std::optional<PeakPressure> peak_pressure(const MultiplierSpace<2> &multipliers,
+                                          const dealii::Vector<double> &P);
+std::optional<PeakPressure> peak_pressure(const MultiplierSpace<3> &multipliers,
                                           const dealii::Vector<double> &P);
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/answer/answer_vector.h>
 #include <signorini/postprocess/nodal_forces.h>
 
 #include <optional>
@@ -9,38 +10,46 @@
 
 namespace Signorini
 {
-/** The force that acts on the body through one side (force per thickness). */
+/** The force that acts on the body through one side (force, in the plane per thickness). */
 struct SideForce
 {
+  /** The force, and its moment about the origin: one number in the plane, three in space. */
+  struct Total
+  {
+    AnswerVector force, moment;
+  };
   std::string side;
-  /** About the origin. */
-  Resultant<2> resultant;
-  /** A point on the line of action x × F = M; none where the force vanishes. */
-  std::optional<dealii::Point<2>> through;
+  Total resultant;
+  /** A point on the line of action: there the moment vanishes, or in space is parallel to the
+   * force. None where the force vanishes. */
+  std::optional<AnswerVector> through;
 };
 
 /** int p_H n over every contact side. The line of action is given by its point nearest to the
  * centre of pressure, which lies on a straight side. */
-std::vector<SideForce> contact_forces(const MultiplierSpace<2> &multipliers,
-                                      const Scene<2> &scene,
+template <int dim>
+std::vector<SideForce> contact_forces(const MultiplierSpace<dim> &multipliers,
+                                      const Scene<dim> &scene,
                                       const dealii::Vector<double> &P);
 
 /**
  * The reaction of every clamped, prescribed and roller side: the sum of NodalForces::residual over
  * its nodes, which is in balance with loads and contact forces to rounding.
  *
- * Where two held sides meet, the node's reaction is divided: a roller takes what acts along its
- * normal, two rollers both components, and two sides that hold all components take one half each.
- * So the division between the two is known up to the stress at the corner times h. The line of
- * action is given by its point nearest to the middle of the side.
+ * Where held sides meet (two, in space up to three), the node's reaction is divided: rollers take
+ * what acts along their normals, and sides that hold all components share the rest equally. So the
+ * division is known up to the stress at the corner times h, in space at the edge times h. The line
+ * of action is given by its point nearest to the middle of the side.
  */
-std::vector<SideForce> reactions(const DisplacementSpace<2> &space,
-                                 const Scene<2> &scene,
+template <int dim>
+std::vector<SideForce> reactions(const DisplacementSpace<dim> &space,
+                                 const Scene<dim> &scene,
                                  const NodalForces &forces);
 
-/** The point of the line of action x × F = M that is nearest to @p centre; none where |F| is
- * rounding against @p scale (force). */
-std::optional<dealii::Point<2>> point_of_action(const Resultant<2> &resultant,
-                                                const dealii::Point<2> &centre,
-                                                double scale);
+/** The point of the line of action x × F = M (in space of the axis on which the moment is parallel
+ * to F) that is nearest to @p centre; none where |F| is rounding against @p scale (force). */
+template <int dim>
+std::optional<dealii::Point<dim>> point_of_action(const Resultant<dim> &resultant,
+                                                  const dealii::Point<dim> &centre,
+                                                  double scale);
 } // namespace Signorini

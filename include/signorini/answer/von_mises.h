@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/answer/answer_vector.h>
 #include <signorini/elasticity/displacement_space.h>
 
 namespace Signorini
@@ -9,7 +10,7 @@ namespace Signorini
 struct VonMises
 {
   double value = 0.;
-  dealii::Point<2> point;
+  AnswerVector point;
 };
 
 /**
@@ -17,7 +18,8 @@ struct VonMises
  * With mean dilatation the trace of the strain is mean_dilatations(). Points at which the
  * material's data has no value are left out. Collective.
  */
-VonMises largest_von_mises(const DisplacementSpace<2> &space,
-                           const Scene<2> &scene,
+template <int dim>
+VonMises largest_von_mises(const DisplacementSpace<dim> &space,
+                           const Scene<dim> &scene,
                            const NodalVector &U);
 } // namespace Signorini

@@ -9,15 +9,21 @@
 namespace Signorini
 {
 /** One scene that the program knows by name. */
+template <int dim>
 struct CatalogueEntry
 {
   std::string name;
   std::string title;
-  Scene<2> (*make)();
+  Scene<dim> (*make)();
 };
 
-/** All scenes known by name; each is defined in a file of its own. */
-const std::vector<CatalogueEntry> &catalogue();
+/** All scenes of the plane or of space that are known by name. */
+template <int dim>
+const std::vector<CatalogueEntry<dim>> &catalogue();
+template <>
+const std::vector<CatalogueEntry<2>> &catalogue();
+template <>
+const std::vector<CatalogueEntry<3>> &catalogue();
 
 /** Body, material, boundary, loads, gap and exact solution of a scene in lines of text: without
  * them nobody could tell from its results alone what was solved. @throws std::out_of_range if

@@ -17,4 +17,12 @@ namespace Signorini
 std::optional<double> contact_end_error(const MultiplierSpace<2> &space,
                                         const Scene<2> &scene,
                                         const dealii::Vector<double> &P);
+
+/** In space contact ends along curves: there is no such number. */
+inline std::optional<double> contact_end_error(const MultiplierSpace<3> & /*space*/,
+                                               const Scene<3> & /*scene*/,
+                                               const dealii::Vector<double> & /*P*/)
+{
+  return {};
+}
 } // namespace Signorini

@@ -43,7 +43,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
                                    const Scene<2> &scene,
                                    const MultiplierSpace<2> &multipliers,
                                    const Coupling &D,
-                                   const ExactPressure &pressure,
+                                   const ExactPressure<2> &pressure,
                                    const DistributedVector &loads,
                                    LinearSolver linear_solver,
                                    unsigned int n_points);

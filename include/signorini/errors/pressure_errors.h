@@ -18,10 +18,11 @@ struct PressureErrors
 };
 
 /**
- * Integrates with at least @p n_points Gauss points on every piece, refined towards kinks. Needs
- * Scene::has_exact_pressure(). @throws InputError where p has no value.
+ * Integrates with at least @p n_points Gauss points per direction on every piece, refined towards
+ * kinks. Needs Scene::has_exact_pressure(). @throws InputError where p has no value.
  */
-PressureErrors compute_pressure_errors(const MultiplierSpace<2> &space,
+template <int dim>
+PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
                                        const dealii::Vector<double> &P,
                                        unsigned int n_points);
 } // namespace Signorini

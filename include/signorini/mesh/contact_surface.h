@@ -115,7 +115,7 @@ class ContactSurface
 {
 public:
   /** Mesh and scene must outlive the object. @throws ComputationError in space for a partition that
-   * is not made of cells of a coarser level. */
+   * is aligned with nothing. */
   ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &scene, const Partition &partition);
   /** In the plane: every face is a patch. @param n_points on every piece, by the active cell to
    * which it belongs. */

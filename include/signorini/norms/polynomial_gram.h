@@ -58,4 +58,7 @@ private:
  * towards the singularities of kappa.
  */
 dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers);
+
+/** In space, where patches have constants: the series of RectangleNorm. */
+dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers);
 } // namespace Signorini

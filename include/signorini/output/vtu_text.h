@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <deal.II/base/data_out_base.h>
+
+#include <mpi.h>
+
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,4 +21,11 @@ std::string vtu_array(const std::string &name,
 
 /** Adds an array to the point data of a <Piece>. */
 void add_to_point_data(std::string &piece, const std::string &array);
+
+/** A file of the pieces of all ranks. Rank 0 writes it: when the disk is full, all hear of it.
+ * Collective. */
+void write_vtu_pieces(const std::filesystem::path &path,
+                      std::string piece,
+                      const dealii::DataOutBase::VtkFlags &flags,
+                      MPI_Comm communicator);
 } // namespace Signorini

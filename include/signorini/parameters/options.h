@@ -14,6 +14,8 @@ namespace Signorini
 enum class Shape
 {
   rectangle,
+  /** In space. */
+  box,
   polygon,
   half_disc,
   disc,

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <signorini/base/columns.h>
+#include <signorini/mesh/patch_grid.h>
 #include <signorini/multiplier/multiplier_space.h>
+
+#include <array>
+#include <vector>
 
 namespace Signorini
 {
@@ -33,18 +37,20 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space,
                                  const dealii::Vector<double> &P);
 
 /**
- * A continuous pressure of second order from the means of p_H over the patches: piecewise linear
- * through the middles of the patches of a side, continued to its ends (around a closed side), and
- * nowhere positive. For a plane body, where a patch has two neighbours. Where patches have
- * polynomials, it is p_H itself, cut off at zero.
+ * A continuous pressure of second order from the means of p_H over the patches, nowhere positive.
+ *
+ * In the plane piecewise linear through the middles of the patches of a side, continued to its ends
+ * (around a closed side). In space bilinear between the centres of four patches of a side,
+ * continued to its edges. Where patches have polynomials, it is p_H itself, cut off at zero.
  */
+template <int dim>
 class RecoveredPressure
 {
 public:
-  RecoveredPressure(const MultiplierSpace<2> &space, const dealii::Vector<double> &P);
+  RecoveredPressure(const MultiplierSpace<dim> &space, const dealii::Vector<double> &P);
 
   /** The value at the point @p s of the side to which @p patch belongs; @p patch contains it. */
-  double operator()(unsigned int patch, const dealii::Point<1> &s) const;
+  double operator()(unsigned int patch, const dealii::Point<dim - 1> &s) const;
 
 private:
   /** A patch next to another one, and its middle as seen from there. */
@@ -54,28 +60,42 @@ private:
     double middle;
   };
   /** The patch before (step -1) or after (step 1) on the same side; the same patch if there is
-   * none.
+   * none. In the plane.
    */
   Neighbour neighbour(unsigned int patch, int step) const;
 
-  const MultiplierSpace<2> &space_;
-  const ContactSurface<2> &surface_;
+  /** Where a patch is in space: in which grid, and its column and row. */
+  struct Place
+  {
+    unsigned int grid;
+    std::array<unsigned int, 2> index;
+  };
+
+  const MultiplierSpace<dim> &space_;
+  const ContactSurface<dim> &surface_;
   dealii::Vector<double> P_;
   /** By patch. */
   std::vector<double> means_;
+  /** In space. */
+  std::vector<PatchGrid> grids_;
+  /** By patch, in space. */
+  std::vector<Place> places_;
 };
 
 /** A pressure with the patches that it belongs to, for another partition to start from. */
+template <int dim>
 struct PatchPressure
 {
-  std::vector<Patch<2>> patches;
+  std::vector<Patch<dim>> patches;
   dealii::Vector<double> P;
 };
 
 /**
  * P of another partition carried over to the patches of @p to: the mean of the piecewise constant
- * function on each patch (its L2-projection). In the plane, where patches are intervals.
+ * function on each patch (its L2-projection). In time proportional to the number of overlaps,
+ * after sorting.
  */
-dealii::Vector<double> transfer_pressure(const PatchPressure &from,
-                                         const std::vector<Patch<2>> &to);
+template <int dim>
+dealii::Vector<double> transfer_pressure(const PatchPressure<dim> &from,
+                                         const std::vector<Patch<dim>> &to);
 } // namespace Signorini

@@ -14,7 +14,7 @@ struct PressureCorrection
 {
   /** Nodal values of z_h, zero where displacements are prescribed; empty: zero. */
   NodalVector z;
-  /** |||z_h||| (root of force x length per thickness). */
+  /** |||z_h||| (root of force x length^{dim-1}). */
   double energy_norm = 0.;
 };
 
@@ -27,11 +27,12 @@ using DualProblem =
                                                       const dealii::Vector<double> &start)>;
 
 /** What a correction is computed from; all must outlive the call. */
+template <int dim>
 struct PressureData
 {
-  const DisplacementSpace<2> &space;
-  const Scene<2> &scene;
-  const MultiplierSpace<2> &multipliers;
+  const DisplacementSpace<dim> &space;
+  const Scene<dim> &scene;
+  const MultiplierSpace<dim> &multipliers;
   /** U_0 = A^{-1} f, complete, and P. */
   const NodalVector &U_free;
   const dealii::Vector<double> &P;
@@ -45,19 +46,21 @@ struct PressureData
 
 /** b_j = int_{Gamma_c} p v_n for v = phi_j, condensed, for the recovered pressure p of @p P,
  * shifted to the means of @p P and cut off at zero: a coupling with a single column. */
-Coupling recovered_load(const DisplacementSpace<2> &space,
-                        const MultiplierSpace<2> &multipliers,
+template <int dim>
+Coupling recovered_load(const DisplacementSpace<dim> &space,
+                        const MultiplierSpace<dim> &multipliers,
                         const dealii::Vector<double> &P);
 
 /**
  * z_h = A^{-1}(b - D P) for b = int p v_n: with p = sigma_n(u), u_h + z_h would be the best
  * approximation of u in V^h. p is the RecoveredPressure of p_H with the means of p_H, see
  * recovered_load(). Where patches are longer than two faces, V^h sees more of the pressure than p_H
- * does. Then p is recovered from the solution on patches of two faces (the same A, one more dual
- * problem). It does not penetrate between the means of the given patches, either.
+ * does. Then p is recovered from the solution on patches of two faces per direction (the same A,
+ * one more dual problem). It does not penetrate between the means of the given patches, either.
  *
  * One solve; none, and zero, where the pressure vanishes. Patches shorter than two faces are not
  * corrected: p_H swings on them, and no function of V^h sees the difference. Collective.
  */
-PressureCorrection correct_pressure(const PressureData &data);
+template <int dim>
+PressureCorrection correct_pressure(const PressureData<dim> &data);
 } // namespace Signorini

@@ -74,4 +74,11 @@ make_orthotropic(const std::vector<Expression<2>> &moduli,
                  double degrees,
                  const std::vector<Expression<2>> &across = {},
                  const dealii::Point<2> &reference = dealii::Point<2>());
+
+/** In space: (s11, s22, s33, s23, s13, s12) = C (e11, e22, e33, 2 e23, 2 e13, 2 e12) with the upper
+ * triangle of C, row by row: C11, C12, ..., C16, C22, ..., C66; positive definite at every point.
+ * E_0 is C11 at the point @p reference. */
+std::shared_ptr<const Material<3>>
+make_general_in_space(const std::vector<Expression<3>> &entries,
+                      const dealii::Point<3> &reference = dealii::Point<3>());
 } // namespace Signorini

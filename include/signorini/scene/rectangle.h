@@ -45,6 +45,11 @@ public:
     return {(x - corner_) * edges_[0] / edges_[0].norm(),
             (x - corner_) * edges_[1] / edges_[1].norm()};
   }
+  /** Of the edges (length). */
+  std::array<double, 2> lengths() const
+  {
+    return {{edges_[0].norm(), edges_[1].norm()}};
+  }
   dealii::Point<3> centre() const
   {
     return corner_ + 0.5 * (edges_[0] + edges_[1]);

@@ -44,4 +44,8 @@ enum class Plates
  * there are any with plates held. (Contact sides do not hold: they may open.)
  */
 std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, Plates plates = Plates::held);
+
+/** The names of the rigid motions that clamped, prescribed and roller sides of a box leave free:
+ * "the translation along x", "the rotation about the y-axis". */
+std::vector<std::string> free_rigid_motions(const Scene<3> &scene);
 } // namespace Signorini

@@ -7,5 +7,6 @@
 namespace Signorini
 {
 /** The scene that a parameter file spells out by expressions. @throws InputError */
-Scene<2> make_described_scene(const Parameters &parameters);
+template <int dim>
+Scene<dim> make_described_scene(const Parameters &parameters);
 } // namespace Signorini

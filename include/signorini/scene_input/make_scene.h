@@ -6,6 +6,14 @@
 
 namespace Signorini
 {
+/** 2 or 3: what the parameters say, or that of a scene of the catalogue. */
+unsigned int dimension_of(const Parameters &parameters);
+
 /** The scene that the parameters name or describe. @throws InputError */
+template <int dim>
+Scene<dim> make_scene(const Parameters &parameters);
+template <>
 Scene<2> make_scene(const Parameters &parameters);
+template <>
+Scene<3> make_scene(const Parameters &parameters);
 } // namespace Signorini

@@ -77,6 +77,6 @@ template <int dim>
 void add_errors(const Parameters &parameters,
                 const Scene<dim> &scene,
                 const Discretization<dim> &discretization,
-                const ExactPressure *pressure,
+                const ExactPressure<dim> *pressure,
                 LevelSolution<dim> &solution);
 } // namespace Signorini

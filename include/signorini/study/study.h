@@ -24,11 +24,12 @@ struct StudyReport
 };
 
 /** All levels, and whether they can be trusted. */
+template <int dim>
 struct StudyResult
 {
   std::vector<LevelRecord> levels;
   /** The contact pressure of the finest level. */
-  PatchPressure pressure;
+  PatchPressure<dim> pressure;
   StudyVerdict verdict;
 };
 
@@ -38,8 +39,8 @@ struct StudyResult
  * Collective.
  */
 template <int dim>
-StudyResult run_study(const Parameters &parameters,
-                      const Scene<dim> &scene,
-                      MPI_Comm communicator,
-                      const StudyReport &report);
+StudyResult<dim> run_study(const Parameters &parameters,
+                           const Scene<dim> &scene,
+                           MPI_Comm communicator,
+                           const StudyReport &report);
 } // namespace Signorini

@@ -10,9 +10,9 @@ int main(int argc, char **argv)
 {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Signorini::Parameters parameters = Signorini::read_parameters(argv[1]);
-  const Signorini::StudyResult result =
+  const Signorini::StudyResult<2> result =
     Signorini::run_study(parameters,
-                         Signorini::make_scene(parameters),
+                         Signorini::make_scene<2>(parameters),
                          MPI_COMM_WORLD,
                          {std::cout, "", [](const std::string &) {}});
   std::cout << "force " << result.levels.back().contact.normal_force << std::endl;
