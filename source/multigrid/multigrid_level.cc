@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The smoother of one level.
+
+#include "multigrid_level.h"
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+/** Applications of A in one smoothing, one less from zero. */
+constexpr unsigned int n_smoothing_steps = 3;
+
+/** Entries of NodeBlocks, by place. */
+template <int dim>
+unsigned int place_of(const unsigned int c, const unsigned int d)
+{
+  return c == d ? c : dim + c + d - 1;
+}
+
+/** A number in [-1, 1) without a pattern (a hash of i). */
+float hashed_number(const unsigned int i)
+{
+  const unsigned long long hash = (static_cast<unsigned long long>(i) + 1) * 0x9E3779B97F4A7C15ULL;
+  return static_cast<float>(
+    std::ldexp(static_cast<double>((hash ^ (hash >> 29U)) & 0xFFFFFFFFULL), -31) - 1.);
+}
+
+template <int dim>
+double product(const LevelVector<dim, float> &a,
+               const LevelVector<dim, float> &b,
+               const unsigned int n_nodes)
+{
+  double sum = 0.;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int node = 0; node < n_nodes; ++node)
+      sum += static_cast<double>(a[c][node]) * b[c][node];
+  return sum;
+}
+} // namespace
+
+template <int dim>
+MultigridLevel<dim>::MultigridLevel(std::shared_ptr<const BlockGrid<dim>> grid,
+                                    CellMatrices<dim, float> matrices,
+                                    NodeConditions<dim> conditions,
+                                    const Instructions instructions)
+  : x(grid->n_nodes())
+  , b(grid->n_nodes())
+  , y(grid->n_nodes())
+  , grid_(std::move(grid))
+  , matrices_(std::move(matrices))
+  , conditions_(std::move(conditions))
+  , instructions_(instructions)
+  , d_(grid_->n_nodes())
+  , B_(grid_->n_nodes())
+{
+  make_blocks();
+  estimate_largest_eigenvalue();
+}
+
+template <int dim>
+void MultigridLevel<dim>::make_blocks()
+{
+  for (std::size_t cell = 0; cell < grid_->n_cells(); ++cell)
+  {
+    const auto nodes = grid_->nodes(cell);
+    for (unsigned int v = 0; v < nodes.size(); ++v)
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d <= c; ++d)
+          B_[place_of<dim>(c, d)][nodes[v]] += matrices_.value(cell, v * dim + c, v * dim + d);
+  }
+  std::size_t next = 0;
+  for (unsigned int node = 0; node < grid_->n_nodes(); ++node)
+  {
+    dealii::Tensor<2, dim> block;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        block[c][d] = B_[place_of<dim>(c, d)][node];
+    const double size = trace(block);
+    if (next < conditions_.size() && conditions_[next].node == node)
+    {
+      const dealii::Tensor<2, dim> &projection = conditions_[next++].projection;
+      const dealii::Tensor<2, dim> rest =
+        dealii::Tensor<2, dim>(dealii::unit_symmetric_tensor<dim>()) - projection;
+      block = projection * invert(projection * block * projection + size * rest) * projection;
+    }
+    else
+      block = invert(block);
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d <= c; ++d)
+        B_[place_of<dim>(c, d)][node] = static_cast<float>(block[c][d]);
+  }
+}
+
+template <int dim>
+void MultigridLevel<dim>::multiply()
+{
+  Signorini::multiply(y, x, *grid_, matrices_, instructions_);
+}
+
+template <int dim>
+void MultigridLevel<dim>::estimate_largest_eigenvalue()
+{
+  // The power method; x is B times something in every step, so that conditions hold.
+  constexpr unsigned int n_steps = 20;
+  for (unsigned int c = 0; c < dim; ++c)
+    for (unsigned int node = 0; node < grid_->n_nodes(); ++node)
+      b[c][node] = hashed_number(dim * node + c);
+  for (unsigned int step = 0; step < n_steps; ++step)
+  {
+    Signorini::smooth<dim>({x, d_, b, y, B_, grid_->n_nodes(), 0.F, 1.F, true}, instructions_);
+    // x = B b; then b = A x, and the quotient (x, A x)/(x, b) has x.b = b.B b.
+    const double size = product(x, b, grid_->n_nodes());
+    if (!(size > 0.))
+      break;
+    multiply();
+    largest_eigenvalue_ = product(x, y, grid_->n_nodes()) / size;
+    const auto factor = static_cast<float>(1. / std::sqrt(product(x, y, grid_->n_nodes())));
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int node = 0; node < grid_->n_nodes(); ++node)
+        b[c][node] = factor * y[c][node];
+  }
+  largest_eigenvalue_ *= 1.1;
+}
+
+template <int dim>
+void MultigridLevel<dim>::smooth(const bool from_zero)
+{
+  for (unsigned int step = 1; step <= n_smoothing_steps; ++step)
+  {
+    const bool is_first = from_zero && step == 1;
+    if (!is_first)
+      multiply();
+    const double k = step;
+    const auto alpha = static_cast<float>(step == 1 ? 0. : (2. * k - 3.) / (2. * k + 1.)),
+               gamma = static_cast<float>((8. * k - 4.) / ((2. * k + 1.) * largest_eigenvalue_));
+    Signorini::smooth<dim>({x, d_, b, y, B_, grid_->n_nodes(), alpha, gamma, is_first},
+                           instructions_);
+  }
+}
+
+template class MultigridLevel<2>;
+template class MultigridLevel<3>;
+} // namespace Signorini
