@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Kernels over batches of cells and over nodes, in vector types of the compiler. Bodies are inlined
-// into functions that are compiled for several instruction sets; one of these is chosen at run
-// time.
-
-#include "kernels.h"
+// A x, cell by cell: batches of cells in vector types of the compiler, for several instruction
+// sets.
 
 #include <cstring>
 
-#define SIGNORINI_INLINE [[gnu::always_inline]] inline
+#include "kernels.h"
+#include "wide.h"
 
 namespace Signorini
 {
 namespace
 {
-/** @p width numbers at any address. */
-template <typename Number, int width>
-struct Wide
-{
-  typedef Number Type __attribute__((vector_size(width * sizeof(Number)), may_alias));
-};
-
 /** Values of a batch, [dof][lane]. */
 template <int dim, typename Number>
 struct alignas(64) BatchValues
@@ -259,58 +250,6 @@ SIGNORINI_INLINE void multiply_body(LevelVector<dim, Number> &y,
     multiply_lists<dim, Number, width, n_sums>(y, x, grid, matrices);
 }
 
-/** The entry of a symmetric matrix as NodeBlocks has it. */
-template <int dim>
-constexpr int block_entry(const int i, const int j)
-{
-  return i == j ? i : dim + i + j - 1;
-}
-
-/** See SmootherStep. */
-template <int dim, int width>
-SIGNORINI_INLINE void smooth_body(const SmootherStep<dim> &step)
-{
-  using V = typename Wide<float, width>::Type;
-  // Whole vectors: what lies behind the last node is zero, and stays so.
-  for (unsigned int node = 0; node < step.n_nodes; node += width)
-  {
-    V r[dim];
-#pragma GCC unroll 3
-    for (int c = 0; c < dim; ++c)
-    {
-      std::memcpy(&r[c], step.b[c] + node, sizeof(V));
-      if (!step.is_first)
-      {
-        V y;
-        std::memcpy(&y, step.y[c] + node, sizeof(V));
-        r[c] -= y;
-      }
-      r[c] *= step.gamma;
-    }
-#pragma GCC unroll 3
-    for (int c = 0; c < dim; ++c)
-    {
-      V d = V{}, x = V{};
-      if (!step.is_first)
-      {
-        std::memcpy(&d, step.d[c] + node, sizeof(V));
-        std::memcpy(&x, step.x[c] + node, sizeof(V));
-        d *= step.alpha;
-      }
-#pragma GCC unroll 3
-      for (int e = 0; e < dim; ++e)
-      {
-        V B;
-        std::memcpy(&B, step.B[block_entry<dim>(c, e)] + node, sizeof(V));
-        d += B * r[e];
-      }
-      x += d;
-      std::memcpy(step.d[c] + node, &d, sizeof(V));
-      std::memcpy(step.x[c] + node, &x, sizeof(V));
-    }
-  }
-}
-
 template <int dim, typename Number>
 void multiply_basic(LevelVector<dim, Number> &y,
                     const LevelVector<dim, Number> &x,
@@ -319,40 +258,23 @@ void multiply_basic(LevelVector<dim, Number> &y,
 {
   multiply_body<dim, Number, 16, dim == 2 ? 8 : 12>(y, x, grid, matrices);
 }
-template <int dim>
-void smooth_basic(const SmootherStep<dim> &step)
-{
-  smooth_body<dim, 4>(step);
-}
 
 #ifdef __x86_64__
 template <int dim, typename Number>
-__attribute__((target("avx2,fma"))) void multiply_avx2(LevelVector<dim, Number> &y,
-                                                       const LevelVector<dim, Number> &x,
-                                                       const BlockGrid<dim> &grid,
-                                                       const CellMatrices<dim, Number> &matrices)
+SIGNORINI_AVX2 void multiply_avx2(LevelVector<dim, Number> &y,
+                                  const LevelVector<dim, Number> &x,
+                                  const BlockGrid<dim> &grid,
+                                  const CellMatrices<dim, Number> &matrices)
 {
   multiply_body<dim, Number, 32, dim == 2 ? 8 : 12>(y, x, grid, matrices);
 }
-template <int dim>
-__attribute__((target("avx2,fma"))) void smooth_avx2(const SmootherStep<dim> &step)
-{
-  smooth_body<dim, 8>(step);
-}
 template <int dim, typename Number>
-__attribute__((target("avx512f,avx512vl,avx512dq,avx512bw,avx2,fma,prefer-vector-width=512"))) void
-multiply_avx512(LevelVector<dim, Number> &y,
-                const LevelVector<dim, Number> &x,
-                const BlockGrid<dim> &grid,
-                const CellMatrices<dim, Number> &matrices)
+SIGNORINI_AVX512 void multiply_avx512(LevelVector<dim, Number> &y,
+                                      const LevelVector<dim, Number> &x,
+                                      const BlockGrid<dim> &grid,
+                                      const CellMatrices<dim, Number> &matrices)
 {
   multiply_body<dim, Number, 64, dim == 2 ? 8 : 24>(y, x, grid, matrices);
-}
-template <int dim>
-__attribute__((target("avx512f,avx512vl,avx512dq,avx512bw,avx2,fma,prefer-vector-width=512"))) void
-smooth_avx512(const SmootherStep<dim> &step)
-{
-  smooth_body<dim, 16>(step);
 }
 #endif
 } // namespace
@@ -387,19 +309,6 @@ void multiply(LevelVector<dim, Number> &y,
   multiply_basic(y, x, grid, matrices);
 }
 
-template <int dim>
-void smooth(const SmootherStep<dim> &step, const Instructions instructions)
-{
-#ifdef __x86_64__
-  if (instructions == Instructions::avx512)
-    return smooth_avx512(step);
-  if (instructions == Instructions::avx2)
-    return smooth_avx2(step);
-#endif
-  (void)instructions;
-  smooth_basic(step);
-}
-
 template void multiply(LevelVector<2, float> &,
                        const LevelVector<2, float> &,
                        const BlockGrid<2> &,
@@ -420,6 +329,4 @@ template void multiply(LevelVector<3, double> &,
                        const BlockGrid<3> &,
                        const CellMatrices<3, double> &,
                        Instructions);
-template void smooth(const SmootherStep<2> &, Instructions);
-template void smooth(const SmootherStep<3> &, Instructions);
 } // namespace Signorini
