@@ -147,14 +147,15 @@ std::vector<NodeNumber> every_other(const std::vector<NodeNumber> &places,
                                     unsigned int n_blocks,
                                     unsigned int n);
 
-/** Vectors of a level: one array per component, so that nodes of a row lie side by side. */
-template <int dim, typename Number>
+/** Vectors of a level: one array for each of @p n_components, so that nodes of a row lie side by
+ * side. */
+template <int n_components, typename Number>
 class LevelVector
 {
 public:
   explicit LevelVector(const unsigned int n_nodes)
     : stride_(n_nodes + 2 * n_lanes)
-    , values_(dim * stride_)
+    , values_(n_components * stride_)
   {
   }
 

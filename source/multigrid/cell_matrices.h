@@ -80,6 +80,22 @@ public:
   std::vector<Number> shared, stored;
 };
 
+/** Adds the diagonal blocks of nodes, [dim c + d], of the matrix that would be assembled. */
+template <int dim, typename Number>
+void add_diagonal_blocks(LevelVector<dim * dim, Number> &blocks,
+                         const BlockGrid<dim> &grid,
+                         const CellMatrices<dim, Number> &matrices)
+{
+  for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
+  {
+    const auto nodes = grid.nodes(cell);
+    for (unsigned int v = 0; v < nodes.size(); ++v)
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          blocks[dim * c + d][nodes[v]] += matrices.value(cell, v * dim + c, v * dim + d);
+  }
+}
+
 /** The matrices of the next coarser level: the energy of functions that are linear along the edges
  * of its cells, sum over the children of P^T K P. */
 template <int dim>

@@ -64,21 +64,15 @@ MultigridLevel<dim>::MultigridLevel(std::shared_ptr<const BlockGrid<dim>> grid,
 template <int dim>
 void MultigridLevel<dim>::make_blocks()
 {
-  for (std::size_t cell = 0; cell < grid_->n_cells(); ++cell)
-  {
-    const auto nodes = grid_->nodes(cell);
-    for (unsigned int v = 0; v < nodes.size(); ++v)
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d <= c; ++d)
-          B_[place_of<dim>(c, d)][nodes[v]] += matrices_.value(cell, v * dim + c, v * dim + d);
-  }
+  LevelVector<dim * dim, float> blocks(grid_->n_nodes());
+  add_diagonal_blocks<dim>(blocks, *grid_, matrices_);
   std::size_t next = 0;
   for (unsigned int node = 0; node < grid_->n_nodes(); ++node)
   {
     dealii::Tensor<2, dim> block;
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)
-        block[c][d] = B_[place_of<dim>(c, d)][node];
+        block[c][d] = blocks[c * dim + d][node];
     const double size = trace(block);
     if (next < conditions_.size() && conditions_[next].node == node)
     {

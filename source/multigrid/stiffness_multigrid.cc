@@ -57,6 +57,28 @@ public:
     return bytes;
   }
 
+  Vector diagonal() const
+  {
+    LevelVector<dim * dim, double> blocks(grid_->n_nodes());
+    add_diagonal_blocks<dim>(blocks, *grid_, fine_.matrices);
+    Vector result(n_dofs());
+    for (unsigned int node = 0; node < grid_->n_nodes(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        result[grid_->identities()[node] * dim + c] = unit_ * blocks[c * dim + c][node];
+    for (const NodeCondition<dim> &condition : fine_.conditions)
+    {
+      dealii::Tensor<2, dim> block;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          block[c][d] = blocks[c * dim + d][condition.node];
+      block = transpose(condition.T) * block * condition.T;
+      for (unsigned int c = 0; c < dim; ++c)
+        result[grid_->identities()[condition.node] * dim + c] =
+          unit_ * (is_constrained(condition, c) ? 1. : block[c][c]);
+    }
+    return result;
+  }
+
   /** y = T^T K T x. */
   void apply(Vector &y, const Vector &x)
   {
@@ -207,6 +229,12 @@ template <int dim>
 unsigned int StiffnessMultigrid<dim>::size() const
 {
   return levels_->n_dofs();
+}
+
+template <int dim>
+typename StiffnessMultigrid<dim>::Vector StiffnessMultigrid<dim>::diagonal() const
+{
+  return levels_->diagonal();
 }
 
 template <int dim>

@@ -32,6 +32,8 @@ public:
   void apply(Vector &y, const Vector &x) const override;
   void precondition(Vector &z, const Vector &r) const override;
 
+  /** The diagonal of A; the unit of A at constrained degrees of freedom. */
+  Vector diagonal() const;
   /** How many levels a V-cycle has. */
   unsigned int n_levels() const;
   /** Bytes of all that is kept. */
