@@ -86,8 +86,8 @@ void MultigridInverse::solve_one(Vector &x, const Vector &b) const
     rz = r * z;
     p.sadd(rz / before, 1., z);
   }
-  if (!std::isfinite(rz))
-    refuse_to_go_on(rz);
+  if (!(rz >= 0.))
+    refuse_to_go_on(-rz / start);
   copy_to(x, u);
   largest_number_of_cycles_ = std::max(largest_number_of_cycles_, n_cycles);
 }

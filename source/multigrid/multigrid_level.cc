@@ -5,8 +5,6 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
-#include <cmath>
-
 namespace Signorini
 {
 namespace
@@ -19,26 +17,6 @@ template <int dim>
 unsigned int place_of(const unsigned int c, const unsigned int d)
 {
   return c == d ? c : dim + c + d - 1;
-}
-
-/** A number in [-1, 1) without a pattern (a hash of i). */
-float hashed_number(const unsigned int i)
-{
-  const unsigned long long hash = (static_cast<unsigned long long>(i) + 1) * 0x9E3779B97F4A7C15ULL;
-  return static_cast<float>(
-    std::ldexp(static_cast<double>((hash ^ (hash >> 29U)) & 0xFFFFFFFFULL), -31) - 1.);
-}
-
-template <int dim>
-double product(const LevelVector<dim, float> &a,
-               const LevelVector<dim, float> &b,
-               const unsigned int n_nodes)
-{
-  double sum = 0.;
-  for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int node = 0; node < n_nodes; ++node)
-      sum += static_cast<double>(a[c][node]) * b[c][node];
-  return sum;
 }
 } // namespace
 
@@ -58,7 +36,7 @@ MultigridLevel<dim>::MultigridLevel(std::shared_ptr<const BlockGrid<dim>> grid,
   , B_(grid_->n_nodes())
 {
   make_blocks();
-  estimate_largest_eigenvalue();
+  largest_eigenvalue_ = largest_eigenvalue_of_cells(matrices_);
 }
 
 template <int dim>
@@ -93,31 +71,6 @@ template <int dim>
 void MultigridLevel<dim>::multiply()
 {
   Signorini::multiply(y, x, *grid_, matrices_, instructions_);
-}
-
-template <int dim>
-void MultigridLevel<dim>::estimate_largest_eigenvalue()
-{
-  // The power method; x is B times something in every step, so that conditions hold.
-  constexpr unsigned int n_steps = 20;
-  for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int node = 0; node < grid_->n_nodes(); ++node)
-      b[c][node] = hashed_number(dim * node + c);
-  for (unsigned int step = 0; step < n_steps; ++step)
-  {
-    Signorini::smooth<dim>({x, d_, b, y, B_, grid_->n_nodes(), 0.F, 1.F, true}, instructions_);
-    // x = B b; then b = A x, and the quotient (x, A x)/(x, b) has x.b = b.B b.
-    const double size = product(x, b, grid_->n_nodes());
-    if (!(size > 0.))
-      break;
-    multiply();
-    largest_eigenvalue_ = product(x, y, grid_->n_nodes()) / size;
-    const auto factor = static_cast<float>(1. / std::sqrt(product(x, y, grid_->n_nodes())));
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int node = 0; node < grid_->n_nodes(); ++node)
-        b[c][node] = factor * y[c][node];
-  }
-  largest_eigenvalue_ *= 1.1;
 }
 
 template <int dim>

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "cell_eigenvalues.h"
 #include "kernels.h"
 #include "node_conditions.h"
 
@@ -55,7 +56,6 @@ public:
 
 private:
   void make_blocks();
-  void estimate_largest_eigenvalue();
 
   std::shared_ptr<const BlockGrid<dim>> grid_;
   CellMatrices<dim, float> matrices_;
