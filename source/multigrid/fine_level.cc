@@ -4,12 +4,15 @@
 #include "fine_level.h"
 
 #include <signorini/elasticity/cell_stiffness.h>
+#include <signorini/mesh/cut_quadrature.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <array>
 #include <functional>
 #include <limits>
+
+#include "cell_integration.h"
 
 namespace Signorini
 {
@@ -56,17 +59,14 @@ std::size_t power(const std::size_t n)
   return result;
 }
 
-/** Degrees of freedom divided by dim at all places of all blocks. */
-template <int dim>
-std::vector<NodeNumber> node_identities(const DisplacementSpace<dim> &space)
+/** Calls f(place in all blocks, cell, vertex) for all nodes of all blocks, once for each place. */
+template <int dim, typename Function>
+void for_nodes(const DisplacementSpace<dim> &space, const Function &f)
 {
-  const dealii::DoFHandler<dim> &dofs = space.dofs();
   const std::size_t n = std::size_t(1) << space.mesh().level();
-  std::vector<NodeNumber> places;
   std::size_t begin = 0;
-  for (const auto &block : dofs.cell_iterators_on_level(0))
+  for (const auto &block : space.dofs().cell_iterators_on_level(0))
   {
-    places.resize(begin + power<dim>(n + 1));
     for_descendants<dim>(block, Place<dim>{}, [&](const auto &cell, const Place<dim> &place) {
       for (unsigned int v = 0; v < (1U << dim); ++v)
       {
@@ -80,14 +80,41 @@ std::vector<NodeNumber> node_identities(const DisplacementSpace<dim> &space)
         }
         if (is_seen_later)
           continue;
-        const auto first = cell->vertex_dof_index(v, 0, cell->active_fe_index());
-        Assert(first % dim == 0, dealii::ExcInternalError());
-        places[begin + number<dim>(of_node, n + 1)] = static_cast<NodeNumber>(first / dim);
+        f(begin + number<dim>(of_node, n + 1), cell, v);
       }
     });
-    begin = places.size();
+    begin += power<dim>(n + 1);
   }
+}
+
+/** Degrees of freedom divided by dim at all places of all blocks. */
+template <int dim>
+std::vector<NodeNumber> node_identities(const DisplacementSpace<dim> &space)
+{
+  std::vector<NodeNumber> places(space.mesh().triangulation().n_cells(0) *
+                                 power<dim>((std::size_t(1) << space.mesh().level()) + 1));
+  for_nodes<dim>(space, [&](const std::size_t place, const auto &cell, const unsigned int v) {
+    const auto first = cell->vertex_dof_index(v, 0, cell->active_fe_index());
+    Assert(first % dim == 0, dealii::ExcInternalError());
+    places[place] = static_cast<NodeNumber>(first / dim);
+  });
   return places;
+}
+
+/** Where the nodes lie in the body of size one. @param numbers of nodes by place. */
+template <int dim>
+NodePlaces<dim> node_places(const DisplacementSpace<dim> &space,
+                            const std::vector<NodeNumber> &numbers,
+                            const unsigned int n_nodes)
+{
+  const dealii::Point<dim> origin = space.mesh().from_unit_body(dealii::Point<dim>());
+  NodePlaces<dim> result(n_nodes);
+  for_nodes<dim>(space, [&](const std::size_t place, const auto &cell, const unsigned int v) {
+    const dealii::Tensor<1, dim> x = (cell->vertex(v) - origin) / space.mesh().size();
+    for (int d = 0; d < dim; ++d)
+      result[d][numbers[place]] = x[d];
+  });
+  return result;
 }
 
 /** Whether all descendants of a cell are congruent: it is a parallelogram or parallelepiped, and
@@ -121,7 +148,7 @@ public:
                const BlockGrid<dim> &grid,
                Matrices &matrices)
     : space_(space)
-    , is_constant_(scene.material->is_constant())
+    , scene_(scene)
     , grid_(grid)
     , matrices_(matrices)
     , stiffness_(space, scene)
@@ -131,10 +158,30 @@ public:
         theirs_[v * dim + c] = space.element().component_to_system_index(c, v);
   }
 
-  void fill()
+  /** @param numbers of nodes by place. */
+  void fill(const std::vector<NodeNumber> &numbers)
   {
     find_shared();
     choose_batches();
+    if (matrices_.stored.empty())
+      return;
+    const Mesh<dim> &mesh = space_.mesh();
+    if (mesh.is_curved() || space_.strain_operator() != StrainOperator::symmetric_gradient)
+    {
+      integrate_cells([](const auto & /*cell*/) { return true; });
+      return;
+    }
+    CellIntegration<dim>(mesh, *scene_.material)
+      .integrate(matrices_, grid_, node_places(space_, numbers, grid_.n_nodes()));
+    if (!scene_.material->is_constant())
+      integrate_cells([&](const auto &cell) { return needs_cuts<dim>(scene_.kinks, cell); });
+  }
+
+private:
+  /** One by one, those that the condition is true of, and copies of shared ones. */
+  template <typename Condition>
+  void integrate_cells(const Condition &condition)
+  {
     std::size_t begin = 0;
     const std::size_t per_block = power<dim>(grid_.n());
     for (const auto &block : space_.mesh().triangulation().cell_iterators_on_level(0))
@@ -143,14 +190,14 @@ public:
         copy_shared(begin, begin + per_block);
       else
         for_descendants<dim>(block, Place<dim>{}, [&](const auto &cell, const Place<dim> &place) {
-          store(begin + number<dim>(place, grid_.n()),
-                stiffness_(typename CellStiffness<dim>::CellIterator(cell)));
+          if (condition(cell))
+            store(begin + number<dim>(place, grid_.n()),
+                  stiffness_(typename CellStiffness<dim>::CellIterator(cell)));
         });
       begin += per_block;
     }
   }
 
-private:
   /** One matrix for each shape of blocks with congruent cells. */
   void find_shared()
   {
@@ -158,7 +205,7 @@ private:
     for (const auto &block : space_.mesh().triangulation().cell_iterators_on_level(0))
     {
       int found = -1;
-      if (is_constant_ && has_congruent_descendants<dim>(space_.mesh(), block))
+      if (scene_.material->is_constant() && has_congruent_descendants<dim>(space_.mesh(), block))
       {
         auto cell = block;
         while (cell->has_children())
@@ -228,7 +275,7 @@ private:
   }
 
   const DisplacementSpace<dim> &space_;
-  bool is_constant_;
+  const Scene<dim> &scene_;
   const BlockGrid<dim> &grid_;
   Matrices &matrices_;
   CellStiffness<dim> stiffness_;
@@ -280,7 +327,7 @@ FineLevel<dim>::FineLevel(const DisplacementSpace<dim> &space, const Scene<dim> 
   , matrices(grid->n_batches())
   , conditions(conditions_of(space, grid->identities()))
 {
-  MatrixFiller<dim>(space, scene, *grid, matrices).fill();
+  MatrixFiller<dim>(space, scene, *grid, matrices).fill(places);
 }
 
 template struct FineLevel<2>;

@@ -110,6 +110,18 @@ void rectangles(Checks &checks)
               held + entry("Material", "Young's modulus", "1 + x^2 + sin(3*y)^2"),
               4,
               4);
+  check_plane(checks,
+              "modulus with a jump inside cells",
+              held + entry("Material", "Young's modulus", "if(x<0.3, 1, 10)") +
+                entry("Discretization", "Kinks at x", "0.3"),
+              4,
+              4);
+  check_plane(checks,
+              "varying and distorted",
+              held + entry("Material", "Young's modulus", "1 + x*y") +
+                entry("Geometry", "Distortion", "0.2"),
+              3,
+              4);
   check_plane(checks, "orthotropic", named_scene("O1"), 4, 4);
 }
 
@@ -148,6 +160,10 @@ void boxes(Checks &checks)
   Scene<3> distorted = box({1, 2, 1});
   distorted.geometry.distortion = 0.2;
   check_body<3>(checks, "distorted box", HeldBody<3>(distorted, 2, 3));
+  Scene<3> varying = box({1, 1, 1});
+  const Expression<3> E("1 + x + y^2*z", {}, "E"), nu("0.1 + 0.2*z", {}, "nu");
+  varying.material = make_isotropic<3>(E, nu, PlaneState::strain);
+  check_body<3>(checks, "varying moduli in a box", HeldBody<3>(varying, 3, 3));
   // Rollers whose normals are along no axis, and that meet at edges.
   Scene<3> oblique = box({1, 1, 1});
   const auto make_box_mesh = oblique.geometry.make_coarse_mesh;
