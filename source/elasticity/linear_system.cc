@@ -159,12 +159,12 @@ void add_cells(const DisplacementSpace<dim> &space,
     });
 }
 
-/** Adds f_i of all owned cells. */
+/** Adds f_i of all owned cells. @return the resultant of this rank. */
 template <int dim>
-void add_loads(const DisplacementSpace<dim> &space,
-               const Scene<dim> &scene,
-               const unsigned int n_points,
-               DistributedVector &loads)
+Resultant<dim> add_loads(const DisplacementSpace<dim> &space,
+                         const Scene<dim> &scene,
+                         const unsigned int n_points,
+                         DistributedVector &loads)
 {
   CellLoads<dim> cell_loads(space, scene, n_points);
   Resultant<dim> resultant;
@@ -179,6 +179,35 @@ void add_loads(const DisplacementSpace<dim> &space,
       cell_loads.add(cell, of_cell, resultant);
       loads.add(indices, of_cell);
     }
+  return resultant;
+}
+
+/** Subtracts a(k, phi_i)/unit, where k is what is prescribed. Only cells on sides see k. */
+template <int dim>
+void subtract_prescribed(const DisplacementSpace<dim> &space,
+                         const Scene<dim> &scene,
+                         NodalVector &functional)
+{
+  const NodalVector k = space.prescribed(scene);
+  if (k.linfty_norm() == 0.)
+    return;
+  CellStiffness<dim> stiffness(space, scene);
+  dealii::Vector<double> of_cell, forces;
+  std::vector<dealii::types::global_dof_index> indices;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    const unsigned int n = cell->get_fe().n_dofs_per_cell();
+    of_cell.reinit(n);
+    cell->get_dof_values(k, of_cell);
+    if (of_cell.linfty_norm() == 0.)
+      continue;
+    indices.resize(n);
+    cell->get_dof_indices(indices);
+    forces.reinit(n);
+    stiffness(cell).vmult(forces, of_cell);
+    forces *= -1.;
+    functional.add(indices, forces);
+  }
 }
 } // namespace
 
@@ -204,6 +233,26 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
+LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
+                                           const Scene<dim> &scene,
+                                           const unsigned int n_points)
+{
+  LinearSystem<dim> system = {
+    {}, stiffness_unit(space, *scene.material), space.make_vector(), space.make_vector(), {}};
+  system.applied = add_loads(space, scene, n_points, system.loads);
+  system.loads.compress(dealii::VectorOperation::add);
+  NodalVector functional(system.loads);
+  functional /= system.unit;
+  subtract_prescribed(space, scene, functional);
+  functional *= system.unit;
+  const NodalVector condensed = space.condense(functional);
+  for (const auto i : space.locally_owned())
+    system.f(i) = condensed[i];
+  system.f.compress(dealii::VectorOperation::insert);
+  return system;
+}
+
+template <int dim>
 DistributedVector assemble_loads(const DisplacementSpace<dim> &space,
                                  const Scene<dim> &scene,
                                  const unsigned int n_points)
@@ -220,6 +269,12 @@ template DistributedVector assemble_loads(const DisplacementSpace<2> &,
 template DistributedVector assemble_loads(const DisplacementSpace<3> &,
                                           const Scene<3> &,
                                           unsigned int);
+template LinearSystem<2> assemble_right_hand_side(const DisplacementSpace<2> &,
+                                                  const Scene<2> &,
+                                                  unsigned int);
+template LinearSystem<3> assemble_right_hand_side(const DisplacementSpace<3> &,
+                                                  const Scene<3> &,
+                                                  unsigned int);
 template LinearSystem<2> assemble_linear_system(const DisplacementSpace<2> &,
                                                 const Scene<2> &,
                                                 unsigned int);

@@ -307,11 +307,12 @@ void Declarations::declare_solver(SolverParameters &solver)
       "a positive integer");
   add("Linear solver",
       solver.linear_solver,
-      "Factorisation of the stiffness matrix. condensed (CHOLMOD, one process only) eliminates the "
-      "contact unknowns last and reads the compliance C from the factor; amesos_mumps (on all "
-      "processes) and amesos_klu (gathered on one) take one solve for every contact patch that can "
-      "touch. automatic is "
-      "condensed on one process and amesos_mumps on several.");
+      "How systems with the stiffness matrix are solved. condensed (CHOLMOD, one process only) "
+      "eliminates the contact unknowns last and reads the compliance C from the factor; "
+      "amesos_mumps (on all processes) and amesos_klu (gathered on one) take one solve for every "
+      "contact patch that can touch. multigrid (one process, nested meshes) assembles and "
+      "factorises nothing: conjugate gradients with V-cycles. automatic is condensed on one "
+      "process and amesos_mumps on several.");
   add("Warm start",
       solver.warm_start,
       "Start a level from the pressure of the level before.",

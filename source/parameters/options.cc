@@ -71,7 +71,8 @@ const OptionNames<LinearSolver> &option_names()
   static const OptionNames<LinearSolver> names = {{LinearSolver::automatic, "automatic"},
                                                   {LinearSolver::condensed, "condensed"},
                                                   {LinearSolver::amesos_mumps, "amesos_mumps"},
-                                                  {LinearSolver::amesos_klu, "amesos_klu"}};
+                                                  {LinearSolver::amesos_klu, "amesos_klu"},
+                                                  {LinearSolver::multigrid, "multigrid"}};
   return names;
 }
 

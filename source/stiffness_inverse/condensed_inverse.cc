@@ -319,7 +319,7 @@ private:
 CondensedInverse::CondensedInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
                                    const double unit,
                                    const std::vector<Index> &last)
-  : StiffnessInverse(matrix, unit)
+  : MatrixInverse(matrix, unit)
   , factor_(std::make_unique<Factor>(Rows(matrix), last))
 {
   const Long first = factor_->first_of_last();

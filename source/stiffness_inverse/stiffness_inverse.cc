@@ -77,15 +77,25 @@ std::string cause_of_failure(const std::string &printed)
                    : "the matrix is singular, or out of memory";
 }
 
+StiffnessInverse::Vector diagonal_of(const dealii::TrilinosWrappers::SparseMatrix &matrix)
+{
+  StiffnessInverse::Vector diagonal(matrix.locally_owned_range_indices(),
+                                    matrix.get_mpi_communicator());
+  for (const auto i : matrix.locally_owned_range_indices())
+    diagonal(i) = matrix.diag_element(i);
+  diagonal.compress(dealii::VectorOperation::insert);
+  return diagonal;
+}
+
 /** KLU (gathers the matrix on one rank) or MUMPS (distributed), through Amesos. */
-class AmesosInverse final : public StiffnessInverse
+class AmesosInverse final : public MatrixInverse
 {
 public:
   AmesosInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
                 const double unit,
                 const char *const type,
                 const unsigned int n_threads)
-    : StiffnessInverse(matrix, unit)
+    : MatrixInverse(matrix, unit)
     , n_threads_(n_threads)
     , solver_(control_, dealii::TrilinosWrappers::SolverDirect::AdditionalData(false, type))
   {
@@ -125,22 +135,21 @@ private:
 };
 } // namespace
 
-StiffnessInverse::StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+StiffnessInverse::StiffnessInverse(const Vector &diagonal,
                                    const double unit,
                                    const SolveAccuracy &accuracy)
-  : matrix_(matrix)
-  , unit_(unit)
+  : unit_(unit)
   , accuracy_(accuracy)
-  , scaling_(make_vector())
+  , scaling_(diagonal)
 {
-  for (const auto i : matrix.locally_owned_range_indices())
-    scaling_(i) = 1. / std::sqrt(matrix.diag_element(i));
+  for (const auto i : diagonal.locally_owned_elements())
+    scaling_(i) = 1. / std::sqrt(diagonal(i));
   scaling_.compress(dealii::VectorOperation::insert);
 }
 
 StiffnessInverse::Vector StiffnessInverse::make_vector() const
 {
-  return Vector(matrix_.locally_owned_range_indices(), communicator());
+  return Vector(scaling_.locally_owned_elements(), communicator());
 }
 
 double StiffnessInverse::scaled_norm(const Vector &r) const
@@ -159,7 +168,22 @@ double StiffnessInverse::refine(Vector &x, const Vector &r) const
   return size > 0. ? correction[0].l2_norm() / size : 0.;
 }
 
-void StiffnessInverse::accurate_residual(Vector &r, const Vector &x, const Vector &b) const
+MatrixInverse::MatrixInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+                             const double unit)
+  : StiffnessInverse(diagonal_of(matrix), unit, SolveAccuracy())
+  , matrix_(matrix)
+{
+}
+
+void MatrixInverse::residual(Vector &r, const Vector &x, const Vector &b, const bool accurate) const
+{
+  if (accurate)
+    accurate_residual(r, x, b);
+  else
+    matrix_.residual(r, x, b);
+}
+
+void MatrixInverse::accurate_residual(Vector &r, const Vector &x, const Vector &b) const
 {
   const Epetra_CrsMatrix &A = matrix_.trilinos_matrix();
   // x where the rows of this rank need it.
@@ -192,13 +216,13 @@ void StiffnessInverse::accurate_residual(Vector &r, const Vector &x, const Vecto
 StiffnessInverse::Check StiffnessInverse::improve(Vector &x, const Vector &b) const
 {
   Vector r(b);
-  matrix_.residual(r, x, b);
+  residual(r, x, b, false);
   const double size = scaled_norm(b);
   Check check;
   check.residual = size > 0. ? scaled_norm(r) / size : 0.;
   if (check.residual < accuracy_.refine_above)
     return check;
-  accurate_residual(r, x, b);
+  residual(r, x, b, true);
   check.rounding_error = refine(x, r);
   if (!(check.rounding_error < accuracy_.refuse_above))
   {
@@ -216,10 +240,10 @@ StiffnessInverse::Check StiffnessInverse::improve(Vector &x, const Vector &b) co
   double change = check.rounding_error;
   for (unsigned int step = 0; step < 2 && change > 1e-13; ++step)
   {
-    accurate_residual(r, x, b);
+    residual(r, x, b, true);
     change = refine(x, r);
   }
-  matrix_.residual(r, x, b);
+  residual(r, x, b, false);
   check.residual = scaled_norm(r) / size;
   return check;
 }
@@ -247,7 +271,7 @@ void StiffnessInverse::solve(Vector &x, const Vector &b) const
 void StiffnessInverse::refuse_singular_matrix() const
 {
   Vector b = make_vector();
-  for (const auto i : matrix_.locally_owned_range_indices())
+  for (const auto i : b.locally_owned_elements())
     b(i) = irregular_number(i);
   b.compress(dealii::VectorOperation::insert);
   std::vector<Vector> x = {b};
@@ -270,7 +294,7 @@ factorise(const dealii::TrilinosWrappers::SparseMatrix &matrix,
 {
   MPI_Comm communicator = matrix.get_mpi_communicator();
   const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
-  switch (resolve(solver, n_ranks))
+  switch (resolve(solver == LinearSolver::multigrid ? LinearSolver::automatic : solver, n_ranks))
   {
   case LinearSolver::condensed:
     AssertThrow(n_ranks == 1,

@@ -2,6 +2,7 @@
 // One level, from the mesh to the certified answer.
 
 #include <signorini/base/stage_timer.h>
+#include <signorini/multigrid/multigrid_inverse.h>
 #include <signorini/recovery/recovery.h>
 #include <signorini/study/level.h>
 
@@ -25,6 +26,13 @@ LevelSizes sizes_of(const Discretization<dim> &discretization)
           discretization.space.largest_degree(),
           discretization.mesh.shortest_edge()};
 }
+
+/** Whether A is neither assembled nor factorised. */
+bool uses_multigrid(const Parameters &parameters)
+{
+  return parameters.solver.linear_solver == LinearSolver::multigrid;
+}
+
 /** What the dual problem is told of free motions. */
 template <int dim>
 FreeMotions motions_of(const MotionModes<dim> &modes,
@@ -115,19 +123,23 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   progress("assembly");
   const auto owned_system = timed(times.assembly, [&]() {
     return std::make_shared<const LinearSystem<dim>>(
-      assemble_linear_system(space, scene, discretization.n_points));
+      uses_multigrid(parameters) ? assemble_right_hand_side(space, scene, discretization.n_points)
+                                 : assemble_linear_system(space, scene, discretization.n_points));
   });
   const LinearSystem<dim> &system = *owned_system;
   if (parameters.output.compliance)
     solution.system = owned_system;
 
   progress("factorisation");
-  const std::shared_ptr<const StiffnessInverse> inverse = timed(times.factor, [&]() {
-    return factorise(system.matrix,
-                     system.unit,
-                     parameters.solver.linear_solver,
-                     contact_unknowns(discretization.condensed_D));
-  });
+  const std::shared_ptr<const StiffnessInverse> inverse =
+    timed(times.factor, [&]() -> std::unique_ptr<StiffnessInverse> {
+      if (uses_multigrid(parameters))
+        return make_multigrid_inverse(space, scene);
+      return factorise(system.matrix,
+                       system.unit,
+                       parameters.solver.linear_solver,
+                       contact_unknowns(discretization.condensed_D));
+    });
 
   FreeState free = timed(times.compliance, [&]() {
     return solve_free_state(*inverse, space, system.f, discretization.D, discretization.G);

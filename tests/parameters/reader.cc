@@ -236,7 +236,8 @@ void test_options(Checks &checks)
     {{LinearSolver::automatic, "automatic"},
      {LinearSolver::condensed, "condensed"},
      {LinearSolver::amesos_mumps, "amesos_mumps"},
-     {LinearSolver::amesos_klu, "amesos_klu"}},
+     {LinearSolver::amesos_klu, "amesos_klu"},
+     {LinearSolver::multigrid, "multigrid"}},
     [](const Parameters &p) { return p.solver.linear_solver; },
     LinearSolver::automatic);
   test_option<VtuLevels>(

@@ -19,7 +19,7 @@ enum class ContactSolver
   active_set
 };
 
-/** How the stiffness matrix is factorised. */
+/** How systems with the stiffness matrix are solved. */
 enum class LinearSolver
 {
   /** condensed on one rank, amesos_mumps on several. */
@@ -29,6 +29,8 @@ enum class LinearSolver
   /** MUMPS, distributed over all ranks. */
   amesos_mumps,
   /** KLU, gathered on one rank. */
-  amesos_klu
+  amesos_klu,
+  /** Conjugate gradients with V-cycles; A is not assembled. One rank only. */
+  multigrid
 };
 } // namespace Signorini

@@ -17,7 +17,7 @@ template <int dim>
 struct LinearSystem
 {
   /** A/unit with the essential conditions eliminated. Symmetric positive definite; constrained rows
-   * hold a diagonal entry only. */
+   * hold a diagonal entry only. Empty where A is not assembled. */
   dealii::TrilinosWrappers::SparseMatrix matrix;
   /** stiffness_unit(). */
   double unit = 1.;
@@ -38,6 +38,12 @@ template <int dim>
 LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
                                          const Scene<dim> &scene,
                                          unsigned int n_points);
+
+/** The same without the matrix. One rank, no hanging nodes. */
+template <int dim>
+LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
+                                           const Scene<dim> &scene,
+                                           unsigned int n_points);
 
 /** LinearSystem::loads alone. Collective. */
 template <int dim>

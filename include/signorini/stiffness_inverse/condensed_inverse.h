@@ -9,7 +9,7 @@ namespace Signorini
 {
 /** A = L L^T by CHOLMOD's supernodal Cholesky factorisation, on one rank, with chosen unknowns
  * eliminated last. */
-class CondensedInverse final : public StiffnessInverse
+class CondensedInverse final : public MatrixInverse
 {
 public:
   /**

@@ -77,7 +77,7 @@ public:
   Vector make_vector() const;
   MPI_Comm communicator() const
   {
-    return matrix_.get_mpi_communicator();
+    return scaling_.get_mpi_communicator();
   }
 
   /** How many right-hand sides were solved. */
@@ -98,10 +98,8 @@ public:
   }
 
 protected:
-  /** @param matrix must outlive the object. */
-  StiffnessInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-                   double unit,
-                   const SolveAccuracy &accuracy = {});
+  /** @param diagonal of the matrix. */
+  StiffnessInverse(const Vector &diagonal, double unit, const SolveAccuracy &accuracy);
 
   /**
    * One solve, not counted, for a b that no kernel is orthogonal to: factors of a singular matrix
@@ -126,18 +124,17 @@ private:
 
   /** x = matrix^{-1} b by the factors (or iterations) alone, for every pair. */
   virtual void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const = 0;
+  /** r = b - matrix x; @p accurate: with sums in extended precision where there are any, so that
+   * differences of large terms keep their digits. */
+  virtual void residual(Vector &r, const Vector &x, const Vector &b, bool accurate) const = 0;
 
   /** Measures the residual, and refines x where it is not small. @throws ComputationError */
   Check improve(Vector &x, const Vector &b) const;
   /** Adds matrix^{-1} r to x. @return the size of that correction relative to x. */
   double refine(Vector &x, const Vector &r) const;
-  /** r = b - matrix x, with sums in extended precision: differences of large terms keep their
-   * digits. */
-  void accurate_residual(Vector &r, const Vector &x, const Vector &b) const;
   /** (sum r_i^2 / A_ii)^{1/2}: rows of stiff and of soft parts of a body count alike. */
   double scaled_norm(const Vector &r) const;
 
-  const dealii::TrilinosWrappers::SparseMatrix &matrix_;
   double unit_;
   SolveAccuracy accuracy_;
   /** The diagonal of the matrix to the power -1/2. */
@@ -148,12 +145,26 @@ private:
   mutable double rounding_error_ = 0.;
 };
 
+/** A^{-1} of an assembled matrix. */
+class MatrixInverse : public StiffnessInverse
+{
+protected:
+  /** @param matrix must outlive the object. */
+  MatrixInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix, double unit);
+
+private:
+  void residual(Vector &r, const Vector &x, const Vector &b, bool accurate) const override;
+  void accurate_residual(Vector &r, const Vector &x, const Vector &b) const;
+
+  const dealii::TrilinosWrappers::SparseMatrix &matrix_;
+};
+
 /** What automatic stands for on so many ranks: condensed on one, amesos_mumps on several. */
 LinearSolver resolve(LinearSolver solver, unsigned int n_ranks);
 
 /**
  * Factorises @p matrix, which must outlive the result, the inverse of unit × matrix. condensed
- * works on one rank only.
+ * works on one rank only. multigrid has no factors of matrices: it stands for automatic here.
  *
  * @param contact_unknowns those that the contact pressure acts on; the condensed factorisation
  *   eliminates them last. Collective.

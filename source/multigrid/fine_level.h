@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/elasticity/displacement_space.h>
+#include <signorini/scene/scene.h>
+
+#include <memory>
+#include <vector>
+
+#include "cell_matrices.h"
+#include "node_conditions.h"
+
+namespace Signorini
+{
+/** The finest level: the mesh's cells as blocks, with the matrices that would be assembled. */
+template <int dim>
+struct FineLevel
+{
+  FineLevel(const DisplacementSpace<dim> &space, const Scene<dim> &scene);
+
+  /** Of the finest level by place; then numbers of nodes, from which coarser grids are made. */
+  std::vector<NodeNumber> places;
+  /** Its identities are degrees of freedom divided by dim. */
+  std::unique_ptr<const BlockGrid<dim>> grid;
+  CellMatrices<dim, double> matrices;
+  NodeConditions<dim> conditions;
+};
+} // namespace Signorini

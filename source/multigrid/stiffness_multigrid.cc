@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The V-cycle, and what is needed between the unknowns of the space and the levels.
+
+#include <signorini/elasticity/cell_stiffness.h>
+#include <signorini/multigrid/stiffness_multigrid.h>
+
+#include <cmath>
+
+#include "coarsest_inverse.h"
+#include "fine_level.h"
+#include "multigrid_level.h"
+#include "transfer.h"
+
+namespace Signorini
+{
+namespace
+{
+/** The coarsest level is the finest one with at most so many nodes, or the coarse mesh. */
+constexpr unsigned int most_coarsest_nodes = 200;
+} // namespace
+
+template <int dim>
+class StiffnessMultigrid<dim>::Levels
+{
+public:
+  Levels(const DisplacementSpace<dim> &space, const Scene<dim> &scene)
+    : unit_(stiffness_unit(space, *scene.material))
+    , instructions_(instructions_of_this_machine())
+    , fine_(space, scene)
+    , grid_(std::move(fine_.grid))
+    , x_(grid_->n_nodes())
+    , y_(grid_->n_nodes())
+  {
+    levels_.push_back(std::make_unique<MultigridLevel<dim>>(
+      grid_, CellMatrices<dim, float>(fine_.matrices), fine_.conditions, instructions_));
+    while (levels_.back()->grid().n_nodes() > most_coarsest_nodes && levels_.back()->grid().n() > 1)
+      add_coarser_level();
+    fine_.places = {};
+    const MultigridLevel<dim> &coarsest = *levels_.back();
+    inverse_ = std::make_unique<CoarsestInverse<dim>>(
+      coarsest.grid(), coarsest.matrices(), coarsest.conditions());
+  }
+
+  unsigned int n_dofs() const
+  {
+    return dim * grid_->n_nodes();
+  }
+  unsigned int n_levels() const
+  {
+    return static_cast<unsigned int>(levels_.size());
+  }
+  std::size_t memory() const
+  {
+    std::size_t bytes = fine_.matrices.memory() + x_.memory() + y_.memory();
+    for (const auto &level : levels_)
+      bytes += level->memory();
+    return bytes;
+  }
+
+  Vector diagonal() const
+  {
+    LevelVector<dim * dim, double> blocks(grid_->n_nodes());
+    add_diagonal_blocks<dim>(blocks, *grid_, fine_.matrices);
+    Vector result(n_dofs());
+    for (unsigned int node = 0; node < grid_->n_nodes(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        result[grid_->identities()[node] * dim + c] = unit_ * blocks[c * dim + c][node];
+    for (const NodeCondition<dim> &condition : fine_.conditions)
+    {
+      dealii::Tensor<2, dim> block;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          block[c][d] = blocks[c * dim + d][condition.node];
+      block = transpose(condition.T) * block * condition.T;
+      for (unsigned int c = 0; c < dim; ++c)
+        result[grid_->identities()[condition.node] * dim + c] =
+          unit_ * (is_constrained(condition, c) ? 1. : block[c][c]);
+    }
+    return result;
+  }
+
+  /** y = T^T K T x. */
+  void apply(Vector &y, const Vector &x)
+  {
+    copy_free_values(x_, x, 1.);
+    for (const NodeCondition<dim> &condition : fine_.conditions)
+      transform(x_, condition.node, condition.T);
+    multiply(y_, x_, *grid_, fine_.matrices, instructions_);
+    for (const NodeCondition<dim> &condition : fine_.conditions)
+      transform(y_, condition.node, transpose(condition.T));
+    copy_free_values(y, y_, unit_);
+  }
+
+  /** z = V r. With the projection onto what conditions leave the functional r is the vector
+   * projection r, and its entries at free components are those of z. */
+  void precondition(Vector &z, const Vector &r)
+  {
+    const double size = r.linfty_norm();
+    if (!(size > 0.))
+    {
+      z = 0.;
+      return;
+    }
+    // A power of two, so that V is the same linear map for all sizes.
+    const double scale = std::ldexp(1., -std::ilogb(size));
+    MultigridLevel<dim> &finest = *levels_.front();
+    copy_free_values(finest.b, r, scale);
+    for (const NodeCondition<dim> &condition : fine_.conditions)
+      transform(finest.b, condition.node, condition.projection);
+    cycle(0);
+    copy_free_values(z, finest.x, 1. / (scale * unit_));
+  }
+
+private:
+  void add_coarser_level()
+  {
+    const MultigridLevel<dim> &finer = *levels_.back();
+    const BlockGrid<dim> &grid = finer.grid();
+    fine_.places = every_other<dim>(fine_.places, grid.n_blocks(), grid.n());
+    const auto coarse = std::make_shared<const BlockGrid<dim>>(
+      grid.n_blocks(), grid.n() / 2, fine_.places, grid.n_nodes());
+    levels_.push_back(
+      std::make_unique<MultigridLevel<dim>>(coarse,
+                                            coarsen(finer.matrices(), grid, *coarse),
+                                            coarsen(finer.conditions(), grid.n_nodes(), *coarse),
+                                            instructions_));
+  }
+
+  void cycle(const unsigned int l)
+  {
+    MultigridLevel<dim> &level = *levels_[l];
+    if (l + 1 == levels_.size())
+    {
+      inverse_->apply(level.x, level.b);
+      return;
+    }
+    MultigridLevel<dim> &coarser = *levels_[l + 1];
+    level.smooth(true);
+    level.multiply();
+    // What conditions forbid exerts no force: y becomes b there.
+    for (const NodeCondition<dim> &condition : level.conditions())
+      for_node_residual(level, condition);
+    restrict_residual(coarser.b, level.b, level.y, level.grid(), coarser.grid());
+    cycle(l + 1);
+    prolongate(level.x, coarser.x, level.grid(), coarser.grid());
+    project(level.x, level.conditions());
+    level.smooth(false);
+  }
+
+  static void for_node_residual(MultigridLevel<dim> &level, const NodeCondition<dim> &condition)
+  {
+    dealii::Tensor<1, dim> r;
+    for (unsigned int c = 0; c < dim; ++c)
+      r[c] = level.b[c][condition.node] - level.y[c][condition.node];
+    r = condition.projection * r;
+    for (unsigned int c = 0; c < dim; ++c)
+      level.y[c][condition.node] = level.b[c][condition.node] - static_cast<float>(r[c]);
+  }
+
+  /** u = T u at a node. */
+  template <typename Number>
+  static void transform(LevelVector<dim, Number> &u,
+                        const NodeNumber node,
+                        const dealii::Tensor<2, dim> &T)
+  {
+    dealii::Tensor<1, dim> value;
+    for (unsigned int c = 0; c < dim; ++c)
+      value[c] = u[c][node];
+    value = T * value;
+    for (unsigned int c = 0; c < dim; ++c)
+      u[c][node] = static_cast<Number>(value[c]);
+  }
+
+  /** Zero at constrained components. */
+  template <typename Number>
+  void copy_free_values(LevelVector<dim, Number> &to, const Vector &from, const double factor) const
+  {
+    const std::vector<NodeNumber> &identities = grid_->identities();
+    for (unsigned int node = 0; node < identities.size(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        to[c][node] = static_cast<Number>(factor * from[identities[node] * dim + c]);
+    for (const NodeCondition<dim> &condition : fine_.conditions)
+      for (unsigned int c = 0; c < dim; ++c)
+        if (is_constrained(condition, c))
+          to[c][condition.node] = Number();
+  }
+  template <typename Number>
+  void copy_free_values(Vector &to, const LevelVector<dim, Number> &from, const double factor) const
+  {
+    const std::vector<NodeNumber> &identities = grid_->identities();
+    for (unsigned int node = 0; node < identities.size(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        to[identities[node] * dim + c] = factor * static_cast<double>(from[c][node]);
+    for (const NodeCondition<dim> &condition : fine_.conditions)
+      for (unsigned int c = 0; c < dim; ++c)
+        if (is_constrained(condition, c))
+          to[identities[condition.node] * dim + c] = 0.;
+  }
+  static bool is_constrained(const NodeCondition<dim> &condition, const unsigned int c)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      if (condition.T[d][c] != 0.)
+        return false;
+    return true;
+  }
+
+  double unit_;
+  Instructions instructions_;
+  FineLevel<dim> fine_;
+  std::shared_ptr<const BlockGrid<dim>> grid_;
+  /** For products in double precision. */
+  LevelVector<dim, double> x_, y_;
+  /** From the finest to the coarsest. */
+  std::vector<std::unique_ptr<MultigridLevel<dim>>> levels_;
+  std::unique_ptr<const CoarsestInverse<dim>> inverse_;
+};
+
+template <int dim>
+StiffnessMultigrid<dim>::StiffnessMultigrid(const DisplacementSpace<dim> &space,
+                                            const Scene<dim> &scene)
+  : levels_(std::make_unique<Levels>(space, scene))
+{
+}
+
+template <int dim>
+StiffnessMultigrid<dim>::~StiffnessMultigrid() = default;
+
+template <int dim>
+unsigned int StiffnessMultigrid<dim>::size() const
+{
+  return levels_->n_dofs();
+}
+
+template <int dim>
+typename StiffnessMultigrid<dim>::Vector StiffnessMultigrid<dim>::diagonal() const
+{
+  return levels_->diagonal();
+}
+
+template <int dim>
+unsigned int StiffnessMultigrid<dim>::n_levels() const
+{
+  return levels_->n_levels();
+}
+
+template <int dim>
+std::size_t StiffnessMultigrid<dim>::memory() const
+{
+  return levels_->memory();
+}
+
+template <int dim>
+void StiffnessMultigrid<dim>::apply(Vector &y, const Vector &x) const
+{
+  levels_->apply(y, x);
+}
+
+template <int dim>
+void StiffnessMultigrid<dim>::precondition(Vector &z, const Vector &r) const
+{
+  levels_->precondition(z, r);
+}
+
+template class StiffnessMultigrid<2>;
+template class StiffnessMultigrid<3>;
+} // namespace Signorini
