@@ -31,16 +31,9 @@ struct EdgePoints
   std::vector<double> positions, weights;
 };
 
-/** Both edges of a side; its coordinates begin at a corner. */
-std::array<double, 2> lengths_of(const Side<3> &side)
-{
-  const dealii::Point<2> centre = side.coordinates(side.centre());
-  return {{2. * centre[0], 2. * centre[1]}};
-}
-
 dealii::FullMatrix<double> coefficients_on(const Side<3> &side, const dealii::Function<3> &p)
 {
-  const std::array<double, 2> lengths = lengths_of(side);
+  const std::array<double, 2> lengths = side.lengths();
   const EdgePoints x(lengths[0]), y(lengths[1]);
   dealii::FullMatrix<double> weighted(x.positions.size(), y.positions.size());
   std::vector<dealii::Point<3>> points(y.positions.size());

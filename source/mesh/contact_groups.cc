@@ -4,9 +4,8 @@
 #include <signorini/base/exceptions.h>
 #include <signorini/mesh/contact_surface.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_nothing.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <array>
@@ -151,22 +150,23 @@ void ContactSurface<3>::divide(const Partition &partition)
   }
 }
 
+// Faces are plane quadrilaterals with bilinear maps: their vertices say all, and cost less than an
+// FEFaceValues object for each of them.
 template <>
 SurfaceRule<3> ContactSurface<3>::at(const Piece<3> &piece,
                                      const std::vector<dealii::Point<2>> &positions) const
 {
-  const dealii::FE_Nothing<3> no_functions;
-  dealii::FEFaceValues<3> values(mesh_.mapping(),
-                                 no_functions,
-                                 dealii::Quadrature<2>(positions),
-                                 dealii::update_quadrature_points);
-  values.reinit(faces_[piece.face].cell, faces_[piece.face].face_no);
+  const ContactFace<3> &face = faces_[piece.face];
+  const auto mesh_face = face.cell->face(face.face_no);
   const Side<3> &side = this->side(patches_[piece.patch]);
   SurfaceRule<3> rule;
   rule.on_face = positions;
-  rule.points = values.get_quadrature_points();
-  for (const dealii::Point<3> &x : rule.points)
+  for (const dealii::Point<2> &position : positions)
   {
+    dealii::Point<3> x;
+    for (const unsigned int v : dealii::GeometryInfo<2>::vertex_indices())
+      x += dealii::GeometryInfo<2>::d_linear_shape_function(position, v) * mesh_face->vertex(v);
+    rule.points.push_back(x);
     rule.on_side.push_back(side.coordinates(x));
     rule.normals.push_back(side.normal(rule.on_side.back()));
   }
@@ -179,11 +179,20 @@ SurfaceRule<3> ContactSurface<3>::rule(const Piece<3> &piece,
                                        const Grading /*there are no kinks in space*/) const
 {
   const dealii::QGauss<2> gauss(n_points);
-  const dealii::FE_Nothing<3> no_functions;
-  dealii::FEFaceValues<3> values(mesh_.mapping(), no_functions, gauss, dealii::update_JxW_values);
-  values.reinit(faces_[piece.face].cell, faces_[piece.face].face_no);
+  const ContactFace<3> &face = faces_[piece.face];
+  const auto mesh_face = face.cell->face(face.face_no);
   SurfaceRule<3> rule = at(piece, gauss.get_points());
-  rule.weights = values.get_JxW_values();
+  for (unsigned int q = 0; q < gauss.size(); ++q)
+  {
+    std::array<dealii::Tensor<1, 3>, 2> tangents;
+    for (const unsigned int v : dealii::GeometryInfo<2>::vertex_indices())
+      for (unsigned int d = 0; d < 2; ++d)
+        tangents[d] +=
+          dealii::GeometryInfo<2>::d_linear_shape_function_gradient(gauss.point(q), v)[d] *
+          mesh_face->vertex(v);
+    rule.weights.push_back(gauss.weight(q) *
+                           dealii::cross_product_3d(tangents[0], tangents[1]).norm());
+  }
   return rule;
 }
 } // namespace Signorini
