@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 
 # Every module with what it may include. qp is algebra only and includes nothing of the others.
 set(order base parameters scene mesh_file catalogue scene_input mesh elasticity stiffness_inverse multigrid multiplier norms
-          qp compliance recovery motions postprocess refinement bound answer load_cases errors record verdict output pictures study runs)
+          qp compliance boundary_model contact_iteration recovery motions postprocess refinement bound answer load_cases errors record verdict output pictures study runs)
 set(allowed_qp base qp)
 set(allowed_stiffness_inverse base stiffness_inverse)
 set(allowed_scene base scene)
