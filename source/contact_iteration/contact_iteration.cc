@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A V-cycle, then a problem on the boundary, repeated.
+
+#include <signorini/contact_iteration/boundary_problem.h>
+#include <signorini/contact_iteration/contact_iteration.h>
+#include <signorini/contact_iteration/saddle_point.h>
+#include <signorini/qp/bound_constrained_qp.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "residuals_of_contact.h"
+
+namespace Signorini
+{
+namespace
+{
+using Vector = dealii::Vector<double>;
+
+/** D^T V D P. */
+Vector approximate_compliance_times(const ContactSystem &system, const Vector &P)
+{
+  NodalVector b(system.A.size()), z(system.A.size());
+  add_product(system.condensed_D, P, b);
+  system.A.precondition(z, b);
+  return system.condensed_D.transpose_product(z);
+}
+
+/** The largest eigenvalue of a symmetric tridiagonal matrix, by bisection with Sturm's sequence. */
+double largest_eigenvalue(const std::vector<double> &diagonal, const std::vector<double> &beside)
+{
+  double low = 0., high = 0.;
+  for (std::size_t i = 0; i < diagonal.size(); ++i)
+    high = std::max(high,
+                    diagonal[i] + (i > 0 ? std::abs(beside[i - 1]) : 0.) +
+                      (i < beside.size() ? std::abs(beside[i]) : 0.));
+  // T - x is negative definite exactly if x is above all eigenvalues.
+  const auto is_above = [&](const double x) {
+    double pivot = diagonal[0] - x;
+    for (std::size_t i = 1; i < diagonal.size() && pivot < 0.; ++i)
+      pivot = diagonal[i] - x - beside[i - 1] * beside[i - 1] / pivot;
+    return pivot < 0.;
+  };
+  for (unsigned int k = 0; k < 60; ++k)
+    (is_above(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+  return high;
+}
+
+/** Watches how fast steps shrink. */
+class StepHistory
+{
+public:
+  void add(const double step)
+  {
+    steps_.push_back(step);
+  }
+  void forget()
+  {
+    steps_.clear();
+  }
+  /** Three steps of growth, twofold in all. */
+  bool grows() const
+  {
+    const std::size_t n = steps_.size();
+    return n > 3 && steps_[n - 1] > steps_[n - 2] && steps_[n - 2] > steps_[n - 3] &&
+           steps_[n - 1] > 2. * steps_[n - 4];
+  }
+  /** A fifth per step would be a factor of 15 in these twelve. */
+  bool stalls() const
+  {
+    constexpr std::size_t window = 12;
+    const std::size_t n = steps_.size();
+    return n > window && steps_[n - 1] > std::pow(0.8, window) * steps_[n - 1 - window];
+  }
+
+private:
+  std::vector<double> steps_;
+};
+} // namespace
+
+NodalVector ContactSystem::residual(const NodalVector &U, const Vector &P) const
+{
+  NodalVector r(A.size());
+  A.apply(r, U);
+  r *= -1.;
+  r += f;
+  add_product(condensed_D, P, r);
+  return r;
+}
+
+Vector ContactSystem::opening(const NodalVector &U) const
+{
+  Vector W = condensed_D.transpose_product(U);
+  W -= gap;
+  return W;
+}
+
+double estimate_scale(const ContactSystem &system, const unsigned int n_steps)
+{
+  constexpr double share_of_largest = 0.7;
+  const unsigned int m = system.gap.size();
+  // v = C^ w; orthogonal in the product with C^^{-1}. The first one has all frequencies.
+  Vector v(m), v_before(m);
+  for (unsigned int k = 0; k < m; ++k)
+    v[k] = std::sin(1. + k * (k + 1.7));
+  Vector w = system.model.apply_inverse(v);
+  std::vector<double> diagonal, beside;
+  double norm = std::sqrt(v * w);
+  for (unsigned int j = 0; j < std::min(n_steps, m) && norm > 0.; ++j)
+  {
+    v /= norm;
+    w /= norm;
+    Vector next = approximate_compliance_times(system, w);
+    diagonal.push_back(next * w);
+    next.add(-diagonal.back(), v);
+    if (j > 0)
+      next.add(-norm, v_before);
+    v_before = v;
+    v = next;
+    w = system.model.apply_inverse(v);
+    norm = std::sqrt(std::max(0., v * w));
+    if (norm < 1e-10 * diagonal[0])
+      break;
+    beside.push_back(norm);
+  }
+  beside.resize(diagonal.size() - 1);
+  return share_of_largest * largest_eigenvalue(diagonal, beside);
+}
+
+ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
+                                               const NodalVector &U,
+                                               const Vector &P,
+                                               const ContactIterationOptions &options)
+{
+  constexpr unsigned int lanczos_steps = 6;
+  constexpr unsigned int most_doublings = 2;
+  ContactIterationResult result;
+  result.U = U;
+  result.P = P;
+  result.scale = options.scale;
+  if (result.scale <= 0.)
+  {
+    result.scale = estimate_scale(system, lanczos_steps);
+    result.cycles_for_scale = lanczos_steps;
+  }
+  StepHistory history;
+  NodalVector z(system.A.size());
+  for (unsigned int doublings = 0;;)
+  {
+    const NodalVector r = measure(system, result);
+    result.converged =
+      result.kkt_residual <= options.tolerance && result.stationarity <= options.stationarity;
+    if (result.converged || result.cycles >= options.maximum_cycles)
+      return result;
+    if (history.grows() && doublings < most_doublings)
+    {
+      ++doublings;
+      result.scale *= 2.;
+      history.forget();
+    }
+    else if (history.grows() || history.stalls())
+      break;
+    system.A.precondition(z, r);
+    ++result.cycles;
+    result.U += z;
+    Vector W = system.opening(result.U);
+    W /= result.scale;
+    Vector change = solve_boundary_problem(system.model, W, result.P);
+    std::swap(change, result.P);
+    change -= result.P;
+    history.add(std::sqrt(std::abs(r * z) + result.scale * (change * system.model.apply(change))));
+  }
+  result.stalled = "the steps of V-cycles and boundary problems shrank too slowly";
+  solve_by_minres(system, options, result);
+  return result;
+}
+} // namespace Signorini
