@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "acceleration.h"
 #include "residuals_of_contact.h"
 
 namespace Signorini
@@ -76,6 +77,28 @@ public:
 private:
   std::vector<double> steps_;
 };
+/** z by a V-cycle, d by the boundary problem of U + z. */
+void complete_step(const ContactSystem &system, const ContactIterationResult &at, ContactStep &step)
+{
+  step.z.reinit(at.U.size());
+  system.A.precondition(step.z, step.r);
+  Vector W = system.opening(at.U);
+  W += system.condensed_D.transpose_product(step.z);
+  W /= at.scale;
+  step.d = solve_boundary_problem(system.model, W, at.P);
+  step.d -= at.P;
+  step.C_d = system.model.apply(step.d);
+  step.C_d *= at.scale;
+}
+
+/** Whether P + d presses where P does. */
+bool keeps_set(const Vector &P, const Vector &d)
+{
+  for (unsigned int k = 0; k < P.size(); ++k)
+    if ((P[k] < 0.) != (P[k] + d[k] < 0.))
+      return false;
+  return true;
+}
 } // namespace
 
 NodalVector ContactSystem::residual(const NodalVector &U, const Vector &P) const
@@ -97,7 +120,7 @@ Vector ContactSystem::opening(const NodalVector &U) const
 
 double estimate_scale(const ContactSystem &system, const unsigned int n_steps)
 {
-  constexpr double share_of_largest = 0.7;
+  constexpr double share_of_largest = 0.6;
   const unsigned int m = system.gap.size();
   // v = C^ w; orthogonal in the product with C^^{-1}. The first one has all frequencies.
   Vector v(m), v_before(m);
@@ -144,10 +167,11 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
     result.cycles_for_scale = lanczos_steps;
   }
   StepHistory history;
-  NodalVector z(system.A.size());
+  Acceleration acceleration;
   for (unsigned int doublings = 0;;)
   {
-    const NodalVector r = measure(system, result);
+    ContactStep step;
+    step.r = measure(system, result);
     result.converged =
       result.kkt_residual <= options.tolerance && result.stationarity <= options.stationarity;
     if (result.converged || result.cycles >= options.maximum_cycles)
@@ -157,18 +181,14 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
       ++doublings;
       result.scale *= 2.;
       history.forget();
+      acceleration.forget();
     }
     else if (history.grows() || history.stalls())
       break;
-    system.A.precondition(z, r);
+    complete_step(system, result, step);
     ++result.cycles;
-    result.U += z;
-    Vector W = system.opening(result.U);
-    W /= result.scale;
-    Vector change = solve_boundary_problem(system.model, W, result.P);
-    std::swap(change, result.P);
-    change -= result.P;
-    history.add(std::sqrt(std::abs(r * z) + result.scale * (change * system.model.apply(change))));
+    history.add(step.size());
+    acceleration.advance(result.U, result.P, step, keeps_set(result.P, step.d));
   }
   result.stalled = "the steps of V-cycles and boundary problems shrank too slowly";
   solve_by_minres(system, options, result);
