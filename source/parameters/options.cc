@@ -61,7 +61,9 @@ template <>
 const OptionNames<ContactSolver> &option_names()
 {
   static const OptionNames<ContactSolver> names = {{ContactSolver::psor, "psor"},
-                                                   {ContactSolver::active_set, "active set"}};
+                                                   {ContactSolver::active_set, "active set"},
+                                                   {ContactSolver::mprgp, "mprgp"},
+                                                   {ContactSolver::multigrid, "multigrid"}};
   return names;
 }
 

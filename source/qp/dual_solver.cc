@@ -42,6 +42,9 @@ QPResult by_chosen_method(const BoundConstrainedQP &qp,
 {
   if (options.method == ContactSolver::psor)
     return by_psor(qp, start, options);
+  if (options.method == ContactSolver::mprgp)
+    return solve_by_mprgp(
+      qp, start, {options.tolerance, options.maximum_iterations, options.preconditioner});
   try
   {
     return solve_by_active_set(qp, start, {options.tolerance, options.maximum_iterations});

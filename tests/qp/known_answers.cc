@@ -2,6 +2,7 @@
 // min 1/2 P^T C P - P^T F over P <= 0 on 2 x 2 and 3 x 3 problems solved by hand.
 
 #include <signorini/qp/active_set.h>
+#include <signorini/qp/mprgp.h>
 #include <signorini/qp/psor.h>
 
 #include <stdexcept>
@@ -58,7 +59,10 @@ void solve(const Problem &problem, Checks &checks)
   checks.near(problem.name + ", active set", distance(cold.P, problem.P), 0., 1e-14);
   const QPResult warm = solve_by_active_set(qp, zero, {1e-12, 100});
   checks.near(problem.name + ", active set from zero", distance(warm.P, problem.P), 0., 1e-14);
-  checks.that(problem.name + ", converged", psor.converged && cold.converged && warm.converged);
+  const QPResult mprgp = solve_by_mprgp(qp, {}, {1e-12, 1000});
+  checks.near(problem.name + ", mprgp", distance(mprgp.P, problem.P), 0., 1e-10);
+  checks.that(problem.name + ", converged",
+              psor.converged && cold.converged && warm.converged && mprgp.converged);
 }
 
 /** The energy falls in every sweep for every omega in (0, 2). */

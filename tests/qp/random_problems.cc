@@ -3,6 +3,7 @@
 // contact-like matrices; cycling, degenerate, shifted, scaled and empty problems.
 
 #include <signorini/qp/active_set.h>
+#include <signorini/qp/mprgp.h>
 #include <signorini/qp/psor.h>
 
 #include <cmath>
@@ -75,7 +76,7 @@ double distance(const Vector &a, const Vector &b)
 void small_problems(Checks &checks)
 {
   RandomNumbers random(11);
-  double psor = 0., cold = 0., warm = 0.;
+  double psor = 0., mprgp = 0., cold = 0., warm = 0.;
   bool converged = true, contact = false, separation = false;
   for (unsigned int trial = 0; trial < 200; ++trial)
   {
@@ -88,16 +89,20 @@ void small_problems(Checks &checks)
     const QPResult by_psor = solve_by_psor(qp, start, {1.2, 1e-13, 10000});
     const QPResult by_sets = solve_by_active_set(qp, {}, {1e-12, 1000});
     const QPResult from_start = solve_by_active_set(qp, start, {1e-12, 1000});
+    const QPResult by_mprgp = solve_by_mprgp(qp, start, {1e-13, 10000});
     psor = std::max(psor, distance(by_psor.P, exact));
+    mprgp = std::max(mprgp, distance(by_mprgp.P, exact));
     cold = std::max(cold, distance(by_sets.P, exact));
     warm = std::max(warm, distance(from_start.P, exact));
-    converged = converged && by_psor.converged && by_sets.converged && from_start.converged;
+    converged = converged && by_psor.converged && by_mprgp.converged && by_sets.converged &&
+                from_start.converged;
     for (unsigned int i = 0; i < m; ++i)
       (exact[i] < bound[i] ? contact : separation) = true;
   }
   checks.that("200 random problems: contact and separation occur", contact && separation);
   checks.that("200 random problems: all converge", converged);
   checks.near("200 random problems: psor", psor, 0., 1e-11);
+  checks.near("200 random problems: mprgp", mprgp, 0., 1e-11);
   checks.near("200 random problems: active set", cold, 0., 1e-12);
   checks.near("200 random problems: active set from a random start", warm, 0., 1e-12);
 }
@@ -129,6 +134,20 @@ void prescribed(Checks &checks,
   const QPResult psor = solve_by_psor(qp, Vector(m), {1.3, 1e-12, 100000});
   checks.that(name + ": psor converges", psor.converged);
   checks.near(name + ": psor", distance(psor.P, P), 0., 100. * tolerance);
+  const QPResult mprgp = solve_by_mprgp(qp, {}, {1e-12, 100000});
+  checks.that(name + ": mprgp converges", mprgp.converged);
+  checks.near(name + ": mprgp", distance(mprgp.P, P), 0., 100. * tolerance);
+  // With C itself as the preconditioner a face is solved in one step.
+  const QPResult faces = solve_by_mprgp(
+    qp, {}, {1e-12, 100000, [&](const std::vector<unsigned int> &set, const Vector &r) {
+               Matrix inverse(set.size(), set.size());
+               inverse.invert(submatrix(*qp.C, set));
+               Vector z(r.size());
+               inverse.vmult(z, r);
+               return z;
+             }});
+  checks.near(name + ": preconditioned mprgp", distance(faces.P, P), 0., 100. * tolerance);
+  checks.that(name + ": fewer products", faces.iterations <= mprgp.iterations);
 }
 
 /** The active set method without an end to cycles, as it stands in the literature. */

@@ -16,7 +16,11 @@ enum class ContactSolver
   /** Projected SOR. */
   psor,
   /** The primal-dual active set method. */
-  active_set
+  active_set,
+  /** MPRGP: conjugate gradients and projected gradient steps. */
+  mprgp,
+  /** V-cycles, each followed by a problem on the boundary; no dual problem is formed. */
+  multigrid
 };
 
 /** How systems with the stiffness matrix are solved. */

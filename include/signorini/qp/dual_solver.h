@@ -3,6 +3,7 @@
 
 #include <signorini/base/options.h>
 #include <signorini/qp/bound_constrained_qp.h>
+#include <signorini/qp/mprgp.h>
 
 #include <memory>
 
@@ -19,6 +20,8 @@ struct DualSolverOptions
   unsigned int maximum_iterations = 100000;
   /** Whether C may be singular: then QPResult::unique is found out. */
   bool may_be_singular = false;
+  /** For MPRGP; empty: none. */
+  SetPreconditioner preconditioner = {};
 };
 
 /**
