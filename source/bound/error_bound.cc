@@ -108,7 +108,9 @@ ContactLift make_lift(const BoundData &data,
           given.multipliers,
           given.U,
           given.P,
-          ContactLift::DualData{data.inverse, data.condensed_D, 0.05 * stress_square},
+          data.inverse.has_factors() ? std::make_optional(ContactLift::DualData{
+                                         data.inverse, data.condensed_D, 0.05 * stress_square})
+                                     : std::nullopt,
           fields};
 }
 

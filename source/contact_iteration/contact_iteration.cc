@@ -91,6 +91,25 @@ void complete_step(const ContactSystem &system, const ContactIterationResult &at
   step.C_d *= at.scale;
 }
 
+/** (U.A U)^{1/2} up to the residual: A U = f + D P - r. */
+double energy_norm(const ContactSystem &system, const ContactIterationResult &at)
+{
+  NodalVector forces(system.f);
+  add_product(system.condensed_D, at.P, forces);
+  return std::sqrt(std::abs(forces * at.U));
+}
+
+/** One more V-cycle, which counts. */
+void measure_energy_of_residual(const ContactSystem &system,
+                                const NodalVector &r,
+                                ContactIterationResult &result)
+{
+  NodalVector z(r.size());
+  system.A.precondition(z, r);
+  ++result.cycles;
+  result.energy_of_residual = 0.5 * (r * z);
+}
+
 /** Whether P + d presses where P does. */
 bool keeps_set(const Vector &P, const Vector &d)
 {
@@ -175,7 +194,10 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
     result.converged =
       result.kkt_residual <= options.tolerance && result.stationarity <= options.stationarity;
     if (result.converged || result.cycles >= options.maximum_cycles)
+    {
+      measure_energy_of_residual(system, step.r, result);
       return result;
+    }
     if (history.grows() && doublings < most_doublings)
     {
       ++doublings;
@@ -189,9 +211,17 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
     ++result.cycles;
     history.add(step.size());
     acceleration.advance(result.U, result.P, step, keeps_set(result.P, step.d));
+    if (step.size() <= options.energy_tolerance * energy_norm(system, result))
+    {
+      measure(system, result);
+      result.energy_of_residual = 0.5 * (step.r * step.z);
+      result.converged = true;
+      return result;
+    }
   }
   result.stalled = "the steps of V-cycles and boundary problems shrank too slowly";
   solve_by_minres(system, options, result);
+  measure_energy_of_residual(system, measure(system, result), result);
   return result;
 }
 } // namespace Signorini

@@ -6,17 +6,18 @@
 #include <signorini/multigrid/stiffness_multigrid.h>
 
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace Signorini
 {
 namespace
 {
-/** The residual (r.V r)^{1/2}, relative to that of the right-hand side, at which a solve ends. */
-constexpr double goal_of_solves = 1e-12;
 constexpr unsigned int most_cycles = 500;
 /** Rounding of products with A, relative to a smooth load: 1e-16 / h^2. */
 constexpr double refine_solves_above = 1e-8;
+/** Solves to a goal above this are not refined. */
+constexpr double loose_goal = 1e-10;
 constexpr double refuse_solves_above = 1e-4;
 
 NodalVector to_nodal(const StiffnessInverse::Vector &from)
@@ -41,9 +42,15 @@ void copy_to(StiffnessInverse::Vector &to, const NodalVector &from)
 } // namespace
 
 MultigridInverse::MultigridInverse(std::shared_ptr<const StiffnessOperator> A,
-                                   const Vector &diagonal)
-  : StiffnessInverse(diagonal, 1., SolveAccuracy{refine_solves_above, refuse_solves_above})
+                                   const Vector &diagonal,
+                                   const double goal)
+  : StiffnessInverse(diagonal,
+                     1.,
+                     SolveAccuracy{goal > loose_goal ? std::numeric_limits<double>::infinity()
+                                                     : refine_solves_above,
+                                   refuse_solves_above})
   , A_(std::move(A))
+  , goal_(goal)
 {
 }
 
@@ -70,7 +77,7 @@ void MultigridInverse::solve_one(Vector &x, const Vector &b) const
   A_->precondition(z, r);
   NodalVector p = z;
   double rz = r * z;
-  const double start = rz, goal = goal_of_solves * goal_of_solves * start;
+  const double start = rz, goal = goal_ * goal_ * start;
   unsigned int n_cycles = 1;
   for (; rz > goal; ++n_cycles)
   {
@@ -94,16 +101,19 @@ void MultigridInverse::solve_one(Vector &x, const Vector &b) const
 
 template <int dim>
 std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace<dim> &space,
-                                                         const Scene<dim> &scene)
+                                                         const Scene<dim> &scene,
+                                                         const double goal)
 {
   const auto A = std::make_shared<const StiffnessMultigrid<dim>>(space, scene);
   DistributedVector diagonal = space.make_vector();
   copy_to(diagonal, A->diagonal());
-  return std::make_unique<MultigridInverse>(A, diagonal);
+  return std::make_unique<MultigridInverse>(A, diagonal, goal);
 }
 
 template std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace<2> &,
-                                                                  const Scene<2> &);
+                                                                  const Scene<2> &,
+                                                                  double);
 template std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace<3> &,
-                                                                  const Scene<3> &);
+                                                                  const Scene<3> &,
+                                                                  double);
 } // namespace Signorini

@@ -60,7 +60,8 @@ Json describe(const LevelRecord &level, const Judge &judge)
           {"rounding_error", rounding(level)},
           {"residual_bound", judge.residual_bound(level)},
           {"unique", level.dual.unique},
-          {"contact_solver_replaced", level.dual.active_set_failure.has_value()},
+          {"contact_solver_replaced",
+           level.dual.active_set_failure.has_value() || level.dual.stalled.has_value()},
           {"bound", level.bound ? describe(*level.bound) : Json(nullptr)},
           {"certified", judge.accepts(level)}};
 }

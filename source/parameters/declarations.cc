@@ -289,7 +289,10 @@ void Declarations::declare_solver(SolverParameters &solver)
   enter("Solver");
   add("Contact solver",
       solver.contact_solver,
-      "Method for the dual problem: projected SOR or primal-dual active set.");
+      "Method for contact. psor (projected SOR), active set (primal-dual) and mprgp (conjugate "
+      "gradients with projections) solve the dual problem. multigrid forms none: every V-cycle is "
+      "followed by a small problem on the contact sides (one process, nested meshes, Linear solver "
+      "= multigrid or automatic).");
   add("Relaxation",
       solver.relaxation,
       "Relaxation parameter omega of projected SOR.",
@@ -300,11 +303,18 @@ void Declarations::declare_solver(SolverParameters &solver)
       "On the relative KKT residual of the dual problem.",
       Patterns::Double(1e-15, 1e-2),
       "a number from 1e-15 to 0.01");
-  add("Maximum iterations",
-      solver.maximum_iterations,
-      "Sweeps of projected SOR or steps of the active set before giving up.",
-      Patterns::Integer(1, std::numeric_limits<int>::max()),
-      "a positive integer");
+  add(
+    "Stop at",
+    solver.stop_at,
+    "Where Contact solver = multigrid ends: at Tolerance, or, from the second level on, at a tenth "
+    "of the error of the discretisation that the estimate of the level before lets expect.");
+  add(
+    "Maximum iterations",
+    solver.maximum_iterations,
+    "Sweeps of projected SOR, steps of the active set, products of MPRGP or V-cycles before giving "
+    "up.",
+    Patterns::Integer(1, std::numeric_limits<int>::max()),
+    "a positive integer");
   add("Linear solver",
       solver.linear_solver,
       "How systems with the stiffness matrix are solved. condensed (CHOLMOD, one process only) "

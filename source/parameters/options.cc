@@ -68,6 +68,14 @@ const OptionNames<ContactSolver> &option_names()
 }
 
 template <>
+const OptionNames<StopAt> &option_names()
+{
+  static const OptionNames<StopAt> names = {{StopAt::tolerance, "tolerance"},
+                                            {StopAt::discretisation_error, "discretisation error"}};
+  return names;
+}
+
+template <>
 const OptionNames<LinearSolver> &option_names()
 {
   static const OptionNames<LinearSolver> names = {{LinearSolver::automatic, "automatic"},

@@ -8,6 +8,7 @@
 
 #include "escape_message.h"
 #include "level_examination.h"
+#include "level_iteration.h"
 
 namespace Signorini
 {
@@ -25,12 +26,6 @@ LevelSizes sizes_of(const Discretization<dim> &discretization)
           is_unstable(discretization),
           discretization.space.largest_degree(),
           discretization.mesh.shortest_edge()};
-}
-
-/** Whether A is neither assembled nor factorised. */
-bool uses_multigrid(const Parameters &parameters)
-{
-  return parameters.solver.linear_solver == LinearSolver::multigrid;
 }
 
 /** What the dual problem is told of free motions. */
@@ -104,13 +99,70 @@ void prescribe_motions(const MotionModes<dim> &modes,
   solution.motions.B.vmult(B_q, solution.q);
   free.F -= B_q;
 }
+/** What contact was found from. */
+template <int dim>
+struct ContactAnswer
+{
+  MotionModes<dim> modes;
+  /** With plates and body where they have moved to. */
+  FreeState free;
+  Pressure pressure;
+};
+
+/** By F, C and the dual problem. */
+template <int dim>
+ContactAnswer<dim> solve_dual(const Parameters &parameters,
+                              const Scene<dim> &scene,
+                              const Discretization<dim> &discretization,
+                              const LinearSystem<dim> &system,
+                              const StiffnessInverse &inverse,
+                              const dealii::Vector<double> &start,
+                              const Progress &progress,
+                              LevelSolution<dim> &solution)
+{
+  const DisplacementSpace<dim> &space = discretization.space;
+  LevelRecord &record = solution.record;
+  FreeState free = timed(record.times.compliance, [&]() {
+    return solve_free_state(inverse, space, system.f, discretization.D, discretization.G);
+  });
+  solution.F = free.F;
+  MotionModes<dim> modes =
+    timed(record.times.compliance, [&]() { return make_motion_modes(space, scene, inverse); });
+  if (modes.size() > 0)
+    solution.motions = motions_of(modes, scene, discretization.D, system.loads, free.U);
+  record.motions.undetermined = undetermined_motions(parameters, scene, modes, system.loads);
+  Pressure pressure = find_contact(
+    parameters, discretization, inverse, modes, free, system.f, start, progress, solution);
+  prescribe_motions(modes, solution, free);
+  record.linear = {inverse.n_solves(), inverse.largest_residual(), inverse.rounding_error()};
+  return {std::move(modes), std::move(free), std::move(pressure)};
+}
+
+/** By V-cycles. U stands for the body without contact, too, which nobody knows: it is asked for
+ * only as a scale. */
+template <int dim>
+ContactAnswer<dim> solve_by_cycles(const Parameters &parameters,
+                                   const Scene<dim> &scene,
+                                   const Discretization<dim> &discretization,
+                                   const LinearSystem<dim> &system,
+                                   const MultigridInverse &inverse,
+                                   const LevelStart &start,
+                                   const Progress &progress,
+                                   LevelSolution<dim> &solution)
+{
+  MotionModes<dim> modes = make_motion_modes(discretization.space, scene, inverse);
+  progress("V-cycles");
+  Pressure pressure = iterate_contact(
+    parameters, discretization, system, inverse.stiffness(), modes, start, solution);
+  return {std::move(modes), {solution.U, discretization.G}, std::move(pressure)};
+}
 } // namespace
 
 template <int dim>
 LevelSolution<dim> solve_level(const Parameters &parameters,
                                const Scene<dim> &scene,
                                const Discretization<dim> &discretization,
-                               const dealii::Vector<double> &start,
+                               const LevelStart &start,
                                const Progress &progress)
 {
   const DisplacementSpace<dim> &space = discretization.space;
@@ -134,41 +186,44 @@ LevelSolution<dim> solve_level(const Parameters &parameters,
   const std::shared_ptr<const StiffnessInverse> inverse =
     timed(times.factor, [&]() -> std::unique_ptr<StiffnessInverse> {
       if (uses_multigrid(parameters))
-        return make_multigrid_inverse(space, scene);
+        return make_multigrid_inverse(
+          space, scene, iterates_contact(parameters) ? goal_of_estimates : goal_of_solves);
       return factorise(system.matrix,
                        system.unit,
                        parameters.solver.linear_solver,
                        contact_unknowns(discretization.condensed_D));
     });
 
-  FreeState free = timed(times.compliance, [&]() {
-    return solve_free_state(*inverse, space, system.f, discretization.D, discretization.G);
-  });
-  solution.F = free.F;
-  const MotionModes<dim> modes =
-    timed(times.compliance, [&]() { return make_motion_modes(space, scene, *inverse); });
-  if (modes.size() > 0)
-    solution.motions = motions_of(modes, scene, discretization.D, system.loads, free.U);
-  record.motions.undetermined = undetermined_motions(parameters, scene, modes, system.loads);
-  const Pressure pressure = find_contact(
-    parameters, discretization, *inverse, modes, free, system.f, start, progress, solution);
-  solution.scene = with_plates_moved(scene, modes.plate_motions(scene.plates, solution.q));
-  prescribe_motions(modes, solution, free);
+  const ContactAnswer<dim> contact =
+    iterates_contact(parameters)
+      ? solve_by_cycles(parameters,
+                        scene,
+                        discretization,
+                        system,
+                        dynamic_cast<const MultigridInverse &>(*inverse),
+                        start,
+                        progress,
+                        solution)
+      : solve_dual(
+          parameters, scene, discretization, system, *inverse, start.P, progress, solution);
+  solution.scene = with_plates_moved(scene, contact.modes.plate_motions(scene.plates, solution.q));
   solution.loads = system.loads;
-  record.linear = {inverse->n_solves(), inverse->largest_residual(), inverse->rounding_error()};
 
-  examine(
-    parameters, discretization, {system, *inverse, free, pressure, modes}, progress, solution);
+  examine(parameters,
+          discretization,
+          {system, *inverse, contact.free, contact.pressure, contact.modes},
+          progress,
+          solution);
   if (!scene.load_cases.empty())
-    solution.factors =
-      std::make_shared<const LevelFactors<dim>>(LevelFactors<dim>{owned_system, inverse, modes});
+    solution.factors = std::make_shared<const LevelFactors<dim>>(
+      LevelFactors<dim>{owned_system, inverse, contact.modes});
   return solution;
 }
 
 template LevelSolution<2> solve_level(const Parameters &,
                                       const Scene<2> &,
                                       const Discretization<2> &,
-                                      const dealii::Vector<double> &,
+                                      const LevelStart &,
                                       const Progress &);
 template LevelSolution<3> solve_level(const Parameters &,
                                       const Scene<3> &,

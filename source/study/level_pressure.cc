@@ -3,8 +3,11 @@
 
 #include "level_pressure.h"
 
+#include <signorini/base/exceptions.h>
 #include <signorini/base/stage_timer.h>
+#include <signorini/boundary_model/boundary_model.h>
 #include <signorini/compliance/compliance.h>
+#include <signorini/compliance/solved_compliance.h>
 #include <signorini/motions/escape.h>
 #include <signorini/qp/dual_solver.h>
 #include <signorini/recovery/recovery.h>
@@ -41,6 +44,54 @@ ColumnProgress column_progress(const Progress &progress, const unsigned int n_co
   };
 }
 
+/** C^ for MPRGP; null for other methods, and for other multipliers than constants. */
+template <int dim>
+std::shared_ptr<const BoundaryModel> model_for(const Parameters &parameters,
+                                               const Discretization<dim> &discretization)
+{
+  if (parameters.solver.contact_solver != ContactSolver::mprgp ||
+      !discretization.multipliers.is_piecewise_constant())
+    return nullptr;
+  return make_boundary_model(discretization.multipliers);
+}
+
+SetPreconditioner preconditioner(const std::shared_ptr<const BoundaryModel> &model)
+{
+  if (model == nullptr)
+    return {};
+  return [model](const std::vector<unsigned int> &set, const dealii::Vector<double> &r) {
+    return model->solve(set, r);
+  };
+}
+
+/** C, by products only where MPRGP meets a solver without factors. */
+template <int dim>
+std::shared_ptr<const ComplianceOperator> compliance_for(const Parameters &parameters,
+                                                         const Discretization<dim> &discretization,
+                                                         const StiffnessInverse &inverse,
+                                                         const Progress &progress,
+                                                         LevelRecord &record)
+{
+  const Coupling &D = discretization.condensed_D;
+  if (!inverse.has_factors())
+    if (const auto model = model_for(parameters, discretization))
+      return std::make_shared<const SolvedCompliance>(inverse, D, model->diagonal());
+  return make_compliance(
+    inverse, D, record.times.compliance, column_progress(progress, D.n_columns()));
+}
+
+/** C_kk P_k. */
+dealii::Vector<double> effect_on_itself(const Parameters &parameters,
+                                        const ComplianceOperator &C,
+                                        const dealii::Vector<double> &P)
+{
+  if (parameters.solver.contact_solver != ContactSolver::mprgp)
+    return diagonal_times(C, P);
+  dealii::Vector<double> product(P);
+  product.scale(C.diagonal());
+  return product;
+}
+
 /** P, and q where motions are free. */
 template <int dim>
 QPResult solve_contact(const Parameters &parameters,
@@ -56,9 +107,14 @@ QPResult solve_contact(const Parameters &parameters,
                                      solver.relaxation,
                                      solver.tolerance,
                                      solver.maximum_iterations,
-                                     is_unstable(discretization)};
+                                     is_unstable(discretization),
+                                     preconditioner(model_for(parameters, discretization))};
   if (modes.size() == 0)
     return solve_dual_problem(C, F, start, options);
+  if (solver.contact_solver == ContactSolver::mprgp)
+    throw InputError(solver.contact_solver.where() + ": found '" +
+                     to_text(solver.contact_solver.value) +
+                     "' for a body or a plate that moves freely, allowed there: psor, active set.");
   const MotionResult result = solve_dual_problem(C, F, solution.motions, start, options);
   if constexpr (dim == 2)
     if (result.escape)
@@ -77,9 +133,7 @@ Pressure find_pressure(const Parameters &parameters,
                        const Progress &progress,
                        LevelSolution<dim> &solution)
 {
-  const Coupling &D = discretization.condensed_D;
-  const auto C = make_compliance(
-    inverse, D, solution.record.times.compliance, column_progress(progress, D.n_columns()));
+  const auto C = compliance_for(parameters, discretization, inverse, progress, solution.record);
   if (parameters.output.compliance)
     solution.C = C->dense();
   progress("dual problem");
@@ -87,7 +141,7 @@ Pressure find_pressure(const Parameters &parameters,
   const QPResult result =
     solve_contact(parameters, discretization, modes, C, solution.F, start, solution);
   solution.record.dual = summary_of(result, parameters.solver.contact_solver);
-  return {result.P, C->apply(result.P), diagonal_times(*C, result.P), C, {}};
+  return {result.P, C->apply(result.P), effect_on_itself(parameters, *C, result.P), C, {}};
 }
 
 template <int dim>
@@ -134,7 +188,7 @@ void correct_rounding(const Parameters &parameters,
     solution.record.dual = summary_of(result, parameters.solver.contact_solver);
     pressure.P = result.P;
     pressure.C_P = pressure.C->apply(result.P);
-    pressure.diagonal_P = diagonal_times(*pressure.C, result.P);
+    pressure.diagonal_P = effect_on_itself(parameters, *pressure.C, result.P);
     solution.P = pressure.P;
     solution.U = recover(discretization, inverse, modes, f, solution);
   }

@@ -4,6 +4,8 @@
 #include <signorini/base/stage_timer.h>
 #include <signorini/postprocess/locking.h>
 
+#include "coarse_displacement.h"
+#include "level_iteration.h"
 #include "load_case_study.h"
 #include "memory_limit.h"
 #include "sequence.h"
@@ -38,9 +40,7 @@ public:
     progress("mesh");
     const Discretization<dim> discretization(
       parameters, context_.scene, next_level_, context_.communicator);
-    dealii::Vector<double> start;
-    if (parameters.solver.warm_start && !pressure_.patches.empty())
-      start = transfer_pressure<dim>(pressure_, discretization.surface.patches());
+    const LevelStart start = start_for(discretization);
     LevelSolution<dim> solution =
       solve_level(parameters, context_.scene, discretization, start, progress);
     progress("errors");
@@ -60,6 +60,7 @@ public:
     }
     solution.record.resources = measure_resources();
     pressure_ = {discretization.surface.patches(), solution.P};
+    keep_for_next(discretization, solution);
     ++next_level_;
     return solution.record;
   }
@@ -75,6 +76,31 @@ public:
   }
 
 private:
+  /** What the levels before leave to start from. */
+  LevelStart start_for(const Discretization<dim> &discretization)
+  {
+    LevelStart start;
+    if (!context_.parameters.solver.warm_start || pressure_.patches.empty())
+      return start;
+    start.P = transfer_pressure<dim>(pressure_, discretization.surface.patches());
+    start.scale = scale_;
+    start.relative_error = relative_error_;
+    if (displacement_)
+      start.U = displacement_->at_nodes_of(discretization.space);
+    displacement_.reset();
+    return start;
+  }
+  void keep_for_next(const Discretization<dim> &discretization, const LevelSolution<dim> &solution)
+  {
+    scale_ = solution.contact_scale;
+    relative_error_ = {};
+    if (solution.record.estimate)
+      relative_error_ = solution.record.estimate->relative;
+    if (!finished_ && iterates_contact(context_.parameters))
+      displacement_ =
+        std::make_unique<const CoarseDisplacement<dim>>(discretization.space, solution.U);
+  }
+
   StudyContext<dim> context_;
   MemoryLimit<dim> memory_;
   /** Null if it is not known. */
@@ -82,6 +108,11 @@ private:
   unsigned int next_level_;
   bool finished_ = false;
   PatchPressure<dim> pressure_;
+  /** Of the last level, where V-cycles find contact; else null. */
+  std::unique_ptr<const CoarseDisplacement<dim>> displacement_;
+  /** Of the last level, see LevelStart. */
+  double scale_ = 0.;
+  std::optional<double> relative_error_;
 };
 } // namespace
 

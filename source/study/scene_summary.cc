@@ -132,6 +132,9 @@ void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &
   if (level.dual.active_set_failure)
     screen << "Warning: on " << name << " the active set method failed ("
            << *level.dual.active_set_failure << "); projected SOR answered instead.\n";
+  if (level.dual.stalled)
+    screen << "Warning: on " << name << " " << *level.dual.stalled
+           << "; the active set method with MINRES answered instead.\n";
   const std::string doubt = judge.doubt(level);
   if (!doubt.empty())
     screen << "Warning: " << name << " is not certified: " << doubt << "\n";

@@ -79,7 +79,9 @@ double Judge::residual_bound(const LevelRecord &level) const
   constexpr double largest_bound = 1e-5;
   const double of_rounding = std::min(100. * rounding(level), largest_bound);
   // Direct solves and sums over all cells lose some digits of their own.
-  return std::max({1e-8, 100. * demands_.tolerance, of_rounding});
+  // V-cycles that end at the error of the discretisation leave that much in the forces of nodes.
+  const double of_cycles = 10. * level.dual.energy_tolerance;
+  return std::max({1e-8, 100. * demands_.tolerance, of_rounding, of_cycles});
 }
 
 double Judge::largest_residual_bound(const std::vector<LevelRecord> &levels) const

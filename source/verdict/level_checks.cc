@@ -3,6 +3,7 @@
 
 #include <signorini/verdict/residuals.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -57,7 +58,8 @@ std::string check_rounding(const LevelRecord &level, const Judge &)
 
 std::string check_dual_problem(const LevelRecord &level, const Judge &judge)
 {
-  if (level.dual.converged && level.dual.kkt <= judge.tolerance())
+  const double tolerance = std::max(judge.tolerance(), 10. * level.dual.energy_tolerance);
+  if (level.dual.converged && level.dual.kkt <= tolerance)
     return "";
   std::ostringstream text;
   text << "the contact solver stopped after " << level.dual.iterations

@@ -23,6 +23,15 @@ enum class ContactSolver
   multigrid
 };
 
+/** When V-cycles for contact end. */
+enum class StopAt
+{
+  /** At the tolerance. */
+  tolerance,
+  /** At a tenth of the error of the discretisation, as the level before lets it expect. */
+  discretisation_error
+};
+
 /** How systems with the stiffness matrix are solved. */
 enum class LinearSolver
 {

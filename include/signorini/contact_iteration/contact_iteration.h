@@ -37,6 +37,8 @@ struct ContactIterationOptions
   double tolerance = 1e-10;
   /** On |f + D P - A U|_2 relative to the largest of its terms. */
   double stationarity = 1e-9;
+  /** If positive: end also when the energy norm of a step is below this part of that of U. */
+  double energy_tolerance = 0.;
   /** V-cycles before giving up, those of MINRES included. */
   unsigned int maximum_cycles = 1000;
   /** t; zero: from Lanczos' method. */
@@ -55,6 +57,8 @@ struct ContactIterationResult
   unsigned int cycles = 0, cycles_for_scale = 0;
   double kkt_residual = 0.;
   double stationarity = 0.;
+  /** r.V r/2, about the part of the duality gap that the stationarity leaves (energy). */
+  double energy_of_residual = 0.;
   bool converged = false;
   /** Why MINRES had to take over; empty if it had not. */
   std::optional<std::string> stalled;

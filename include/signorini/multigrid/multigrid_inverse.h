@@ -9,13 +9,23 @@
 
 namespace Signorini
 {
+/** The goal of solves whose error must not matter. */
+constexpr double goal_of_solves = 1e-12;
+
 /** A^{-1} by conjugate gradients, each step with one V-cycle and one product with A, until the
- * energy norm of the error, as the V-cycle measures it, is 1e-12 of what it was. */
+ * energy norm of the error, as the V-cycle measures it, is a given part of what it was. */
 class MultigridInverse final : public StiffnessInverse
 {
 public:
-  /** @param diagonal of A. */
-  MultigridInverse(std::shared_ptr<const StiffnessOperator> A, const Vector &diagonal);
+  /** @param diagonal of A. @param goal that part. */
+  MultigridInverse(std::shared_ptr<const StiffnessOperator> A,
+                   const Vector &diagonal,
+                   double goal = goal_of_solves);
+
+  bool has_factors() const override
+  {
+    return false;
+  }
 
   const StiffnessOperator &stiffness() const
   {
@@ -34,11 +44,13 @@ private:
   void solve_one(Vector &x, const Vector &b) const;
 
   std::shared_ptr<const StiffnessOperator> A_;
+  double goal_;
   mutable unsigned int largest_number_of_cycles_ = 0;
 };
 
 /** The multigrid solver of a scene; one rank. @throws ComputationError */
 template <int dim>
 std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace<dim> &space,
-                                                         const Scene<dim> &scene);
+                                                         const Scene<dim> &scene,
+                                                         double goal = goal_of_solves);
 } // namespace Signorini

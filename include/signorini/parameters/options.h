@@ -98,6 +98,8 @@ const OptionNames<Element> &option_names();
 template <>
 const OptionNames<ContactSolver> &option_names();
 template <>
+const OptionNames<StopAt> &option_names();
+template <>
 const OptionNames<LinearSolver> &option_names();
 template <>
 const OptionNames<VtuLevels> &option_names();

@@ -126,6 +126,7 @@ struct SolverParameters
   Given<ContactSolver> contact_solver{ContactSolver::active_set};
   Given<double> relaxation{1.1};
   Given<double> tolerance{1e-10};
+  Given<StopAt> stop_at{StopAt::tolerance};
   Given<unsigned int> maximum_iterations{100000};
   Given<LinearSolver> linear_solver{LinearSolver::automatic};
   Given<bool> warm_start{true};

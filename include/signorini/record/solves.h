@@ -8,10 +8,12 @@
 
 namespace Signorini
 {
-/** How the dual problem of one level was solved; the defaults hold where nothing touches. */
+/** How contact on one level was found; the defaults hold where nothing touches. */
 struct DualSolve
 {
-  /** Sweeps of projected SOR, or linear solves of the active set method. */
+  /** Sweeps of projected SOR, linear solves of the active set method, products of MPRGP, or
+   * V-cycles.
+   */
   unsigned int iterations = 0;
   /** Projected SOR: the sweep at which the increment alone was small enough. */
   std::optional<unsigned int> increment_iterations;
@@ -22,6 +24,11 @@ struct DualSolve
   /** Why the active set method failed where projected SOR answered instead; empty if the solver
    * that the user chose has answered. */
   std::optional<std::string> active_set_failure;
+  /** Why MINRES answered instead of V-cycles with boundary problems. */
+  std::optional<std::string> stalled;
+  /** Relative to the energy norm of U: the algebraic error at which V-cycles ended because the
+   * error of the discretisation is larger; 0 where the tolerance counts. */
+  double energy_tolerance = 0.;
 
   static Columns<DualSolve> columns();
 };

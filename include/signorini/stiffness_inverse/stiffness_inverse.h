@@ -73,6 +73,13 @@ public:
     return {};
   }
 
+  /** Whether a solve costs no more than its triangles; otherwise it iterates, and who can do with
+   * few solves should. */
+  virtual bool has_factors() const
+  {
+    return true;
+  }
+
   /** A vector of zeros with the distribution of the rows of A. */
   Vector make_vector() const;
   MPI_Comm communicator() const

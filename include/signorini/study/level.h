@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace Signorini
@@ -37,6 +38,10 @@ struct LevelSolution
   NodalVector U;
   dealii::Vector<double> P;
   dealii::Vector<double> F;
+  /** t, for the next level; zero where no V-cycles were used. */
+  double contact_scale = 0.;
+  /** About the part of the duality gap that V-cycles leave in A U = f + D P (energy). */
+  double energy_of_residual = 0.;
   /** Only with Output/Compliance, and empty if nothing touches. */
   dealii::FullMatrix<double> C;
   /** B, K and b of free motions, and q; empty without. */
@@ -52,6 +57,24 @@ struct LevelSolution
   std::shared_ptr<const LinearSystem<dim>> system;
 };
 
+/** What a level starts from; all of it may be missing. */
+struct LevelStart
+{
+  /** @param P a pressure on the patches of the level; empty: none. */
+  LevelStart(dealii::Vector<double> P = {})
+    : P(std::move(P))
+  {
+  }
+
+  dealii::Vector<double> P;
+  /** Nodal values of a displacement; empty: none. Only V-cycles use it. */
+  NodalVector U;
+  /** t of the level before, see ContactIterationOptions; zero: none. */
+  double scale = 0.;
+  /** The estimated error of the level before, relative in the energy norm; none: unknown. */
+  std::optional<double> relative_error;
+};
+
 /** Called with what is being done, for the user to watch. */
 using Progress = std::function<void(const std::string &)>;
 
@@ -59,13 +82,14 @@ using Progress = std::function<void(const std::string &)>;
  * Solves (5) on one level: A and f, the factorisation, F, where something touches C and P, then U,
  * the certificate, and the error estimate. Collective.
  *
- * @param start a pressure on the patches of this level to start from; empty: none.
+ * With Contact solver = multigrid A is neither assembled nor factorised, and V-cycles take the
+ * place of F, C and the dual problem.
  */
 template <int dim>
 LevelSolution<dim> solve_level(const Parameters &parameters,
                                const Scene<dim> &scene,
                                const Discretization<dim> &discretization,
-                               const dealii::Vector<double> &start,
+                               const LevelStart &start,
                                const Progress &progress);
 
 /**

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Contact by V-cycles, each followed by a problem on the boundary.
+
+#include "level_iteration.h"
+
+#include <signorini/base/exceptions.h>
+#include <signorini/base/stage_timer.h>
+#include <signorini/contact_iteration/contact_iteration.h>
+
+namespace Signorini
+{
+namespace
+{
+/** t grows a little from level to level. */
+constexpr double growth_of_scale = 1.05;
+/** Of the error of the discretisation. */
+constexpr double share_of_discretisation_error = 0.1;
+/** Between the tolerances of stationarity and of the KKT residual. */
+constexpr double stationarity_per_tolerance = 10.;
+
+/** Nodal values without those of constrained rows; zero where there are none. */
+template <int dim>
+NodalVector free_part(const DisplacementSpace<dim> &space, const NodalVector &U)
+{
+  if (U.size() == 0)
+    return NodalVector(space.dofs().n_dofs());
+  NodalVector free(U);
+  for (const auto &line : space.constraints().get_lines())
+    free[line.index] = 0.;
+  return free;
+}
+
+/** U = T U_free + k. */
+template <int dim>
+NodalVector complete_free_part(const DisplacementSpace<dim> &space, const NodalVector &U_free)
+{
+  DistributedVector free = space.make_vector();
+  for (const auto i : space.locally_owned())
+    free(i) = U_free[i];
+  free.compress(dealii::VectorOperation::insert);
+  return space.complete(free);
+}
+
+/**
+ * The algebraic error that does not matter beside that of the discretisation, relative in the
+ * energy norm. u_h has about half the error of the level before, and pi^{2h} u_h, which gains an
+ * order where the solution is smooth, not less than the square of that.
+ */
+double energy_tolerance(const Parameters &parameters, const LevelStart &start)
+{
+  if (parameters.solver.stop_at != StopAt::discretisation_error || !start.relative_error)
+    return 0.;
+  const double before = *start.relative_error;
+  return share_of_discretisation_error * std::min(0.25 * before, before * before);
+}
+} // namespace
+
+template <int dim>
+Pressure iterate_contact(const Parameters &parameters,
+                         const Discretization<dim> &discretization,
+                         const LinearSystem<dim> &system,
+                         const StiffnessOperator &A,
+                         const MotionModes<dim> &modes,
+                         const LevelStart &start,
+                         LevelSolution<dim> &solution)
+{
+  const SolverParameters &solver = parameters.solver;
+  if (modes.size() > 0 || !modes.unseen.empty())
+    throw InputError(solver.contact_solver.where() + ": found '" +
+                     to_text(solver.contact_solver.value) +
+                     "' for a body or a plate that moves freely, allowed there: psor, active set.");
+  const StageTimer timer(solution.record.times.qp);
+  const DisplacementSpace<dim> &space = discretization.space;
+  const auto model = make_boundary_model(discretization.multipliers);
+  const NodalVector f(system.f);
+  dealii::Vector<double> gap(discretization.G);
+  gap -= discretization.D.transpose_product(space.prescribed(discretization.surface.scene()));
+  ContactIterationOptions options;
+  options.tolerance = solver.tolerance;
+  options.stationarity = stationarity_per_tolerance * solver.tolerance;
+  options.maximum_cycles = solver.maximum_iterations;
+  options.scale = growth_of_scale * start.scale;
+  options.energy_tolerance = energy_tolerance(parameters, start);
+  const ContactIterationResult result =
+    solve_contact_by_cycles({A, f, discretization.condensed_D, gap, *model},
+                            free_part(space, start.U),
+                            start.P.size() > 0 ? start.P : dealii::Vector<double>(gap.size()),
+                            options);
+
+  solution.P = result.P;
+  solution.U = complete_free_part(space, result.U);
+  solution.F = discretization.G;
+  solution.contact_scale = result.scale;
+  solution.energy_of_residual = result.energy_of_residual;
+  DualSolve &dual = solution.record.dual;
+  dual.iterations = result.cycles + result.cycles_for_scale;
+  dual.kkt = result.kkt_residual;
+  dual.converged = result.converged;
+  dual.stalled = result.stalled;
+  dual.energy_tolerance = options.energy_tolerance;
+  dealii::Vector<double> diagonal_P(result.P);
+  diagonal_P.scale(model->diagonal());
+  diagonal_P *= result.scale;
+  return {result.P, {}, diagonal_P, nullptr, {}};
+}
+
+template Pressure iterate_contact(const Parameters &,
+                                  const Discretization<2> &,
+                                  const LinearSystem<2> &,
+                                  const StiffnessOperator &,
+                                  const MotionModes<2> &,
+                                  const LevelStart &,
+                                  LevelSolution<2> &);
+} // namespace Signorini

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/elasticity/linear_system.h>
+#include <signorini/multigrid/multigrid_inverse.h>
+
+#include "level_pressure.h"
+
+namespace Signorini
+{
+/** Whether contact is found by V-cycles, without F, C and a dual problem. */
+inline bool iterates_contact(const Parameters &parameters)
+{
+  return parameters.solver.contact_solver == ContactSolver::multigrid;
+}
+
+/** Whether A is neither assembled nor factorised. */
+inline bool uses_multigrid(const Parameters &parameters)
+{
+  return parameters.solver.linear_solver == LinearSolver::multigrid || iterates_contact(parameters);
+}
+
+/** How exactly the linear systems behind the estimate of the error are solved where contact is
+ * found by V-cycles. */
+constexpr double goal_of_estimates = 1e-4;
+
+/** P and U by V-cycles. C P is missing in the result. @throws InputError for bodies and plates that
+ * move freely. */
+template <int dim>
+Pressure iterate_contact(const Parameters &parameters,
+                         const Discretization<dim> &discretization,
+                         const LinearSystem<dim> &system,
+                         const StiffnessOperator &A,
+                         const MotionModes<dim> &modes,
+                         const LevelStart &start,
+                         LevelSolution<dim> &solution);
+} // namespace Signorini
