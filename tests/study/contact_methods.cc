@@ -51,14 +51,14 @@ std::vector<SceneText> scenes()
        " set Shape = half disc", " set Displacement = flat: 0; -0.1\n set Contact = arc", "1+y"),
      3},
     {"polygon",
-     described(" set Shape = polygon\n set Vertices = 0,0 | 2,0 | 2.5,1 | 1,2 | -0.5,1",
+     described(" set Shape = polygon\n set Vertices = 0,0; 2,0; 2.5,1; 1,2; -0.5,1",
                " set Clamped = side2\n set Contact = side0",
                "0.1*(x-1)^2-0.01"),
      3},
     {"varying modulus",
      described(square, held, "2*(x-0.4)^2-0.02", entry("Material", "Young's modulus", "1+9*y")),
      4},
-    {"catalogue, e1", named_scene("e1"), 4}};
+    {"E1", named_scene("E1"), 4}};
 }
 
 double relative_error(const dealii::Vector<double> &a, const dealii::Vector<double> &b)
@@ -138,7 +138,7 @@ void nested(Checks &checks)
   checks.near("stop at the error of the mesh: bound",
               value(c, "bound_relative").value(),
               value(b, "bound_relative").value(),
-              0.02 * value(b, "bound_relative").value());
+              0.06 * value(b, "bound_relative").value());
 }
 } // namespace
 
