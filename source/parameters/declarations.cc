@@ -354,7 +354,7 @@ void Declarations::declare_output(OutputParameters &output)
   add("Inf-sup constant",
       output.inf_sup_constant,
       "Whether the constant beta of Lemma 1 is measured (automatic: on nested meshes of up to 1e5 "
-      "unknowns; it needs its own factorisation).");
+      "unknowns, in space 5000; it needs its own factorisation).");
   add("Compliance",
       output.compliance,
       "Write the dual problem and its solution as Matrix Market files: C, F, P, and A, D, f, G "

@@ -19,17 +19,22 @@ namespace Signorini
 {
 namespace
 {
-/** The limit of Inf-sup constant = automatic: it needs a factorisation of its own. */
-constexpr unsigned int largest_automatic_inf_sup = 100000;
+/** The limit of Inf-sup constant = automatic: it needs a factorisation of its own, which in space
+ * costs more than the rest of the level from some thousand unknowns on. */
+constexpr unsigned int largest_automatic_inf_sup(const unsigned int dim)
+{
+  return dim == 2 ? 100000 : 5000;
+}
 
 /** Whether the constant of Lemma 1 is asked for on a level of this size; on graded meshes only if
  * the user wants it. */
+template <int dim>
 bool wants_inf_sup(const Parameters &parameters, const unsigned long long n_dofs)
 {
   const Choice choice = parameters.output.inf_sup_constant;
   return choice == Choice::yes || (choice == Choice::automatic && !uses_multigrid(parameters) &&
                                    parameters.discretization.strategy == Strategy::nested &&
-                                   n_dofs <= largest_automatic_inf_sup);
+                                   n_dofs <= largest_automatic_inf_sup(dim));
 }
 
 /** The bound is asked for where the study may stop. */
@@ -220,7 +225,7 @@ void examine(const Parameters &parameters,
   LevelRecord &record = solution.record;
   const StageTimer timer(record.times.postprocess);
   const DisplacementSpace<dim> &space = discretization.space;
-  if (wants_inf_sup(parameters, space.dofs().n_dofs()))
+  if (wants_inf_sup<dim>(parameters, space.dofs().n_dofs()))
   {
     progress("inf-sup constant");
     record.inf_sup = measure_inf_sup(space,

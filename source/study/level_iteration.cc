@@ -111,4 +111,11 @@ template Pressure iterate_contact(const Parameters &,
                                   const MotionModes<2> &,
                                   const LevelStart &,
                                   LevelSolution<2> &);
+template Pressure iterate_contact(const Parameters &,
+                                  const Discretization<3> &,
+                                  const LinearSystem<3> &,
+                                  const StiffnessOperator &,
+                                  const MotionModes<3> &,
+                                  const LevelStart &,
+                                  LevelSolution<3> &);
 } // namespace Signorini
