@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cell_integration.h"
+
 namespace Signorini
 {
 namespace
@@ -107,7 +109,8 @@ private:
 } // namespace
 
 template <int dim>
-double largest_eigenvalue_of_cells(const CellMatrices<dim, float> &matrices)
+double largest_eigenvalue_of_cells(const CellMatrices<dim, float> &matrices,
+                                   const BlockGrid<dim> &grid)
 {
   using Matrices = CellMatrices<dim, float>;
   constexpr unsigned int n_dofs = Matrices::n_dofs;
@@ -121,14 +124,16 @@ double largest_eigenvalue_of_cells(const CellMatrices<dim, float> &matrices)
     largest =
       std::max(largest, CellPencils<dim, 1>(lower.data()).largest_eigenvalue(1, n_steps_shared));
   }
-  for (std::size_t k = 0; k < matrices.stored.size(); k += Matrices::batch_size)
-    largest = std::max(
-      largest,
-      CellPencils<dim, n_lanes>(&matrices.stored[k]).largest_eigenvalue(n_lanes, n_steps_stored));
+  std::vector<float> buffer;
+  for (std::size_t batch = 0; batch < grid.n_batches(); ++batch)
+    if (!matrices.is_shared(batch))
+      largest = std::max(largest,
+                         CellPencils<dim, n_lanes>(entries_of_batch(matrices, grid, batch, buffer))
+                           .largest_eigenvalue(n_lanes, n_steps_stored));
   // Of m blocks no eigenvalue is larger than m.
   return std::min(safety * largest, static_cast<double>(1U << dim));
 }
 
-template double largest_eigenvalue_of_cells(const CellMatrices<2, float> &);
-template double largest_eigenvalue_of_cells(const CellMatrices<3, float> &);
+template double largest_eigenvalue_of_cells(const CellMatrices<2, float> &, const BlockGrid<2> &);
+template double largest_eigenvalue_of_cells(const CellMatrices<3, float> &, const BlockGrid<3> &);
 } // namespace Signorini

@@ -11,5 +11,6 @@ namespace Signorini
  * x <= lambda sum x.D_K x = lambda x.D x, whatever conditions hold.
  */
 template <int dim>
-double largest_eigenvalue_of_cells(const CellMatrices<dim, float> &matrices);
+double largest_eigenvalue_of_cells(const CellMatrices<dim, float> &matrices,
+                                   const BlockGrid<dim> &grid);
 } // namespace Signorini

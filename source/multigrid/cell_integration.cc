@@ -9,70 +9,30 @@
 #include <cstring>
 
 #include "kernels.h"
-#include "wide.h"
+#include "point_kernel.h"
 
 namespace Signorini
 {
 namespace
 {
-/** The place of the component (c, d) of a strain in Voigt's notation: those on the diagonal, then
- * 12, 13, 23. */
-template <int dim>
-constexpr int voigt(const int c, const int d)
-{
-  return c == d ? c : dim + c + d - 1;
-}
-
-constexpr int lower(const int i, const int j)
-{
-  return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i;
-}
-
 /** One point of a batch of cells. */
-template <int dim>
+template <int dim, typename Number>
 struct PointOfCells
 {
   /** [vertex dim + component][lane]. */
-  const double (*vertices)[n_lanes];
+  const Number (*vertices)[n_lanes];
   /** Of the shape functions on the reference cell. */
-  const double *gradients;
-  double weight;
+  const Number *gradients;
+  Number weight;
   /** [modulus][lane]. */
-  const double (*moduli)[n_lanes];
+  const Number (*moduli)[n_lanes];
 };
 
-/** The inverse of J, and its determinant. */
-template <typename V>
-SIGNORINI_INLINE void invert(const V (&J)[2][2], V (&inverse)[2][2], V &determinant)
-{
-  determinant = J[0][0] * J[1][1] - J[0][1] * J[1][0];
-  const V factor = 1. / determinant;
-  inverse[0][0] = J[1][1] * factor;
-  inverse[0][1] = -J[0][1] * factor;
-  inverse[1][0] = -J[1][0] * factor;
-  inverse[1][1] = J[0][0] * factor;
-}
-template <typename V>
-SIGNORINI_INLINE void invert(const V (&J)[3][3], V (&inverse)[3][3], V &determinant)
-{
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-    {
-      const int a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
-      inverse[i][j] = J[a][c] * J[b][d] - J[a][d] * J[b][c];
-    }
-  determinant = J[0][0] * inverse[0][0] + J[0][1] * inverse[1][0] + J[0][2] * inverse[2][0];
-  const V factor = 1. / determinant;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      inverse[i][j] *= factor;
-}
-
 /** Gradients of the shape functions, and the weight times the determinant. */
-template <int dim, typename V>
+template <int dim, typename Number, typename V>
 SIGNORINI_INLINE void map_gradients(V (&g)[1 << dim][dim],
                                     V &weight,
-                                    const PointOfCells<dim> &point,
+                                    const PointOfCells<dim, Number> &point,
                                     const unsigned int lane)
 {
   V J[dim][dim], inverse[dim][dim];
@@ -99,15 +59,16 @@ SIGNORINI_INLINE void map_gradients(V (&g)[1 << dim][dim],
 }
 
 /** K += B^T C B times the weight of the point, for all cells of a batch. */
-template <int dim, int width>
-SIGNORINI_INLINE void add_point(double *const K, const PointOfCells<dim> &point)
+template <int dim, typename Number, int bytes>
+SIGNORINI_INLINE void add_point(Number *const K, const PointOfCells<dim, Number> &point)
 {
-  using V = typename Wide<double, width>::Type;
+  constexpr int width = bytes / static_cast<int>(sizeof(Number));
+  using V = typename Wide<Number, width>::Type;
   constexpr int n_strains = dim * (dim + 1) / 2;
   for (unsigned int lane = 0; lane < n_lanes; lane += width)
   {
     V g[1 << dim][dim], weight;
-    map_gradients<dim, V>(g, weight, point, lane);
+    map_gradients<dim, Number, V>(g, weight, point, lane);
     V C[n_strains][n_strains];
     for (int s = 0; s < n_strains; ++s)
       for (int t = 0; t < n_strains; ++t)
@@ -131,7 +92,7 @@ SIGNORINI_INLINE void add_point(double *const K, const PointOfCells<dim> &point)
         for (int d = 0; d < dim; ++d)
           for (int c = 0; c < (v == w ? d + 1 : dim); ++c)
           {
-            double *const target = K + lower(w * dim + d, v * dim + c) * n_lanes + lane;
+            Number *const target = K + lower(w * dim + d, v * dim + c) * n_lanes + lane;
             V sum;
             std::memcpy(&sum, target, sizeof(V));
             for (int e = 0; e < dim; ++e)
@@ -142,39 +103,39 @@ SIGNORINI_INLINE void add_point(double *const K, const PointOfCells<dim> &point)
   }
 }
 
-template <int dim>
-void add_point_basic(double *const K, const PointOfCells<dim> &point)
+template <int dim, typename Number>
+void add_point_basic(Number *const K, const PointOfCells<dim, Number> &point)
 {
-  add_point<dim, 2>(K, point);
+  add_point<dim, Number, 16>(K, point);
 }
 #ifdef __x86_64__
-template <int dim>
-SIGNORINI_AVX2 void add_point_avx2(double *const K, const PointOfCells<dim> &point)
+template <int dim, typename Number>
+SIGNORINI_AVX2 void add_point_avx2(Number *const K, const PointOfCells<dim, Number> &point)
 {
-  add_point<dim, 4>(K, point);
+  add_point<dim, Number, 32>(K, point);
 }
-template <int dim>
-SIGNORINI_AVX512 void add_point_avx512(double *const K, const PointOfCells<dim> &point)
+template <int dim, typename Number>
+SIGNORINI_AVX512 void add_point_avx512(Number *const K, const PointOfCells<dim, Number> &point)
 {
-  add_point<dim, 8>(K, point);
+  add_point<dim, Number, 64>(K, point);
 }
 #endif
 
-template <int dim>
-void (*best_add_point())(double *, const PointOfCells<dim> &)
+template <int dim, typename Number>
+void (*best_add_point())(Number *, const PointOfCells<dim, Number> &)
 {
 #ifdef __x86_64__
   switch (instructions_of_this_machine())
   {
   case Instructions::avx512:
-    return &add_point_avx512<dim>;
+    return &add_point_avx512<dim, Number>;
   case Instructions::avx2:
-    return &add_point_avx2<dim>;
+    return &add_point_avx2<dim, Number>;
   case Instructions::basic:
     break;
   }
 #endif
-  return &add_point_basic<dim>;
+  return &add_point_basic<dim, Number>;
 }
 } // namespace
 
@@ -237,7 +198,7 @@ void CellIntegration<dim>::integrate(CellMatrices<dim, double> &matrices,
                                      const BlockGrid<dim> &grid,
                                      const NodePlaces<dim> &places) const
 {
-  const auto add_point = best_add_point<dim>();
+  const auto add_point = best_add_point<dim, double>();
   const bool is_constant = material_.is_constant();
   alignas(64) double vertices[n_vertices * dim][n_lanes], moduli[n_moduli][n_lanes];
   for (std::size_t batch = 0; batch < grid.n_batches(); ++batch)
@@ -261,6 +222,116 @@ void CellIntegration<dim>::integrate(CellMatrices<dim, double> &matrices,
   }
 }
 
+template <int dim, typename Number>
+const Number *entries_of_batch(const CellMatrices<dim, Number> &matrices,
+                               const BlockGrid<dim> &grid,
+                               const std::size_t batch,
+                               std::vector<Number> &buffer)
+{
+  using Matrices = CellMatrices<dim, Number>;
+  constexpr unsigned int n_dofs = Matrices::n_dofs;
+  if (!matrices.is_shared(batch) && !matrices.is_integrated(batch))
+    return matrices.stored_matrices(batch);
+  buffer.assign(Matrices::batch_size, Number());
+  if (matrices.is_shared(batch))
+  {
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
+        std::fill_n(&buffer[Matrices::entry(i, j) * n_lanes],
+                    n_lanes,
+                    matrices.shared_matrix(batch)[i * n_dofs + j]);
+    return buffer.data();
+  }
+  const PointRule<dim, Number> &rule = *matrices.rule;
+  BatchValues<dim, Number> vertices;
+  for (unsigned int l = 0; l < n_lanes; ++l)
+  {
+    const auto nodes = grid.nodes(std::min(batch * n_lanes + l, grid.n_cells() - 1));
+    for (unsigned int v = 0; v < nodes.size(); ++v)
+      for (int d = 0; d < dim; ++d)
+        vertices.values[v * dim + d][l] = rule.places[d][nodes[v]];
+  }
+  Number moduli[std::tuple_size<decltype(rule.moduli)>::value][n_lanes];
+  for (std::size_t m = 0; m < rule.moduli.size(); ++m)
+    std::fill_n(moduli[m], n_lanes, rule.moduli[m]);
+  for (std::size_t q = 0; q < rule.weights.size(); ++q)
+    add_point_basic<dim, Number>(
+      buffer.data(), {vertices.values, &rule.gradients[q * n_dofs], rule.weights[q], moduli});
+  return buffer.data();
+}
+
+template <int dim, typename Number>
+void add_diagonal_blocks(LevelVector<dim * dim, Number> &blocks,
+                         const BlockGrid<dim> &grid,
+                         const CellMatrices<dim, Number> &matrices)
+{
+  using Matrices = CellMatrices<dim, Number>;
+  std::vector<Number> buffer;
+  const Number *K = nullptr;
+  int last_shared = -1;
+  for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
+  {
+    const std::size_t batch = cell / n_lanes;
+    const int shared = matrices.of_batch[batch];
+    if (cell % n_lanes == 0 && (shared < 0 || shared != last_shared))
+    {
+      K = entries_of_batch(matrices, grid, batch, buffer);
+      last_shared = shared;
+    }
+    const auto nodes = grid.nodes(cell);
+    for (unsigned int v = 0; v < nodes.size(); ++v)
+      for (unsigned int c = 0; c < dim; ++c)
+        for (unsigned int d = 0; d < dim; ++d)
+          blocks[dim * c + d][nodes[v]] +=
+            K[Matrices::entry(v * dim + c, v * dim + d) * n_lanes + cell % n_lanes];
+  }
+}
+
+template <int dim, typename Number>
+std::shared_ptr<const PointRule<dim, Number>>
+make_point_rule(const NodePlaces<dim> &places,
+                const unsigned int n_nodes,
+                const std::array<double, PointRule<dim, Number>::n_moduli> &moduli,
+                const unsigned int n_points)
+{
+  const auto rule = std::make_shared<PointRule<dim, Number>>(
+    PointRule<dim, Number>{LevelVector<dim, Number>(n_nodes), {}, {}, {}});
+  for (int d = 0; d < dim; ++d)
+    for (unsigned int node = 0; node < n_nodes; ++node)
+      rule->places[d][node] = static_cast<Number>(places[d][node]);
+  std::copy(moduli.begin(), moduli.end(), rule->moduli.begin());
+  const dealii::QGauss<dim> gauss(n_points);
+  for (unsigned int q = 0; q < gauss.size(); ++q)
+  {
+    rule->weights.push_back(static_cast<Number>(gauss.weight(q)));
+    for (unsigned int v = 0; v < (1U << dim); ++v)
+    {
+      const auto gradient =
+        dealii::GeometryInfo<dim>::d_linear_shape_function_gradient(gauss.point(q), v);
+      for (unsigned int d = 0; d < dim; ++d)
+        rule->gradients.push_back(static_cast<Number>(gradient[d]));
+    }
+  }
+  return rule;
+}
+
+#define SIGNORINI_INSTANTIATE(dim, Number)                                                         \
+  template const Number *entries_of_batch(const CellMatrices<dim, Number> &,                       \
+                                          const BlockGrid<dim> &,                                  \
+                                          std::size_t,                                             \
+                                          std::vector<Number> &);                                  \
+  template void add_diagonal_blocks<dim, Number>(                                                  \
+    LevelVector<dim * dim, Number> &, const BlockGrid<dim> &, const CellMatrices<dim, Number> &);  \
+  template std::shared_ptr<const PointRule<dim, Number>> make_point_rule<dim, Number>(             \
+    const NodePlaces<dim> &,                                                                       \
+    unsigned int,                                                                                  \
+    const std::array<double, PointRule<dim, Number>::n_moduli> &,                                  \
+    unsigned int);
+SIGNORINI_INSTANTIATE(2, float)
+SIGNORINI_INSTANTIATE(2, double)
+SIGNORINI_INSTANTIATE(3, float)
+SIGNORINI_INSTANTIATE(3, double)
+#undef SIGNORINI_INSTANTIATE
 template class CellIntegration<2>;
 template class CellIntegration<3>;
 } // namespace Signorini

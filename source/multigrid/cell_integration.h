@@ -25,6 +25,11 @@ class CellIntegration
 public:
   CellIntegration(const Mesh<dim> &mesh, const Material<dim> &material);
 
+  /** E/E_0 in Voigt's notation, for a constant tensor. */
+  std::array<double, PointRule<dim, double>::n_moduli> constant_moduli() const
+  {
+    return moduli(dealii::Point<dim>());
+  }
   /** Writes the matrices of all batches that have matrices of their own. @throws InputError where
    * the material has no value. */
   void integrate(CellMatrices<dim, double> &matrices,
@@ -56,4 +61,24 @@ private:
   const Material<dim> &material_;
   std::vector<Point> points_;
 };
+/** The rule with Gauss points, as many in each direction. */
+template <int dim, typename Number>
+std::shared_ptr<const PointRule<dim, Number>>
+make_point_rule(const NodePlaces<dim> &places,
+                unsigned int n_nodes,
+                const std::array<double, PointRule<dim, Number>::n_moduli> &moduli,
+                unsigned int n_points);
+
+/** The matrices of a batch, [entry][lane]; valid until the buffer changes. */
+template <int dim, typename Number>
+const Number *entries_of_batch(const CellMatrices<dim, Number> &matrices,
+                               const BlockGrid<dim> &grid,
+                               std::size_t batch,
+                               std::vector<Number> &buffer);
+
+/** Adds the diagonal blocks of nodes, [dim c + d], of the matrix that would be assembled. */
+template <int dim, typename Number>
+void add_diagonal_blocks(LevelVector<dim * dim, Number> &blocks,
+                         const BlockGrid<dim> &grid,
+                         const CellMatrices<dim, Number> &matrices);
 } // namespace Signorini

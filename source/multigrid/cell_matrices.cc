@@ -85,6 +85,19 @@ std::vector<float> parent_of_equals(const float *const matrix)
   return K;
 }
 
+/** The places of the nodes of the coarse level. */
+template <int dim>
+std::shared_ptr<const PointRule<dim, float>> coarsen(const PointRule<dim, float> &fine,
+                                                     const BlockGrid<dim> &coarse_grid)
+{
+  const auto coarse = std::make_shared<PointRule<dim, float>>(PointRule<dim, float>{
+    LevelVector<dim, float>(coarse_grid.n_nodes()), fine.moduli, fine.gradients, fine.weights});
+  for (int d = 0; d < dim; ++d)
+    for (NodeNumber node = 0; node < coarse_grid.n_nodes(); ++node)
+      coarse->places[d][node] = fine.places[d][coarse_grid.identities()[node]];
+  return coarse;
+}
+
 /** The matrix that all children of a batch share, or -1. */
 template <int dim>
 int common_matrix(const CellMatrices<dim, float> &fine,
@@ -144,12 +157,19 @@ CellMatrices<dim, float> coarsen(const CellMatrices<dim, float> &fine,
   const Children<dim> children(coarse_grid, fine_grid);
   CellMatrices<dim, float> coarse(coarse_grid.n_batches());
   coarse.stored.reserve(fine.stored.size() >> dim);
+  if (fine.rule != nullptr)
+    coarse.rule = coarsen(*fine.rule, coarse_grid);
   std::map<int, int> parent_of;
   for (std::size_t batch = 0; batch < coarse_grid.n_batches(); ++batch)
   {
     const std::size_t begin = batch * n_lanes,
                       end = std::min(begin + n_lanes, coarse_grid.n_cells());
     const int common = common_matrix(fine, children, begin, end);
+    if (common < 0 && coarse.rule != nullptr)
+    {
+      coarse.of_batch[batch] = CellMatrices<dim, float>::integrated;
+      continue;
+    }
     if (common < 0)
     {
       coarse.store(batch);

@@ -1,16 +1,37 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <limits>
+#include <memory>
 #include <vector>
 
 #include "block_grid.h"
 
 namespace Signorini
 {
+/** How matrices of cells follow from where their vertices lie, for a constant tensor. */
+template <int dim, typename Number>
+struct PointRule
+{
+  static constexpr unsigned int n_strains = dim * (dim + 1) / 2;
+  static constexpr unsigned int n_moduli = n_strains * (n_strains + 1) / 2;
+
+  /** Of nodes, in the body of size one. */
+  LevelVector<dim, Number> places;
+  /** E/E_0 in Voigt's notation, by rows of its lower triangle; 11, 22, (33,) 12, (13, 23). */
+  std::array<Number, n_moduli> moduli;
+  /** Derivatives of shape functions on the reference cell, [point][vertex][direction]. */
+  std::vector<Number> gradients;
+  /** Of the points. */
+  std::vector<Number> weights;
+};
+
 /**
  * The stiffness matrices of the cells of one level, for n_lanes cells at a time: one that all of
- * them share, or one for each lane. Unknown i = dim v + c of a cell is component c at vertex v.
+ * them share, one for each lane, or none where products are integrated. Unknown i = dim v + c of a
+ * cell is component c at vertex v.
  */
 template <int dim, typename Number>
 class CellMatrices
@@ -26,12 +47,14 @@ public:
     : of_batch(n_batches)
   {
   }
-  /** The same numbers with another precision. */
+  /** The same numbers with another precision; @p new_rule replaces the rule of the other. */
   template <typename Other>
-  explicit CellMatrices(const CellMatrices<dim, Other> &other)
+  CellMatrices(const CellMatrices<dim, Other> &other,
+               std::shared_ptr<const PointRule<dim, Number>> new_rule)
     : of_batch(other.of_batch)
     , shared(other.shared.begin(), other.shared.end())
     , stored(other.stored.begin(), other.stored.end())
+    , rule(std::move(new_rule))
   {
   }
 
@@ -42,6 +65,10 @@ public:
   bool is_shared(const std::size_t batch) const
   {
     return of_batch[batch] >= 0;
+  }
+  bool is_integrated(const std::size_t batch) const
+  {
+    return of_batch[batch] == integrated;
   }
   /** Full, n_dofs by n_dofs. */
   const Number *shared_matrix(const std::size_t batch) const
@@ -57,12 +84,6 @@ public:
   {
     return &stored[static_cast<std::size_t>(-1 - of_batch[batch]) * batch_size];
   }
-  Number value(const std::size_t cell, const unsigned int i, const unsigned int j) const
-  {
-    const std::size_t batch = cell / n_lanes;
-    return is_shared(batch) ? shared_matrix(batch)[i * n_dofs + j]
-                            : stored_matrices(batch)[entry(i, j) * n_lanes + cell % n_lanes];
-  }
   /** Room for matrices of its own. */
   void store(const std::size_t batch)
   {
@@ -72,29 +93,18 @@ public:
   std::size_t memory() const
   {
     return of_batch.capacity() * sizeof(int) +
-           (shared.capacity() + stored.capacity()) * sizeof(Number);
+           (shared.capacity() + stored.capacity()) * sizeof(Number) +
+           (rule == nullptr ? 0 : rule->places.memory());
   }
 
-  /** By batch: the number of a shared matrix, or -1 - the number of n_lanes stored ones. */
+  static constexpr int integrated = std::numeric_limits<int>::min();
+  /** By batch: the number of a shared matrix, -1 - the number of n_lanes stored ones, or
+   * integrated. */
   std::vector<int> of_batch;
   std::vector<Number> shared, stored;
+  /** For integrated ones. */
+  std::shared_ptr<const PointRule<dim, Number>> rule;
 };
-
-/** Adds the diagonal blocks of nodes, [dim c + d], of the matrix that would be assembled. */
-template <int dim, typename Number>
-void add_diagonal_blocks(LevelVector<dim * dim, Number> &blocks,
-                         const BlockGrid<dim> &grid,
-                         const CellMatrices<dim, Number> &matrices)
-{
-  for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
-  {
-    const auto nodes = grid.nodes(cell);
-    for (unsigned int v = 0; v < nodes.size(); ++v)
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          blocks[dim * c + d][nodes[v]] += matrices.value(cell, v * dim + c, v * dim + d);
-  }
-}
 
 /** The matrices of the next coarser level: the energy of functions that are linear along the edges
  * of its cells, sum over the children of P^T K P. */

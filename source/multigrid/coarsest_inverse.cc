@@ -8,6 +8,8 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
+#include "cell_integration.h"
+
 namespace Signorini
 {
 namespace
@@ -31,8 +33,12 @@ void for_entries(const BlockGrid<dim> &grid,
              ? dealii::Tensor<2, dim>(dealii::unit_symmetric_tensor<dim>())
              : condition_of[node]->projection;
   };
+  std::vector<float> buffer;
+  const float *K = nullptr;
   for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
   {
+    if (cell % n_lanes == 0)
+      K = entries_of_batch(matrices, grid, cell / n_lanes, buffer);
     const auto nodes = grid.nodes(cell);
     for (unsigned int v = 0; v < nodes.size(); ++v)
       for (unsigned int w = 0; w < nodes.size(); ++w)
@@ -40,7 +46,8 @@ void for_entries(const BlockGrid<dim> &grid,
         dealii::Tensor<2, dim> block;
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
-            block[c][d] = matrices.value(cell, v * dim + c, w * dim + d);
+            block[c][d] = K[CellMatrices<dim, float>::entry(v * dim + c, w * dim + d) * n_lanes +
+                            cell % n_lanes];
         block = projected(nodes[v]) * block * projected(nodes[w]);
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)

@@ -18,6 +18,10 @@ namespace Signorini
 {
 namespace
 {
+/** Gauss points per direction where products are integrated: those of the assembly, and those that
+ * V-cycles need. */
+constexpr unsigned int n_points_of_products = 4, n_points_of_cycles = 2;
+
 template <int dim>
 using Place = std::array<unsigned int, dim>;
 
@@ -162,19 +166,29 @@ public:
   void fill(const std::vector<NodeNumber> &numbers)
   {
     find_shared();
-    choose_batches();
-    if (matrices_.stored.empty())
+    const bool all_shared = choose_shared();
+    if (all_shared)
       return;
     const Mesh<dim> &mesh = space_.mesh();
     if (mesh.is_curved() || space_.strain_operator() != StrainOperator::symmetric_gradient)
     {
+      store_others();
       integrate_cells([](const auto & /*cell*/) { return true; });
       return;
     }
-    CellIntegration<dim>(mesh, *scene_.material)
-      .integrate(matrices_, grid_, node_places(space_, numbers, grid_.n_nodes()));
-    if (!scene_.material->is_constant())
-      integrate_cells([&](const auto &cell) { return needs_cuts<dim>(scene_.kinks, cell); });
+    const NodePlaces<dim> places = node_places(space_, numbers, grid_.n_nodes());
+    const CellIntegration<dim> integration(mesh, *scene_.material);
+    if (scene_.material->is_constant())
+    {
+      matrices_.rule = make_point_rule<dim, double>(
+        places, grid_.n_nodes(), integration.constant_moduli(), n_points_of_products);
+      for (int &of_batch : matrices_.of_batch)
+        of_batch = of_batch < 0 ? Matrices::integrated : of_batch;
+      return;
+    }
+    store_others();
+    integration.integrate(matrices_, grid_, places);
+    integrate_cells([&](const auto &cell) { return needs_cuts<dim>(scene_.kinks, cell); });
   }
 
 private:
@@ -224,24 +238,30 @@ private:
       shared_by_block_.push_back(found);
     }
   }
-  /** Which batches have one matrix. */
-  void choose_batches()
+  /** Which batches have one matrix; @return whether all have. */
+  bool choose_shared()
   {
     const std::size_t per_block = power<dim>(grid_.n());
-    std::size_t n_stored = 0;
-    const auto common = [&](const std::size_t batch) {
-      const std::size_t first = batch * n_lanes / per_block,
-                        last = std::min((batch + 1) * n_lanes, grid_.n_cells()) - 1;
-      for (std::size_t block = first; block <= last / per_block; ++block)
-        if (shared_by_block_[block] != shared_by_block_[first])
-          return -1;
-      return shared_by_block_[first];
-    };
+    bool all_shared = true;
     for (std::size_t batch = 0; batch < grid_.n_batches(); ++batch)
     {
-      matrices_.of_batch[batch] = common(batch);
-      n_stored += matrices_.of_batch[batch] < 0 ? 1 : 0;
+      const std::size_t first = batch * n_lanes / per_block,
+                        last = (std::min((batch + 1) * n_lanes, grid_.n_cells()) - 1) / per_block;
+      int common = shared_by_block_[first];
+      for (std::size_t block = first; block <= last; ++block)
+        if (shared_by_block_[block] != common)
+          common = -1;
+      matrices_.of_batch[batch] = common;
+      all_shared = all_shared && common >= 0;
     }
+    return all_shared;
+  }
+  /** Room for the matrices of all other batches. */
+  void store_others()
+  {
+    std::size_t n_stored = 0;
+    for (const int of_batch : matrices_.of_batch)
+      n_stored += of_batch < 0 ? 1 : 0;
     matrices_.stored.reserve(n_stored * Matrices::batch_size);
     for (std::size_t batch = 0; batch < grid_.n_batches(); ++batch)
       if (matrices_.of_batch[batch] < 0)
@@ -320,7 +340,7 @@ NodeConditions<dim> conditions_of(const DisplacementSpace<dim> &space,
 template <int dim>
 FineLevel<dim>::FineLevel(const DisplacementSpace<dim> &space, const Scene<dim> &scene)
   : places(node_identities(space))
-  , grid(std::make_unique<const BlockGrid<dim>>(space.mesh().triangulation().n_cells(0),
+  , grid(std::make_shared<const BlockGrid<dim>>(space.mesh().triangulation().n_cells(0),
                                                 1U << space.mesh().level(),
                                                 places,
                                                 space.dofs().n_dofs() / dim))
@@ -328,6 +348,16 @@ FineLevel<dim>::FineLevel(const DisplacementSpace<dim> &space, const Scene<dim> 
   , conditions(conditions_of(space, grid->identities()))
 {
   MatrixFiller<dim>(space, scene, *grid, matrices).fill(places);
+}
+
+template <int dim>
+CellMatrices<dim, float> FineLevel<dim>::matrices_in_single_precision() const
+{
+  std::shared_ptr<const PointRule<dim, float>> rule;
+  if (matrices.rule != nullptr)
+    rule = make_point_rule<dim, float>(
+      matrices.rule->places, grid->n_nodes(), matrices.rule->moduli, n_points_of_cycles);
+  return CellMatrices<dim, float>(matrices, rule);
 }
 
 template struct FineLevel<2>;

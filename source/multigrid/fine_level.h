@@ -18,10 +18,13 @@ struct FineLevel
 {
   FineLevel(const DisplacementSpace<dim> &space, const Scene<dim> &scene);
 
+  /** The same for V-cycles. */
+  CellMatrices<dim, float> matrices_in_single_precision() const;
+
   /** Of the finest level by place; then numbers of nodes, from which coarser grids are made. */
   std::vector<NodeNumber> places;
   /** Its identities are degrees of freedom divided by dim. */
-  std::unique_ptr<const BlockGrid<dim>> grid;
+  std::shared_ptr<const BlockGrid<dim>> grid;
   CellMatrices<dim, double> matrices;
   NodeConditions<dim> conditions;
 };

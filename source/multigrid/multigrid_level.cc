@@ -5,6 +5,8 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include "cell_integration.h"
+
 namespace Signorini
 {
 namespace
@@ -36,7 +38,7 @@ MultigridLevel<dim>::MultigridLevel(std::shared_ptr<const BlockGrid<dim>> grid,
   , B_(grid_->n_nodes())
 {
   make_blocks();
-  largest_eigenvalue_ = largest_eigenvalue_of_cells(matrices_);
+  largest_eigenvalue_ = largest_eigenvalue_of_cells(matrices_, *grid_);
 }
 
 template <int dim>

@@ -5,19 +5,12 @@
 #include <cstring>
 
 #include "kernels.h"
-#include "wide.h"
+#include "point_kernel.h"
 
 namespace Signorini
 {
 namespace
 {
-/** Values of a batch, [dof][lane]. */
-template <int dim, typename Number>
-struct alignas(64) BatchValues
-{
-  Number values[dim << dim][n_lanes];
-};
-
 /** n_lanes values along a row, from the place i on. */
 template <int dim, typename Number>
 SIGNORINI_INLINE void load_row(BatchValues<dim, Number> &values,
@@ -180,7 +173,7 @@ SIGNORINI_INLINE void multiply_rows(LevelVector<dim, Number> &y,
                                     const CellMatrices<dim, Number> &matrices)
 {
   constexpr unsigned int n_rows = 1U << (dim - 1);
-  BatchValues<dim, Number> x_batch, y_batch;
+  BatchValues<dim, Number> x_batch, y_batch, vertices;
   const unsigned int n = grid.n();
   std::size_t batch = 0;
   for (unsigned int block = 0; block < grid.n_blocks(); ++block)
@@ -194,13 +187,35 @@ SIGNORINI_INLINE void multiply_rows(LevelVector<dim, Number> &y,
         {
           for (unsigned int v = 0; v < 2 * n_rows; ++v)
             load_row(x_batch, v, x, grid, *rows[v / 2], i + (v & 1U));
-          multiply_batch<dim, Number, width, n_sums>(y_batch, matrices, batch, x_batch);
+          if (matrices.is_integrated(batch))
+          {
+            for (unsigned int v = 0; v < 2 * n_rows; ++v)
+              load_row(vertices, v, matrices.rule->places, grid, *rows[v / 2], i + (v & 1U));
+            multiply_integrated<dim, Number, width>(y_batch, *matrices.rule, vertices, x_batch);
+          }
+          else
+            multiply_batch<dim, Number, width, n_sums>(y_batch, matrices, batch, x_batch);
           for (unsigned int v = 0; v < 2 * n_rows; v += 2)
             add_to_row<dim, Number, width>(y, y_batch, v, grid, *rows[v / 2], i);
           for (unsigned int v = 1; v < 2 * n_rows; v += 2)
             add_to_row<dim, Number, width>(y, y_batch, v, grid, *rows[v / 2], i + 1);
         }
       }
+}
+
+/** Values of a batch at listed nodes, [vertex][lane]. */
+template <int dim, typename Number>
+SIGNORINI_INLINE void gather(BatchValues<dim, Number> &values,
+                             const LevelVector<dim, Number> &x,
+                             const NodeNumber *const nodes)
+{
+  for (unsigned int v = 0; v < (1U << dim); ++v)
+    for (unsigned int c = 0; c < dim; ++c)
+    {
+      const Number *const source = x[c];
+      for (unsigned int l = 0; l < n_lanes; ++l)
+        values.values[dim * v + c][l] = source[nodes[v * n_lanes + l]];
+    }
 }
 
 /** All batches of a grid with short rows. */
@@ -211,18 +226,18 @@ SIGNORINI_INLINE void multiply_lists(LevelVector<dim, Number> &y,
                                      const CellMatrices<dim, Number> &matrices)
 {
   constexpr unsigned int n_vertices = 1U << dim;
-  BatchValues<dim, Number> x_batch, y_batch;
+  BatchValues<dim, Number> x_batch, y_batch, vertices;
   for (std::size_t batch = 0; batch < grid.n_batches(); ++batch)
   {
     const NodeNumber *const nodes = grid.batch_nodes(batch);
-    for (unsigned int v = 0; v < n_vertices; ++v)
-      for (unsigned int c = 0; c < dim; ++c)
-      {
-        const Number *const source = x[c];
-        for (unsigned int l = 0; l < n_lanes; ++l)
-          x_batch.values[dim * v + c][l] = source[nodes[v * n_lanes + l]];
-      }
-    multiply_batch<dim, Number, width, n_sums>(y_batch, matrices, batch, x_batch);
+    gather(x_batch, x, nodes);
+    if (matrices.is_integrated(batch))
+    {
+      gather(vertices, matrices.rule->places, nodes);
+      multiply_integrated<dim, Number, width>(y_batch, *matrices.rule, vertices, x_batch);
+    }
+    else
+      multiply_batch<dim, Number, width, n_sums>(y_batch, matrices, batch, x_batch);
     const std::size_t rest = grid.n_cells() - batch * n_lanes;
     const auto n_cells = static_cast<unsigned int>(rest < n_lanes ? rest : n_lanes);
     for (unsigned int v = 0; v < n_vertices; ++v)

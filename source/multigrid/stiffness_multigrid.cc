@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "cell_integration.h"
 #include "coarsest_inverse.h"
 #include "fine_level.h"
 #include "multigrid_level.h"
@@ -27,12 +28,12 @@ public:
     : unit_(stiffness_unit(space, *scene.material))
     , instructions_(instructions_of_this_machine())
     , fine_(space, scene)
-    , grid_(std::move(fine_.grid))
+    , grid_(fine_.grid)
     , x_(grid_->n_nodes())
     , y_(grid_->n_nodes())
   {
     levels_.push_back(std::make_unique<MultigridLevel<dim>>(
-      grid_, CellMatrices<dim, float>(fine_.matrices), fine_.conditions, instructions_));
+      grid_, fine_.matrices_in_single_precision(), fine_.conditions, instructions_));
     while (levels_.back()->grid().n_nodes() > most_coarsest_nodes && levels_.back()->grid().n() > 1)
       add_coarser_level();
     fine_.places = {};

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "../../source/multigrid/cell_integration.h"
 #include "random_numbers.h"
 #include "tests.h"
 
@@ -47,11 +48,25 @@ LevelVector<components, Number> random_values(const unsigned int n_nodes, Random
   return values;
 }
 
-/** A shared matrix in the first batch, one for each cell elsewhere. */
+/** Nodes of one block, moved a little. */
+template <int dim>
+NodePlaces<dim> random_places(const unsigned int n, RandomNumbers &random)
+{
+  const unsigned int n_nodes = dim == 2 ? (n + 1) * (n + 1) : (n + 1) * (n + 1) * (n + 1);
+  NodePlaces<dim> places(n_nodes);
+  for (unsigned int node = 0; node < n_nodes; ++node)
+    for (unsigned int d = 0, rest = node; d < dim; ++d, rest /= n + 1)
+      places[d][node] = rest % (n + 1) + 0.1 * random();
+  return places;
+}
+
+/** A shared matrix in the first batch, integration in the last, one matrix for each cell elsewhere.
+ */
 template <int dim, typename Number>
-CellMatrices<dim, Number> random_matrices(const std::size_t n_batches, RandomNumbers &random)
+CellMatrices<dim, Number> random_matrices(const BlockGrid<dim> &grid, RandomNumbers &random)
 {
   using Matrices = CellMatrices<dim, Number>;
+  const std::size_t n_batches = grid.n_batches();
   Matrices matrices(n_batches);
   matrices.shared.resize(Matrices::n_dofs * Matrices::n_dofs);
   for (unsigned int i = 0; i < Matrices::n_dofs; ++i)
@@ -62,6 +77,12 @@ CellMatrices<dim, Number> random_matrices(const std::size_t n_batches, RandomNum
     matrices.store(batch);
   for (Number &value : matrices.stored)
     value = static_cast<Number>(random());
+  std::array<double, PointRule<dim, Number>::n_moduli> moduli;
+  for (double &modulus : moduli)
+    modulus = random();
+  matrices.rule =
+    make_point_rule<dim, Number>(random_places<dim>(grid.n(), random), grid.n_nodes(), moduli, 2);
+  matrices.of_batch.back() = Matrices::integrated;
   return matrices;
 }
 
@@ -72,12 +93,16 @@ LevelVector<dim, Number> product_by_entries(const BlockGrid<dim> &grid,
                                             const LevelVector<dim, Number> &x)
 {
   LevelVector<dim, Number> y(grid.n_nodes());
+  std::vector<Number> buffer;
   for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
   {
+    const Number *const K = entries_of_batch(matrices, grid, cell / n_lanes, buffer);
     const auto nodes = grid.nodes(cell);
     for (unsigned int i = 0; i < dim * nodes.size(); ++i)
       for (unsigned int j = 0; j < dim * nodes.size(); ++j)
-        y[i % dim][nodes[i / dim]] += matrices.value(cell, i, j) * x[j % dim][nodes[j / dim]];
+        y[i % dim][nodes[i / dim]] +=
+          K[CellMatrices<dim, Number>::entry(i, j) * n_lanes + cell % n_lanes] *
+          x[j % dim][nodes[j / dim]];
   }
   return y;
 }
@@ -87,7 +112,7 @@ void products(Checks &checks, const std::string &name, const unsigned int n, con
 {
   RandomNumbers random(dim + n);
   const BlockGrid<dim> grid = one_block<dim>(n);
-  const auto matrices = random_matrices<dim, Number>(grid.n_batches(), random);
+  const auto matrices = random_matrices<dim, Number>(grid, random);
   const auto x = random_values<dim, Number>(grid.n_nodes(), random);
   const auto expected = product_by_entries(grid, matrices, x);
   double largest = 0.;

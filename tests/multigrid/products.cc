@@ -66,7 +66,7 @@ void check_plane(Checks &checks,
   check_body<2>(
     checks,
     name,
-    HeldBody<2>(make_scene(parse_parameters(text, "test")), coarsest_level, level, strain));
+    HeldBody<2>(make_scene<2>(parse_parameters(text, "test")), coarsest_level, level, strain));
 }
 
 const std::string held = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";

@@ -34,7 +34,7 @@ void plane(Checks &checks,
 {
   checks.between(
     name,
-    n_steps(HeldBody<2>(make_scene(parse_parameters(text, "test")), coarsest_level, level)),
+    n_steps(HeldBody<2>(make_scene<2>(parse_parameters(text, "test")), coarsest_level, level)),
     1,
     most);
 }

@@ -83,7 +83,7 @@ void refusals(Checks &checks)
 /** What a solve reports. */
 void reports(Checks &checks)
 {
-  Scene<2> scene = make_scene(parse_parameters(sides + "set Clamped = top\nend\n", "test"));
+  Scene<2> scene = make_scene<2>(parse_parameters(sides + "set Clamped = top\nend\n", "test"));
   const Mesh<2> mesh(scene.geometry, 4, 4, MPI_COMM_WORLD);
   const DisplacementSpace<2> space(mesh, scene);
   const auto inverse = make_multigrid_inverse(space, scene);
