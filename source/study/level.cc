@@ -228,6 +228,6 @@ template LevelSolution<2> solve_level(const Parameters &,
 template LevelSolution<3> solve_level(const Parameters &,
                                       const Scene<3> &,
                                       const Discretization<3> &,
-                                      const dealii::Vector<double> &,
+                                      const LevelStart &,
                                       const Progress &);
 } // namespace Signorini
