@@ -9,9 +9,6 @@ namespace
 {
 using Vector = ComplianceOperator::Vector;
 
-/** Sets larger than this are solved for by conjugate gradients. */
-constexpr unsigned int largest_factorised_grid_set = 500;
-
 Vector gather_block(const std::vector<unsigned int> &numbers, const Vector &P)
 {
   Vector part(numbers.size());
@@ -27,8 +24,10 @@ void scatter_block(const std::vector<unsigned int> &numbers, const Vector &part,
 }
 } // namespace
 
-CosineModel::CosineModel(std::vector<GridBlock> blocks, Vector scaling)
-  : BoundaryModel(largest_factorised_grid_set)
+CosineModel::CosineModel(std::vector<GridBlock> blocks,
+                         Vector scaling,
+                         const unsigned int largest_factorised)
+  : BoundaryModel(largest_factorised)
   , blocks_(std::move(blocks))
   , scaling_(std::move(scaling))
   , places_(scaling_.size())

@@ -60,7 +60,8 @@ const OptionNames<Element> &option_names()
 template <>
 const OptionNames<ContactSolver> &option_names()
 {
-  static const OptionNames<ContactSolver> names = {{ContactSolver::psor, "psor"},
+  static const OptionNames<ContactSolver> names = {{ContactSolver::automatic, "automatic"},
+                                                   {ContactSolver::psor, "psor"},
                                                    {ContactSolver::active_set, "active set"},
                                                    {ContactSolver::mprgp, "mprgp"},
                                                    {ContactSolver::multigrid, "multigrid"}};

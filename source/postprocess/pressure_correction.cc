@@ -138,7 +138,7 @@ PressureCorrection correct_pressure(const PressureData<dim> &data)
   const ContactSurface<dim> finer(data.space.mesh(), data.scene, Partition{recovery_ratio, 0});
   if (surface.has_unstable_patch())
     return {};
-  if (finer.patches().size() > surface.patches().size())
+  if (data.solve_dual && finer.patches().size() > surface.patches().size())
   {
     const MultiplierSpace<dim> multipliers(finer);
     if (const auto P = solve_on(multipliers, data))

@@ -68,7 +68,8 @@ QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
     result.unique = !options.may_be_singular || qp.has_unique_solution(result.P);
     return result;
   };
-  if (options.method == ContactSolver::active_set && !C->is_explicit())
+  if (options.method != ContactSolver::psor && options.method != ContactSolver::mprgp &&
+      !C->is_explicit())
     return solve_on_growing_set(*C, F, start, solve);
   return solve(BoundConstrainedQP(C, F, Vector(F.size())), start);
 }

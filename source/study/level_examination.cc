@@ -146,18 +146,18 @@ void add_certificate_and_answer(const Discretization<dim> &discretization,
     compute_answer(space, scene, discretization.multipliers, forces, solution.U, solution.P);
 }
 
-/** The dual problem on other patches, for the estimate. Motions begin at q. */
+/** The dual problem on other patches, for the estimate. Motions begin at q. None after V-cycles:
+ * each column of C would be a linear solve, and F is not known. */
 template <int dim>
 DualProblem dual_problem(const SolvedSystem<dim> &solved, const LevelSolution<dim> &solution)
 {
+  if (solution.contact_scale > 0.)
+    return {};
   return [&solved,
           &solution](const Coupling &D,
                      const Coupling &condensed_D,
                      const dealii::Vector<double> &F,
                      const dealii::Vector<double> &start) -> std::optional<dealii::Vector<double>> {
-    // Each column of C would be a linear solve.
-    if (solution.contact_scale > 0.)
-      return {};
     double seconds = 0.;
     const auto C = make_compliance(solved.inverse, condensed_D, seconds);
     QPResult result;

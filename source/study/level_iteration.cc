@@ -7,6 +7,8 @@
 #include <signorini/base/stage_timer.h>
 #include <signorini/contact_iteration/contact_iteration.h>
 
+#include <cmath>
+
 namespace Signorini
 {
 namespace
@@ -17,6 +19,25 @@ constexpr double growth_of_scale = 1.05;
 constexpr double share_of_discretisation_error = 0.1;
 /** Between the tolerances of stationarity and of the KKT residual. */
 constexpr double stationarity_per_tolerance = 10.;
+
+/** Unknowns from which V-cycles are faster than a factorisation. */
+constexpr double fewest_unknowns(const unsigned int dim)
+{
+  return dim == 2 ? 1e5 : 1.5e4;
+}
+
+/** Whether nothing but the size speaks against V-cycles. */
+template <int dim>
+bool may_iterate(const Parameters &parameters, const Scene<dim> &scene, const unsigned int n_ranks)
+{
+  const DiscretizationParameters &discretization = parameters.discretization;
+  const bool solver_fits = parameters.solver.linear_solver == LinearSolver::automatic ||
+                           parameters.solver.linear_solver == LinearSolver::multigrid;
+  return solver_fits && n_ranks == 1 && discretization.strategy == Strategy::nested &&
+         discretization.element == Element::q1 && discretization.patch_ratio > 1 &&
+         discretization.patches == 0 && !parameters.output.compliance && scene.load_cases.empty() &&
+         scene.plates.empty() && !scene.is_held_by_contact;
+}
 
 /** Nodal values without those of constrained rows; zero where there are none. */
 template <int dim>
@@ -54,6 +75,30 @@ double energy_tolerance(const Parameters &parameters, const LevelStart &start)
   return share_of_discretisation_error * std::min(0.25 * before, before * before);
 }
 } // namespace
+
+template <int dim>
+Parameters parameters_of_level(const Parameters &parameters,
+                               const Scene<dim> &scene,
+                               const unsigned int level,
+                               const unsigned int n_ranks)
+{
+  Parameters resolved = parameters;
+  Given<ContactSolver> &solver = resolved.solver.contact_solver;
+  const double n_unknowns = dim * scene.geometry.n_coarse_cells * std::pow(2., double(dim) * level);
+  const bool many = n_unknowns >= fewest_unknowns(dim) ||
+                    parameters.solver.linear_solver == LinearSolver::multigrid;
+  if (solver == ContactSolver::automatic)
+    solver.value = many && may_iterate(parameters, scene, n_ranks) ? ContactSolver::multigrid
+                                                                   : ContactSolver::active_set;
+  if (solver == ContactSolver::multigrid)
+    resolved.solver.linear_solver.value = LinearSolver::multigrid;
+  return resolved;
+}
+
+template Parameters
+parameters_of_level(const Parameters &, const Scene<2> &, unsigned int, unsigned int);
+template Parameters
+parameters_of_level(const Parameters &, const Scene<3> &, unsigned int, unsigned int);
 
 template <int dim>
 Pressure iterate_contact(const Parameters &parameters,

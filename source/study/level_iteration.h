@@ -8,6 +8,23 @@
 
 namespace Signorini
 {
+/**
+ * The parameters of a level on one or several ranks: what Contact solver = automatic stands for
+ * there. It is multigrid, with the linear solver of that name, where
+ *
+ * - the linear solver is automatic or multigrid, there is one rank, and meshes are nested,
+ * - there are no load cases, plates, bodies that contact alone holds, Output/Compliance, B-bar
+ *   elements, or patches of a single face, for which V-cycles cannot be used or are slow,
+ * - the level has at least 1e5 unknowns, in space 15000, or the linear solver is multigrid;
+ *
+ * else active set.
+ */
+template <int dim>
+Parameters parameters_of_level(const Parameters &parameters,
+                               const Scene<dim> &scene,
+                               unsigned int level,
+                               unsigned int n_ranks);
+
 /** Whether contact is found by V-cycles, without F, C and a dual problem. */
 inline bool iterates_contact(const Parameters &parameters)
 {

@@ -20,7 +20,8 @@ class NestedSequence final : public Sequence<dim>
 public:
   explicit NestedSequence(const StudyContext<dim> &context)
     : context_(context)
-    , memory_(context.parameters, context.scene, context.communicator)
+    , finest_parameters_(of_level(context.parameters.discretization.finest_level))
+    , memory_(finest_parameters_, context.scene, context.communicator)
     , next_level_(context.parameters.discretization.coarsest_level)
   {
     if (context.parameters.output.errors && context.scene.has_exact_pressure())
@@ -35,7 +36,7 @@ public:
   /** The level's large objects live no longer than this call. */
   LevelRecord solve_next(const Progress &progress, ResultsWriter &writer) override
   {
-    const Parameters &parameters = context_.parameters;
+    const Parameters parameters = of_level(next_level_);
     memory_.check(next_level_);
     progress("mesh");
     const Discretization<dim> discretization(
@@ -60,7 +61,8 @@ public:
     }
     solution.record.resources = measure_resources();
     pressure_ = {discretization.surface.patches(), solution.P};
-    keep_for_next(discretization, solution);
+    if (!finished_)
+      keep_for_next(discretization, solution);
     ++next_level_;
     return solution.record;
   }
@@ -76,6 +78,14 @@ public:
   }
 
 private:
+  Parameters of_level(const unsigned int level) const
+  {
+    return parameters_of_level(context_.parameters,
+                               context_.scene,
+                               level,
+                               dealii::Utilities::MPI::n_mpi_processes(context_.communicator));
+  }
+
   /** What the levels before leave to start from. */
   LevelStart start_for(const Discretization<dim> &discretization)
   {
@@ -96,12 +106,14 @@ private:
     relative_error_ = {};
     if (solution.record.estimate)
       relative_error_ = solution.record.estimate->relative;
-    if (!finished_ && iterates_contact(context_.parameters))
+    if (iterates_contact(of_level(discretization.mesh.level() + 1)))
       displacement_ =
         std::make_unique<const CoarseDisplacement<dim>>(discretization.space, solution.U);
   }
 
   StudyContext<dim> context_;
+  /** Those of the finest level. */
+  Parameters finest_parameters_;
   MemoryLimit<dim> memory_;
   /** Null if it is not known. */
   std::unique_ptr<const ExactPressure<dim>> exact_pressure_;

@@ -7,6 +7,7 @@
 #include <signorini/stiffness_inverse/library_threads.h>
 #include <signorini/study/study.h>
 
+#include "level_iteration.h"
 #include "results_writer.h"
 #include "scene_summary.h"
 #include "sequence.h"
@@ -48,7 +49,12 @@ StudyResult<dim> run_study(const Parameters &parameters,
     make_sequence<dim>({parameters, scene, communicator, judge});
   ResultsWriter writer(parameters, judge, scene.description, report.directory, communicator);
   StudyResult<dim> result;
-  print_scene(parameters, scene, report.screen);
+  print_scene(parameters_of_level(parameters,
+                                  scene,
+                                  parameters.discretization.finest_level,
+                                  dealii::Utilities::MPI::n_mpi_processes(communicator)),
+              scene,
+              report.screen);
   print_scene_warnings(scene, report.screen);
   const bool graded = parameters.discretization.strategy == Strategy::hp;
   report.screen << screen_legend(graded) << "\n" << screen_header(graded) << std::endl;

@@ -68,7 +68,7 @@ void solves(Checks &checks)
   dealii::Vector<double> scaling = random.vector(n * n);
   for (double &s : scaling)
     s = 1.5 + 0.5 * s;
-  const CosineModel model(blocks, scaling);
+  const CosineModel model(blocks, scaling, 500);
   for (const unsigned int radius : {8U, 15U})
   {
     std::vector<unsigned int> set;

@@ -126,7 +126,7 @@ void test_values(Checks &checks)
     {"Discretization/Target error", {"-1e-3", "1.1"}},
     {"Discretization/Quadrature points", {"0", "17"}},
     {"Discretization/Kinks at x", {"0.5; 0.6", "a", "nan"}},
-    {"Solver/Contact solver", {"mprgp", "active-set", "PSOR"}},
+    {"Solver/Contact solver", {"mprg", "active-set", "PSOR"}},
     {"Solver/Relaxation", {"0", "2", "-1", "2.05"}},
     {"Solver/Tolerance", {"0", "1", "1e-16"}},
     {"Solver/Maximum iterations", {"0", "1e5"}},
@@ -141,8 +141,8 @@ void test_values(Checks &checks)
                                 "--set: " + row.first + ": found '" + value + "', allowed: ",
                                 [&] { parse_parameters("", "a.prm", {row.first + "=" + value}); });
   checks.throws<InputError>("allowed values are named",
-                            "found 'mprgp', allowed: psor, active set.",
-                            [] { parse_parameters("", "a.prm", {"Solver/Contact solver=mprgp"}); });
+                            "found 'mprg', allowed: automatic, psor, active set, mprgp, multigrid.",
+                            [] { parse_parameters("", "a.prm", {"Solver/Contact solver=mprg"}); });
   checks.throws<InputError>(
     "finest below coarsest",
     "--set: Discretization/Finest level: found '1', allowed: an integer not "
@@ -227,9 +227,13 @@ void test_options(Checks &checks)
   test_option<ContactSolver>(
     checks,
     "Solver/Contact solver",
-    {{ContactSolver::psor, "psor"}, {ContactSolver::active_set, "active set"}},
+    {{ContactSolver::automatic, "automatic"},
+     {ContactSolver::psor, "psor"},
+     {ContactSolver::active_set, "active set"},
+     {ContactSolver::mprgp, "mprgp"},
+     {ContactSolver::multigrid, "multigrid"}},
     [](const Parameters &p) { return p.solver.contact_solver; },
-    ContactSolver::active_set);
+    ContactSolver::automatic);
   test_option<LinearSolver>(
     checks,
     "Solver/Linear solver",

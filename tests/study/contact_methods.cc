@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // All contact solvers give the same answer; V-cycles need no more of them on finer levels.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/record/level_record.h>
 
 #include <algorithm>
@@ -140,6 +141,58 @@ void nested(Checks &checks)
               value(b, "bound_relative").value(),
               0.06 * value(b, "bound_relative").value());
 }
+/** The same in space. */
+void in_space(Checks &checks)
+{
+  const auto solve_by = [](const std::string &solver, const std::vector<std::string> &more = {}) {
+    std::vector<std::string> overrides = levels(2, 4);
+    overrides.push_back("Solver/Contact solver=" + solver);
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return solve<3>("set Dimension = 3\n" + named_scene("D3"), overrides);
+  };
+  const StudyResult<3> exact = solve_by("active set");
+  for (const char *solver : {"multigrid", "mprgp"})
+  {
+    const std::string name = "in space, " + std::string(solver) + ": ";
+    const StudyResult<3> found = solve_by(solver);
+    checks.near(name + "P", relative_error(found.pressure.P, exact.pressure.P), 0., 1e-8);
+    for (const char *column : {"energy", "u_h1", "u_post_h1", "p_l2"})
+      checks.near(name + column,
+                  value(found.levels.back(), column).value() /
+                    value(exact.levels.back(), column).value(),
+                  1.,
+                  1e-8);
+    checks.that(name + "equations hold", found.verdict.equations_hold());
+    if (solver == std::string("multigrid"))
+      for (const LevelRecord &level : found.levels)
+        checks.between(name + "V-cycles on level " + std::to_string(level.sizes.level),
+                       level.dual.iterations,
+                       5.,
+                       20.);
+  }
+  const StudyResult<3> early = solve_by("multigrid", {"Solver/Stop at=discretisation error"});
+  checks.between("in space, early: V-cycles", early.levels.back().dual.iterations, 1., 6.);
+  checks.near("in space, early: error of pi^{2h}",
+              value(early.levels.back(), "u_post_h1").value() /
+                value(exact.levels.back(), "u_post_h1").value(),
+              1.,
+              0.02);
+}
+
+/** What V-cycles do not know is refused. */
+void refusals(Checks &checks)
+{
+  const std::string block = scenes()[0].text + entry("Solver", "Contact solver", "multigrid");
+  checks.throws<InputError>("linear solver", "allowed with it: automatic, multigrid.", [&]() {
+    solve(block, {"Solver/Linear solver=condensed"});
+  });
+  checks.throws<InputError>(
+    "graded meshes", "with Strategy 'hp'", [&]() { solve(block, {"Discretization/Strategy=hp"}); });
+  checks.throws<InputError>(
+    "load cases", "with load cases", [&]() { solve(block, {"Load cases/Cases=weight 2"}); });
+  checks.throws<InputError>(
+    "free motions", "moves freely", [&]() { solve(block, {"Boundary/Clamped="}); });
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -149,5 +202,7 @@ int main(int argc, char **argv)
   for (const SceneText &scene : scenes())
     compare(checks, scene);
   nested(checks);
+  in_space(checks);
+  refusals(checks);
   return checks.exit_code();
 }

@@ -13,6 +13,8 @@ enum class PlaneState
 /** The method for the dual problem. */
 enum class ContactSolver
 {
+  /** multigrid on levels with many unknowns where it may be used, else active_set. */
+  automatic,
   /** Projected SOR. */
   psor,
   /** The primal-dual active set method. */

@@ -21,8 +21,8 @@ struct GridBlock
 class CosineModel final : public BoundaryModel
 {
 public:
-  /** @param scaling the diagonal of S. */
-  CosineModel(std::vector<GridBlock> blocks, Vector scaling);
+  /** @param scaling the diagonal of S. @param largest_factorised see BoundaryModel. */
+  CosineModel(std::vector<GridBlock> blocks, Vector scaling, unsigned int largest_factorised);
 
   unsigned int size() const override;
   Vector apply(const Vector &P) const override;

@@ -123,7 +123,7 @@ struct DiscretizationParameters
 /** Subsection Solver. */
 struct SolverParameters
 {
-  Given<ContactSolver> contact_solver{ContactSolver::active_set};
+  Given<ContactSolver> contact_solver{ContactSolver::automatic};
   Given<double> relaxation{1.1};
   Given<double> tolerance{1e-10};
   Given<StopAt> stop_at{StopAt::tolerance};

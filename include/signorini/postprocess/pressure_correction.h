@@ -40,7 +40,7 @@ struct PressureData
   const StiffnessInverse &inverse;
   /** Gauss points per direction for the gap, as in the dual problem. */
   unsigned int n_points;
-  /** For patches longer than two faces. */
+  /** For patches longer than two faces; empty: their own pressure is recovered. */
   DualProblem solve_dual;
 };
 
