@@ -83,6 +83,19 @@ PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
 {
   Assert(space.mesh().n_nested_ancestors() >= n_generations,
          dealii::ExcMessage("patch interpolation needs the levels before"));
+  if constexpr (dim == 3)
+    if (usual_rule.size() > 0 && usual_rule.is_tensor_product())
+      tensor_.emplace(dealii::Polynomials::generate_complete_Lagrange_basis(
+                        nodes_on_line(space.element().degree, n_cells_)),
+                      usual_rule.get_tensor_basis(),
+                      n_cells_);
+  if (!tensor_)
+    make_tables();
+}
+
+template <int dim>
+void PatchInterpolation<dim>::make_tables()
+{
   const unsigned int n_places = dealii::Utilities::pow(n_cells_, dim);
   for (unsigned int i = 0; i < n_places; ++i)
   {
@@ -130,9 +143,11 @@ PatchInterpolation<dim>::make_table(const std::vector<dealii::Point<dim>> &point
 
 template <int dim>
 const typename PatchInterpolation<dim>::ShapeTable &
-PatchInterpolation<dim>::table(const dealii::Quadrature<dim> &quadrature, const Place &place)
+PatchInterpolation<dim>::table(const dealii::Quadrature<dim> &quadrature,
+                               const bool is_usual,
+                               const Place &place)
 {
-  if (quadrature.get_points() == usual_points_)
+  if (is_usual)
     return tables_[lexicographic(place, n_cells_)];
   cut_table_ = make_table(quadrature.get_points(), place);
   return cut_table_;
@@ -192,7 +207,14 @@ template <int dim>
 const std::vector<dealii::Tensor<1, dim>> &PatchInterpolation<dim>::values(const NodalVector &U,
                                                                            const CellIterator &cell)
 {
-  const ShapeTable &shapes = tables_[lexicographic(collect_values(U, cell), n_cells_)];
+  const Place place = collect_values(U, cell);
+  if constexpr (dim == 3)
+    if (tensor_)
+    {
+      tensor_->evaluate(nodal_values_, place, result_.values, result_.gradients);
+      return result_.values;
+    }
+  const ShapeTable &shapes = tables_[lexicographic(place, n_cells_)];
   const unsigned int n_nodes = nodal_values_.size();
   result_.values.assign(usual_points_.size(), dealii::Tensor<1, dim>());
   for (unsigned int q = 0; q < usual_points_.size(); ++q)
@@ -202,27 +224,40 @@ const std::vector<dealii::Tensor<1, dim>> &PatchInterpolation<dim>::values(const
 }
 
 template <int dim>
+void PatchInterpolation<dim>::sum_up(const ShapeTable &shapes, const unsigned int n_points)
+{
+  const unsigned int n_nodes = nodal_values_.size();
+  result_.values.assign(n_points, dealii::Tensor<1, dim>());
+  result_.gradients.assign(n_points, dealii::Tensor<2, dim>());
+  for (unsigned int q = 0; q < n_points; ++q)
+    for (unsigned int k = 0; k < n_nodes; ++k)
+    {
+      result_.values[q] += shapes.values[q * n_nodes + k] * nodal_values_[k];
+      result_.gradients[q] += outer_product(nodal_values_[k], shapes.gradients[q * n_nodes + k]);
+    }
+}
+
+template <int dim>
 const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const NodalVector &U,
                                                           const CellIterator &cell,
                                                           const dealii::FEValues<dim> &fe_values)
 {
   const Place place = collect_values(U, cell);
-  const ShapeTable &shapes = table(fe_values.get_quadrature(), place);
-  const unsigned int n_points = fe_values.n_quadrature_points, n_nodes = nodal_values_.size();
-  result_.values.assign(n_points, dealii::Tensor<1, dim>());
-  result_.gradients.assign(n_points, dealii::Tensor<2, dim>());
-  for (unsigned int q = 0; q < n_points; ++q)
-  {
-    dealii::Tensor<2, dim> reference_gradient;
-    for (unsigned int k = 0; k < n_nodes; ++k)
+  const dealii::Quadrature<dim> &rule = fe_values.get_quadrature();
+  const bool is_usual = rule.get_points() == usual_points_;
+  bool done = false;
+  if constexpr (dim == 3)
+    if (tensor_ && is_usual)
     {
-      result_.values[q] += shapes.values[q * n_nodes + k] * nodal_values_[k];
-      reference_gradient += outer_product(nodal_values_[k], shapes.gradients[q * n_nodes + k]);
+      tensor_->evaluate(nodal_values_, place, result_.values, result_.gradients);
+      done = true;
     }
-    // du_i/dx_j = sum_k du_i/dxi_k dxi_k/dx_j
+  if (!done)
+    sum_up(table(rule, is_usual, place), rule.size());
+  // du_i/dx_j = sum_k du_i/dxi_k dxi_k/dx_j
+  for (unsigned int q = 0; q < rule.size(); ++q)
     result_.gradients[q] =
-      reference_gradient * dealii::Tensor<2, dim>(fe_values.inverse_jacobian(q));
-  }
+      result_.gradients[q] * dealii::Tensor<2, dim>(fe_values.inverse_jacobian(q));
   return result_;
 }
 

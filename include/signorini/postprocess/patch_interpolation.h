@@ -2,12 +2,14 @@
 #pragma once
 
 #include <signorini/elasticity/displacement_space.h>
+#include <signorini/postprocess/tensor_evaluation.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/base/tensor_product_polynomials.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <array>
+#include <optional>
 
 namespace Signorini
 {
@@ -25,7 +27,8 @@ struct FieldValues
  * per direction on each cell of T^{2h} that takes the 3^dim nodal values of its children. With k
  * generations and elements of degree p it has the degree 2^k p on the cells of the k-th mesh before
  * T^h and takes the (2^k p + 1)^dim nodal values of their descendants. Evaluated cell by cell of
- * T^h, without unknowns of its own.
+ * T^h, without unknowns of its own. In space, at the points of tensor product rules, by sums over
+ * one direction after the other.
  *
  * Needs Mesh::n_nested_ancestors() >= k. Copies share nothing: one for each thread.
  */
@@ -66,7 +69,14 @@ private:
 
   unsigned int lexicographic(const Place &place, unsigned int n_per_direction) const;
   ShapeTable make_table(const std::vector<dealii::Point<dim>> &points, const Place &place) const;
-  const ShapeTable &table(const dealii::Quadrature<dim> &quadrature, const Place &place);
+  /** At the usual points if @p is_usual, else at those of @p quadrature. */
+  const ShapeTable &table(const dealii::Quadrature<dim> &quadrature,
+                          bool is_usual,
+                          const Place &place);
+  /** Fills result_ with values, and gradients in reference coordinates. */
+  void sum_up(const ShapeTable &shapes, unsigned int n_points);
+  /** Fills tables_. */
+  void make_tables();
   /** Fills nodal_values_ for the ancestor of a cell. @return the place of the cell. */
   Place collect_values(const NodalVector &U, const CellIterator &cell);
   /** Fills nodal_dofs_ from the descendants of an ancestor. */
@@ -82,8 +92,10 @@ private:
   std::vector<Place> nodes_of_cell_;
   dealii::TensorProductPolynomials<dim> polynomials_;
   std::vector<dealii::Point<dim>> usual_points_;
-  /** For all places, lexicographically. */
+  /** For all places, lexicographically; empty where tensor_ takes their place. */
   std::vector<ShapeTable> tables_;
+  /** At the usual points, in space, where they are those of a tensor product rule. */
+  std::optional<TensorEvaluation> tensor_;
   ShapeTable cut_table_;
   /** The ancestor to which nodal_dofs_ belong. */
   AncestorIterator ancestor_;
