@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 namespace Signorini
@@ -35,6 +36,14 @@ public:
   {
     const double top = curvature_ < 0. ? from_ - slope_ / (2. * curvature_) : from_;
     return at(top > from_ && top < to_ ? top : 0.5 * (from_ + to_));
+  }
+  /** The same where the maximum may lie at an end, up to rounding. */
+  Value maximum_with_ends() const
+  {
+    const double top = curvature_ < 0. ? from_ - slope_ / (2. * curvature_) : 2. * from_ - to_;
+    const double slack = 1e-9 * (to_ - from_);
+    return at(top > from_ - slack && top < to_ + slack ? std::clamp(top, from_, to_)
+                                                       : 0.5 * (from_ + to_));
   }
 
 private:

@@ -23,8 +23,9 @@ struct PeakPressure
  * patches, elsewhere RecoveredPressure. Both are of second order. Where patches have polynomials,
  * it is the largest value of -p_H on the patches that press.
  *
- * In space, where all four neighbours press, the sum of the
- * parabolas in both coordinates, less the mean of the patch.
+ * In space, where all four neighbours press, the sum of the parabolas in both coordinates, less the
+ * mean of the patch. At the edge of the side to a roller the mirror image is the neighbour, if the
+ * material is its own mirror image.
  */
 std::optional<PeakPressure> peak_pressure(const MultiplierSpace<2> &multipliers,
                                           const dealii::Vector<double> &P);
