@@ -102,6 +102,20 @@ std::optional<MeanParabola> parabola_along(const PatchGrid &grid,
                         i + 1 == n ? 2. * ends[n] - ends[n - 1] : ends[i + 2]}},
                       {{-before, -mean(i), -after}});
 }
+/** The middle and the ends of an interval. A line that is continued to a mirror would have a kink
+ * there: such an end is left out. */
+std::vector<double> positions_on(const PatchGrid &grid,
+                                 const Mirrors &mirrors,
+                                 const unsigned int d,
+                                 const unsigned int i)
+{
+  std::vector<double> positions = {grid.middle(d, i)};
+  if (i > 0 || !mirrors[d][0])
+    positions.push_back(grid.ends[d][i]);
+  if (i + 1 < grid.n(d) || !mirrors[d][1])
+    positions.push_back(grid.ends[d][i + 1]);
+  return positions;
+}
 } // namespace
 
 std::optional<PeakPressure> peak_pressure(const MultiplierSpace<3> &multipliers,
@@ -138,8 +152,8 @@ std::optional<PeakPressure> peak_pressure(const MultiplierSpace<3> &multipliers,
           compare(tau, {{x.s, y.s}, x.value + y.value + P[tau]});
         }
         else
-          for (const double t : {grid.ends[1][j], grid.middle(1, j), grid.ends[1][j + 1]})
-            for (const double r : {grid.ends[0][i], grid.middle(0, i), grid.ends[0][i + 1]})
+          for (const double t : positions_on(grid, mirrors, 1, j))
+            for (const double r : positions_on(grid, mirrors, 0, i))
               compare(tau, {{r, t}, -recovered(tau, {r, t})});
       }
   }
