@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "cell_integration.h"
+#include "kernels.h"
+#include "wide.h"
 
 namespace Signorini
 {
@@ -28,7 +30,7 @@ public:
   using Matrices = CellMatrices<dim, float>;
 
   /** @param K with distance n between entries. */
-  explicit CellPencils(const float *K)
+  SIGNORINI_INLINE explicit CellPencils(const float *K)
     : K_(K)
   {
     for (unsigned int l = 0; l < n; ++l)
@@ -46,7 +48,8 @@ public:
   }
 
   /** The largest of the first @p n_cells cells. */
-  double largest_eigenvalue(const unsigned int n_cells, const unsigned int n_steps) const
+  SIGNORINI_INLINE double largest_eigenvalue(const unsigned int n_cells,
+                                             const unsigned int n_steps) const
   {
     float x[n_dofs][n], y[n_dofs][n], quotient[n];
     // Without pattern: no eigenvector is orthogonal to it.
@@ -69,7 +72,7 @@ public:
 
 private:
   /** x = B y, and both divided by (y.B y)^{1/2}. */
-  void scale(float (&y)[n_dofs][n], float (&x)[n_dofs][n]) const
+  SIGNORINI_INLINE void scale(float (&y)[n_dofs][n], float (&x)[n_dofs][n]) const
   {
     float size[n] = {};
     for (unsigned int v = 0; v < (1U << dim); ++v)
@@ -88,7 +91,7 @@ private:
       for (unsigned int l = 0; l < n; ++l)
         x[i][l] *= size[l];
   }
-  void multiply(float (&y)[n_dofs][n], const float (&x)[n_dofs][n]) const
+  SIGNORINI_INLINE void multiply(float (&y)[n_dofs][n], const float (&x)[n_dofs][n]) const
   {
     for (unsigned int i = 0; i < n_dofs; ++i)
     {
@@ -106,6 +109,41 @@ private:
   const float *K_;
   float B_[1U << dim][dim][dim][n];
 };
+/** The largest eigenvalue of n_lanes cells, [entry][lane]. */
+template <int dim>
+double of_batch_basic(const float *const K)
+{
+  return CellPencils<dim, n_lanes>(K).largest_eigenvalue(n_lanes, n_steps_stored);
+}
+#ifdef __x86_64__
+template <int dim>
+SIGNORINI_AVX2 double of_batch_avx2(const float *const K)
+{
+  return CellPencils<dim, n_lanes>(K).largest_eigenvalue(n_lanes, n_steps_stored);
+}
+template <int dim>
+SIGNORINI_AVX512 double of_batch_avx512(const float *const K)
+{
+  return CellPencils<dim, n_lanes>(K).largest_eigenvalue(n_lanes, n_steps_stored);
+}
+#endif
+
+template <int dim>
+double (*best_of_batch())(const float *)
+{
+#ifdef __x86_64__
+  switch (instructions_of_this_machine())
+  {
+  case Instructions::avx512:
+    return &of_batch_avx512<dim>;
+  case Instructions::avx2:
+    return &of_batch_avx2<dim>;
+  case Instructions::basic:
+    break;
+  }
+#endif
+  return &of_batch_basic<dim>;
+}
 } // namespace
 
 template <int dim>
@@ -124,12 +162,11 @@ double largest_eigenvalue_of_cells(const CellMatrices<dim, float> &matrices,
     largest =
       std::max(largest, CellPencils<dim, 1>(lower.data()).largest_eigenvalue(1, n_steps_shared));
   }
+  const auto of_batch = best_of_batch<dim>();
   std::vector<float> buffer;
   for (std::size_t batch = 0; batch < grid.n_batches(); ++batch)
     if (!matrices.is_shared(batch))
-      largest = std::max(largest,
-                         CellPencils<dim, n_lanes>(entries_of_batch(matrices, grid, batch, buffer))
-                           .largest_eigenvalue(n_lanes, n_steps_stored));
+      largest = std::max(largest, of_batch(entries_of_batch(matrices, grid, batch, buffer)));
   // Of m blocks no eigenvalue is larger than m.
   return std::min(safety * largest, static_cast<double>(1U << dim));
 }

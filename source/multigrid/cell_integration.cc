@@ -254,9 +254,10 @@ const Number *entries_of_batch(const CellMatrices<dim, Number> &matrices,
   Number moduli[std::tuple_size<decltype(rule.moduli)>::value][n_lanes];
   for (std::size_t m = 0; m < rule.moduli.size(); ++m)
     std::fill_n(moduli[m], n_lanes, rule.moduli[m]);
+  const auto add_point = best_add_point<dim, Number>();
   for (std::size_t q = 0; q < rule.weights.size(); ++q)
-    add_point_basic<dim, Number>(
-      buffer.data(), {vertices.values, &rule.gradients[q * n_dofs], rule.weights[q], moduli});
+    add_point(buffer.data(),
+              {vertices.values, &rule.gradients[q * n_dofs], rule.weights[q], moduli});
   return buffer.data();
 }
 
