@@ -179,6 +179,7 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
   ContactIterationResult result;
   result.U = U;
   result.P = P;
+  result.rounding_of_A = rounding_of(system.A);
   result.scale = options.scale;
   if (result.scale <= 0.)
   {
@@ -190,12 +191,11 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
   for (unsigned int doublings = 0;;)
   {
     ContactStep step;
-    step.r = measure(system, result);
-    result.converged =
-      result.kkt_residual <= options.tolerance && result.stationarity <= options.stationarity;
+    step.r = measure(system, options, result);
     if (result.converged || result.cycles >= options.maximum_cycles)
     {
-      measure_energy_of_residual(system, step.r, result);
+      if (result.cycles == 0)
+        measure_energy_of_residual(system, step.r, result);
       return result;
     }
     if (history.grows() && doublings < most_doublings)
@@ -209,19 +209,20 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
       break;
     complete_step(system, result, step);
     ++result.cycles;
+    // Of the point before: more than what the step leaves, and without a V-cycle of its own.
+    result.energy_of_residual = 0.5 * (step.r * step.z);
     history.add(step.size());
     acceleration.advance(result.U, result.P, step, keeps_set(result.P, step.d));
     if (step.size() <= options.energy_tolerance * energy_norm(system, result))
     {
-      measure(system, result);
-      result.energy_of_residual = 0.5 * (step.r * step.z);
+      measure(system, options, result);
       result.converged = true;
       return result;
     }
   }
   result.stalled = "the steps of V-cycles and boundary problems shrank too slowly";
   solve_by_minres(system, options, result);
-  measure_energy_of_residual(system, measure(system, result), result);
+  measure_energy_of_residual(system, measure(system, options, result), result);
   return result;
 }
 } // namespace Signorini

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
@@ -16,32 +17,80 @@ void add_product(const Coupling &D, const dealii::Vector<double> &P, NodalVector
         vector[row] += value * P[k];
 }
 
-NodalVector measure(const ContactSystem &system, ContactIterationResult &result)
+double rounding_of(const StiffnessOperator &A)
 {
-  NodalVector pressing(system.A.size());
+  NodalVector x(A.size()), y(A.size());
+  for (unsigned int i = 0; i < x.size(); ++i)
+    x[i] = std::sin(1. + 2.3 * i);
+  A.apply(y, x);
+  return std::numeric_limits<double>::epsilon() * y.l2_norm() / x.l2_norm();
+}
+
+namespace
+{
+double relative_or_absolute(const double value, const double scale)
+{
+  return scale > 0. ? value / scale : value;
+}
+
+/** Stationarity. @return the residual. */
+NodalVector measure_forces(const ContactSystem &system, ContactIterationResult &result)
+{
+  constexpr double least_share_of_terms = 1e-3;
+  NodalVector pressing(system.A.size()), r(system.A.size());
   add_product(system.condensed_D, result.P, pressing);
-  NodalVector r(system.A.size());
   system.A.apply(r, result.U);
-  const double largest = std::max({r.l2_norm(), pressing.l2_norm(), system.f.l2_norm()});
+  const double of_contact = pressing.l2_norm();
+  const double largest = std::max({r.l2_norm(), of_contact, system.f.l2_norm()});
+  double scale = std::max(of_contact, system.loads);
+  scale = scale > 0. ? std::max(scale, least_share_of_terms * largest) : largest;
   r *= -1.;
   r += system.f;
   r += pressing;
-  result.stationarity = largest > 0. ? r.l2_norm() / largest : 0.;
+  result.stationarity = relative_or_absolute(r.l2_norm(), scale);
+  result.rounding_of_stationarity =
+    relative_or_absolute(result.rounding_of_A * result.U.l2_norm(), scale);
+  return r;
+}
 
-  // |P - min(0, P - W/diag C)| relative to max(|P|, |F/diag C|), F = C P - W.
+/** |P - min(0, P - W/diag C)| relative to max(|P|, |F/diag C|), F = C P - W; |P.W|. */
+void measure_contact(const ContactSystem &system, ContactIterationResult &result)
+{
   const dealii::Vector<double> W = system.opening(result.U);
   const dealii::Vector<double> diagonal = system.model.diagonal();
   const dealii::Vector<double> C_P = system.model.apply(result.P);
-  double sum = 0., size_of_P = 0., size_of_F = 0.;
+  double sum = 0., size_of_P = 0., size_of_F = 0., work = 0., terms = 0., energy = 0.;
   for (unsigned int k = 0; k < W.size(); ++k)
   {
     const double P = result.P[k], C_kk = result.scale * diagonal[k];
     sum += std::pow(P - std::min(0., P - W[k] / C_kk), 2);
     size_of_P += P * P;
     size_of_F += std::pow((result.scale * C_P[k] - W[k]) / C_kk, 2);
+    work += P * W[k];
+    terms += std::abs(P) * (std::abs(system.gap[k]) + std::abs(W[k] + system.gap[k]));
+    energy += result.scale * P * C_P[k];
   }
   const double scale = std::max(size_of_P, size_of_F);
-  result.kkt_residual = std::sqrt(scale > 0. ? sum / scale : sum);
+  result.kkt_residual = std::sqrt(relative_or_absolute(sum, scale));
+  result.complementarity = relative_or_absolute(std::abs(work), energy);
+  result.rounding_of_complementarity =
+    relative_or_absolute(std::numeric_limits<double>::epsilon() * terms, energy);
+}
+} // namespace
+
+NodalVector measure(const ContactSystem &system,
+                    const ContactIterationOptions &options,
+                    ContactIterationResult &result)
+{
+  constexpr double multiples_of_rounding = 10.;
+  const NodalVector r = measure_forces(system, result);
+  measure_contact(system, result);
+  const auto is_small = [&](const double residual, const double rounding) {
+    return residual <= std::max(options.stationarity, multiples_of_rounding * rounding);
+  };
+  result.converged = result.kkt_residual <= options.tolerance &&
+                     is_small(result.stationarity, result.rounding_of_stationarity) &&
+                     is_small(result.complementarity, result.rounding_of_complementarity);
   return r;
 }
 } // namespace Signorini

@@ -8,6 +8,12 @@ namespace Signorini
 /** vector += D P. */
 void add_product(const Coupling &D, const dealii::Vector<double> &P, NodalVector &vector);
 
-/** Sets kkt_residual and stationarity of U and P. @return f + D P - A U. */
-NodalVector measure(const ContactSystem &system, ContactIterationResult &result);
+/** The unit roundoff times |A x|/|x| for a rough x. */
+double rounding_of(const StiffnessOperator &A);
+
+/** Sets kkt_residual, stationarity and complementarity of U and P, and whether they are small
+ * enough. @return f + D P - A U. */
+NodalVector measure(const ContactSystem &system,
+                    const ContactIterationOptions &options,
+                    ContactIterationResult &result);
 } // namespace Signorini

@@ -132,9 +132,7 @@ void solve_by_minres(const ContactSystem &system,
       result.P[i] = std::min(result.P[i], 0.);
     }
     active = next;
-    measure(system, result);
-    result.converged =
-      result.kkt_residual <= options.tolerance && result.stationarity <= options.stationarity;
+    measure(system, options, result);
     if (result.converged)
       return;
   }

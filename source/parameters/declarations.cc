@@ -322,8 +322,8 @@ void Declarations::declare_solver(SolverParameters &solver)
       "eliminates the contact unknowns last and reads the compliance C from the factor; "
       "amesos_mumps (on all processes) and amesos_klu (gathered on one) take one solve for every "
       "contact patch that can touch. multigrid (one process, nested meshes) assembles and "
-      "factorises nothing: conjugate gradients with V-cycles. automatic is condensed on one "
-      "process and amesos_mumps on several.");
+      "factorises nothing: conjugate gradients with V-cycles. automatic is multigrid where Contact "
+      "solver is that, else condensed on one process and amesos_mumps on several.");
   add("Warm start",
       solver.warm_start,
       "Start a level from the pressure of the level before.",

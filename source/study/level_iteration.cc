@@ -127,7 +127,12 @@ Pressure iterate_contact(const Parameters &parameters,
   options.scale = growth_of_scale * start.scale;
   options.energy_tolerance = energy_tolerance(parameters, start);
   const ContactIterationResult result =
-    solve_contact_by_cycles({A, f, discretization.condensed_D, gap, *model},
+    solve_contact_by_cycles({A,
+                             f,
+                             discretization.condensed_D,
+                             gap,
+                             *model,
+                             space.condense(NodalVector(system.loads)).l2_norm()},
                             free_part(space, start.U),
                             start.P.size() > 0 ? start.P : dealii::Vector<double>(gap.size()),
                             options);

@@ -153,6 +153,7 @@ void print_verdict(const std::vector<LevelRecord> &levels,
              << " sweeps, the increment alone was small after " << *finest.dual.increment_iterations
              << ".\n";
   }
+  const double stopped_early = levels.empty() ? 0. : levels.back().dual.energy_tolerance;
   if (!verdict.accuracy.empty())
     screen << "Accuracy: " << verdict.accuracy << ".\n";
   if (verdict.outcome == Outcome::not_certified)
@@ -164,7 +165,11 @@ void print_verdict(const std::vector<LevelRecord> &levels,
                : verdict.outcome == Outcome::accuracy_estimated
                  ? "Equations certified, accuracy estimated"
                  : "NOT resolved, equations certified")
-           << ": KKT residuals below " << judge.tolerance() << " and balances below "
+           << (stopped_early > 0. ? ": V-cycles ended at the relative error "
+                                  : ": KKT residuals below ")
+           << (stopped_early > 0. ? stopped_early : judge.tolerance())
+           << (stopped_early > 0. ? " of displacements (energy norm), and balances are below "
+                                  : " and balances below ")
            << verdict.residual_bound << ".\n";
 }
 

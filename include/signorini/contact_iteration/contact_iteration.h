@@ -23,6 +23,8 @@ struct ContactSystem
   const dealii::Vector<double> &gap;
   /** C^_1. */
   const BoundaryModel &model;
+  /** |T^T loads|_2; f is far larger where large displacements are prescribed (force). */
+  double loads = 0.;
 
   /** r = f + D P - A U. */
   NodalVector residual(const NodalVector &U, const dealii::Vector<double> &P) const;
@@ -35,7 +37,8 @@ struct ContactIterationOptions
 {
   /** On the KKT residual: that of the dual problem with t C^_1 in place of C and the true W. */
   double tolerance = 1e-10;
-  /** On |f + D P - A U|_2 relative to the largest of its terms. */
+  /** On |f + D P - A U|_2 relative to max(|D P|_2, loads), but to not less than a thousandth of the
+   * largest of its terms; and on |P.W| relative to P.t C^_1 P. What rounding leaves is enough. */
   double stationarity = 1e-9;
   /** If positive: end also when the energy norm of a step is below this part of that of U. */
   double energy_tolerance = 0.;
@@ -57,7 +60,14 @@ struct ContactIterationResult
   unsigned int cycles = 0, cycles_for_scale = 0;
   double kkt_residual = 0.;
   double stationarity = 0.;
-  /** r.V r/2, about the part of the duality gap that the stationarity leaves (energy). */
+  /** |P.W| relative to P.t C^_1 P. */
+  double complementarity = 0.;
+  /** What rounding makes of the last two. */
+  double rounding_of_stationarity = 0., rounding_of_complementarity = 0.;
+  /** The unit roundoff times about |A|. */
+  double rounding_of_A = 0.;
+  /** r.V r/2 before the last step, which bounds the part of the duality gap that the stationarity
+   * leaves (energy). */
   double energy_of_residual = 0.;
   bool converged = false;
   /** Why MINRES had to take over; empty if it had not. */
