@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/elasticity/nodal_interpolation.h>
+#include <signorini/scene/field_function.h>
 #include <signorini/scene_input/make_scene.h>
 #include <signorini/study/level.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -50,18 +51,14 @@ inline std::string entry(const std::string &section,
   return "subsection " + section + "\nset " + name + " = " + value + "\nend\n";
 }
 
-using Field = std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)>;
+/** A displacement as a function of x. */
+using Field = Signorini::FieldFunction::Field;
 
 /** The field's values at all nodes, on every rank. */
 inline Signorini::NodalVector nodal_values(const Signorini::DisplacementSpace<2> &space,
                                            const Field &field)
 {
-  Signorini::NodalVector U(space.dofs().n_dofs());
-  for (const auto &cell : space.dofs().active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-      for (unsigned int d = 0; d < 2; ++d)
-        U[cell->vertex_dof_index(v, d)] = field(cell->vertex(v))[d];
-  return U;
+  return interpolate_at_nodes(space, Signorini::FieldFunction(field));
 }
 
 /** max |a_i - b_i|. */

@@ -65,16 +65,16 @@ Errors energy_errors(const OneLevel &level, const NodalVector &U)
 }
 
 /** Levels of a scene, and the largest ratios of bound and error that are allowed on levels 4 and 5,
- * for u_h and for pi^{2h} u_h; zero: any. */
+ * for u_h and for pi^{2h} u_h; zero: any. Level 5 takes three quarters of the time: without such a
+ * ratio, and without curved sides, level 4 is the last one. */
 struct Case
 {
   std::string name;
   std::string text;
   unsigned int coarsest;
   double effectivity, of_patches;
+  unsigned int finest = effectivity > 0. ? 5 : 4;
 };
-
-constexpr unsigned int finest = 5;
 
 /** A table in Markdown, in a file of the working directory. */
 class Effectivities
@@ -117,7 +117,7 @@ void check(Checks &checks, Tables &tables, const Case &given)
   tables.of_u_h.start(given);
   tables.of_patches.start(given);
   double lower = -1e300, upper = 1e300, coarser_geometry = 0.;
-  for (unsigned int number = given.coarsest; number <= finest; ++number)
+  for (unsigned int number = given.coarsest; number <= given.finest; ++number)
   {
     const OneLevel level(text, number);
     const LevelSolution<2> solution = level.solve();
@@ -227,7 +227,7 @@ std::vector<Case> make_cases()
   }
   // Curved sides: an estimated bound. Most of E3's is the body force on general quadrilaterals.
   for (const char *scene : {"E1", "E2", "E3"})
-    cases.push_back({scene, named_scene(scene), 3, std::string(scene) == "E3" ? 0. : 1.6, 0.});
+    cases.push_back({scene, named_scene(scene), 3, std::string(scene) == "E3" ? 0. : 1.6, 0., 5});
   // Displacements are prescribed that are not linear on edges.
   for (const char *nu : {"0.3", "0.49", "0.4999"})
     for (const char *element : {"Q1", "Q1 B-bar"})

@@ -1,28 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/elasticity/nodal_interpolation.h>
 #include <signorini/refinement/mesh_plan.h>
-#include <signorini/scene/field_function.h>
 #include <signorini/scene_input/make_scene.h>
 #include <signorini/study/level.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
-#include <functional>
 #include <string>
-#include <vector>
 
-/** A displacement as a function of x. */
-using Field = Signorini::FieldFunction::Field;
-
-/** The values of a displacement at all nodes. */
-inline Signorini::NodalVector nodal_values(const Signorini::DisplacementSpace<2> &space,
-                                           const Field &field)
-{
-  return interpolate_at_nodes(space, Signorini::FieldFunction(field));
-}
+#include "one_level.h"
 
 /** A scene from the text of a parameter file, on the mesh of a plan. */
 struct GradedLevel
@@ -112,20 +100,4 @@ inline bool is_graded(const Signorini::DisplacementSpace<2> &space)
         return false;
     }
   return true;
-}
-
-/** "subsection SECTION / set NAME = VALUE / end" for short parameter texts. */
-inline std::string entry(const std::string &section,
-                         const std::string &name,
-                         const std::string &value)
-{
-  return "subsection " + section + "\nset " + name + " = " + value + "\nend\n";
-}
-
-/** max |a_i - b_i|. */
-inline double distance(const dealii::Vector<double> &a, const dealii::Vector<double> &b)
-{
-  dealii::Vector<double> difference(a);
-  difference -= b;
-  return difference.size() == 0 ? 0. : difference.linfty_norm();
 }

@@ -41,15 +41,22 @@ struct Family
  */
 inline std::string text_of(const Family &family)
 {
-  const std::string X = "x/L", Y = "(y/L)", M = "max(xi-x/L,0)", m = "exp(kx*x/L+ky*y/L)";
+  const std::string X = "x/L", Y = "(y/L)", M = "max(xi-x/L,0)";
+  const bool uniform = family.contrast_x == "0" && family.contrast_y == "0";
+  const std::string m = uniform ? "1" : "exp(kx*x/L+ky*y/L)";
   const std::string sine = "sin(pi*" + X + ")", cosine = "cos(pi*" + X + ")";
   const std::string u = "0.1*L*" + sine + "; y*(-w*" + cosine + "*(1-2*r) - 10*r*" + M + "^3)";
   const std::string q1 = "(30*" + M + "^2 - 2*w*pi*" + sine + ")";
   const std::string s11 = "(2*w*" + cosine + "*(1+c) - 10*c*" + M + "^3)";
   const std::string s12 = Y + "*(w*pi*" + sine + " + r*" + q1 + ")";
-  const std::string f1 = "w*pi*" + sine + " - (c+r)*" + q1 + " - kx*" + s11 + " - ky*" + s12;
-  const std::string f2 =
-    Y + "*(-w*pi^2*" + cosine + "*(1-2*r) + 60*r*" + M + ") - kx*" + s12 + " + ky*10*" + M + "^3";
+  std::string f1 = "w*pi*" + sine + " - (c+r)*" + q1;
+  std::string f2 = Y + "*(-w*pi^2*" + cosine + "*(1-2*r) + 60*r*" + M + ")";
+  // Terms that vanish would be computed a million times.
+  if (!uniform)
+  {
+    f1 += " - kx*" + s11 + " - ky*" + s12;
+    f2 += " - kx*" + s12 + " + ky*10*" + M + "^3";
+  }
   std::ostringstream text;
   text << std::setprecision(17) << "subsection Constants\nset Values = nu=" << family.nu
        << ", L=" << family.length << ", S=" << family.stress << ", kx=log(10)*("
