@@ -5,6 +5,7 @@
 #include "../../source/multigrid/kernels.h"
 
 #include <algorithm>
+#include <ctime>
 #include <numeric>
 
 #include "../../source/multigrid/cell_integration.h"
@@ -159,10 +160,61 @@ void smoothing(Checks &checks)
       }
   checks.near("smoothing, " + std::to_string(dim) + "-D", largest, 0., 1e-6);
 }
+double cpu_seconds()
+{
+  timespec time = {};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/** The smallest of ten times, with matrices of one kind in all batches. */
+template <int dim, typename Number>
+void print_seconds(const std::string &name, const unsigned int n, const unsigned int n_points)
+{
+  RandomNumbers random(1);
+  const BlockGrid<dim> grid = one_block<dim>(n);
+  auto matrices = random_matrices<dim, Number>(grid, random);
+  std::array<double, PointRule<dim, Number>::n_moduli> moduli = {};
+  matrices.rule =
+    make_point_rule<dim, Number>(random_places<dim>(n, random), grid.n_nodes(), moduli, n_points);
+  const auto x = random_values<dim, Number>(grid.n_nodes(), random);
+  LevelVector<dim, Number> y(grid.n_nodes());
+  for (const Instructions instructions : all)
+    if (instructions <= instructions_of_this_machine())
+      for (const char *const kind : {"stored", "shared", "integrated"})
+      {
+        const bool shared = kind == std::string("shared"), stored = kind == std::string("stored");
+        if (!stored)
+          std::fill(matrices.of_batch.begin(),
+                    matrices.of_batch.end(),
+                    shared ? 0 : CellMatrices<dim, Number>::integrated);
+        else
+          for (std::size_t batch = 0; batch < grid.n_batches(); ++batch)
+            matrices.of_batch[batch] = -1 - static_cast<int>(std::min(batch, grid.n_batches() - 2));
+        double best = 1e9;
+        for (unsigned int i = 0; i < 10; ++i)
+        {
+          const double begin = cpu_seconds();
+          multiply(y, x, grid, matrices, instructions);
+          best = std::min(best, cpu_seconds() - begin);
+        }
+        std::cout << name << ", " << kind << ", instructions " << static_cast<int>(instructions)
+                  << ": " << 1e9 * best / static_cast<double>(grid.n_cells()) << " ns per cell"
+                  << std::endl;
+      }
+}
 } // namespace
 
-int main()
+int main(int argc, char ** /*argv*/)
 {
+  if (argc > 1)
+  {
+    print_seconds<2, float>("512 x 512, float", 512, 2);
+    print_seconds<2, double>("512 x 512, double", 512, 4);
+    print_seconds<3, float>("32^3, float", 32, 2);
+    print_seconds<3, double>("32^3, double", 32, 4);
+    return 0;
+  }
   Checks checks;
   for (const unsigned int n : {2U, 8U, 16U, 32U})
   {
