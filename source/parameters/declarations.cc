@@ -293,7 +293,7 @@ void Declarations::declare_solver(SolverParameters &solver)
       "gradients with projections) solve the dual problem. multigrid forms none: every V-cycle is "
       "followed by a small problem on the contact sides (one process, nested meshes, Linear solver "
       "= multigrid or automatic). automatic is multigrid on levels with 1e5 unknowns and more (in "
-      "space 1.5e4), where nothing forbids it, else active set.");
+      "space 5e3), where nothing forbids it, else active set.");
   add("Relaxation",
       solver.relaxation,
       "Relaxation parameter omega of projected SOR.",

@@ -23,7 +23,7 @@ constexpr double stationarity_per_tolerance = 10.;
 /** Unknowns from which V-cycles are faster than a factorisation. */
 constexpr double fewest_unknowns(const unsigned int dim)
 {
-  return dim == 2 ? 1e5 : 1.5e4;
+  return dim == 2 ? 1e5 : 5e3;
 }
 
 /** Whether nothing but the size speaks against V-cycles. */

@@ -15,7 +15,7 @@ namespace Signorini
  * - the linear solver is automatic or multigrid, there is one rank, and meshes are nested,
  * - there are no load cases, plates, bodies that contact alone holds, Output/Compliance, B-bar
  *   elements, or patches of a single face, for which V-cycles cannot be used or are slow,
- * - the level has at least 1e5 unknowns, in space 15000, or the linear solver is multigrid;
+ * - the level has at least 1e5 unknowns, in space 5000, or the linear solver is multigrid;
  *
  * else active set.
  */
