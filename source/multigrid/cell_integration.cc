@@ -316,23 +316,54 @@ make_point_rule(const NodePlaces<dim> &places,
   return rule;
 }
 
-#define SIGNORINI_INSTANTIATE(dim, Number)                                                         \
-  template const Number *entries_of_batch(const CellMatrices<dim, Number> &,                       \
-                                          const BlockGrid<dim> &,                                  \
-                                          std::size_t,                                             \
-                                          std::vector<Number> &);                                  \
-  template void add_diagonal_blocks<dim, Number>(                                                  \
-    LevelVector<dim * dim, Number> &, const BlockGrid<dim> &, const CellMatrices<dim, Number> &);  \
-  template std::shared_ptr<const PointRule<dim, Number>> make_point_rule<dim, Number>(             \
-    const NodePlaces<dim> &,                                                                       \
-    unsigned int,                                                                                  \
-    const std::array<double, PointRule<dim, Number>::n_moduli> &,                                  \
-    unsigned int);
-SIGNORINI_INSTANTIATE(2, float)
-SIGNORINI_INSTANTIATE(2, double)
-SIGNORINI_INSTANTIATE(3, float)
-SIGNORINI_INSTANTIATE(3, double)
-#undef SIGNORINI_INSTANTIATE
+template const float *entries_of_batch(const CellMatrices<2, float> &,
+                                       const BlockGrid<2> &,
+                                       std::size_t,
+                                       std::vector<float> &);
+template void add_diagonal_blocks<2, float>(LevelVector<4, float> &,
+                                            const BlockGrid<2> &,
+                                            const CellMatrices<2, float> &);
+template std::shared_ptr<const PointRule<2, float>>
+make_point_rule<2, float>(const NodePlaces<2> &,
+                          unsigned int,
+                          const std::array<double, PointRule<2, float>::n_moduli> &,
+                          unsigned int);
+template const double *entries_of_batch(const CellMatrices<2, double> &,
+                                        const BlockGrid<2> &,
+                                        std::size_t,
+                                        std::vector<double> &);
+template void add_diagonal_blocks<2, double>(LevelVector<4, double> &,
+                                             const BlockGrid<2> &,
+                                             const CellMatrices<2, double> &);
+template std::shared_ptr<const PointRule<2, double>>
+make_point_rule<2, double>(const NodePlaces<2> &,
+                           unsigned int,
+                           const std::array<double, PointRule<2, double>::n_moduli> &,
+                           unsigned int);
+template const float *entries_of_batch(const CellMatrices<3, float> &,
+                                       const BlockGrid<3> &,
+                                       std::size_t,
+                                       std::vector<float> &);
+template void add_diagonal_blocks<3, float>(LevelVector<9, float> &,
+                                            const BlockGrid<3> &,
+                                            const CellMatrices<3, float> &);
+template std::shared_ptr<const PointRule<3, float>>
+make_point_rule<3, float>(const NodePlaces<3> &,
+                          unsigned int,
+                          const std::array<double, PointRule<3, float>::n_moduli> &,
+                          unsigned int);
+template const double *entries_of_batch(const CellMatrices<3, double> &,
+                                        const BlockGrid<3> &,
+                                        std::size_t,
+                                        std::vector<double> &);
+template void add_diagonal_blocks<3, double>(LevelVector<9, double> &,
+                                             const BlockGrid<3> &,
+                                             const CellMatrices<3, double> &);
+template std::shared_ptr<const PointRule<3, double>>
+make_point_rule<3, double>(const NodePlaces<3> &,
+                           unsigned int,
+                           const std::array<double, PointRule<3, double>::n_moduli> &,
+                           unsigned int);
 template class CellIntegration<2>;
 template class CellIntegration<3>;
 } // namespace Signorini

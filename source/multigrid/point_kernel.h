@@ -83,7 +83,7 @@ SIGNORINI_INLINE void reference_gradients(V (&D)[dim][dim],
 /** S = weight E:eps(G), symmetric. */
 template <int dim, typename Number, typename V>
 SIGNORINI_INLINE void
-stress(V (&S)[dim][dim], const V (&G)[dim][dim], const Number *const moduli, const V weight)
+stress(V (&S)[dim][dim], const V (&G)[dim][dim], const Number *const moduli, const V &weight)
 {
   constexpr int n_strains = dim * (dim + 1) / 2;
   V strain[n_strains];

@@ -6,8 +6,12 @@
 
 #ifdef __x86_64__
 #define SIGNORINI_AVX2 __attribute__((target("avx2,fma")))
+#ifdef __clang__
+#define SIGNORINI_AVX512 __attribute__((target("avx512f,avx512vl,avx512dq,avx512bw,avx2,fma")))
+#else
 #define SIGNORINI_AVX512                                                                           \
   __attribute__((target("avx512f,avx512vl,avx512dq,avx512bw,avx2,fma,prefer-vector-width=512")))
+#endif
 #endif
 
 namespace Signorini
