@@ -124,6 +124,8 @@ void solve_by_minres(const ContactSystem &system,
       if (active[i])
         set.push_back(i);
     solve_on(system, set, reduction, options.maximum_cycles - result.cycles, result);
+    // A set without a residual takes none.
+    ++result.cycles;
     W = system.opening(result.U);
     std::vector<bool> next(W.size());
     for (unsigned int i = 0; i < W.size(); ++i)

@@ -334,8 +334,7 @@ void solve_seen(const MotionProblem &problem, const Vector &start, MotionResult 
 {
   MotionSearch search = begin(problem, start);
   iterate(problem, search);
-  if (search.residual > problem.options.tolerance &&
-      problem.options.method != ContactSolver::psor)
+  if (search.residual > problem.options.tolerance && problem.options.method != ContactSolver::psor)
     if (const auto state = descend(*problem.C,
                                    problem.F,
                                    problem.motions,

@@ -7,6 +7,7 @@
 #include <signorini/base/stage_timer.h>
 #include <signorini/contact_iteration/contact_iteration.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini
@@ -17,6 +18,8 @@ namespace
 constexpr double growth_of_scale = 1.05;
 /** Of the error of the discretisation. */
 constexpr double share_of_discretisation_error = 0.1;
+/** Where MINRES needs more than that, a factorisation is the better choice. */
+constexpr unsigned int most_cycles = 1000;
 /** Between the tolerances of stationarity and of the KKT residual. */
 constexpr double stationarity_per_tolerance = 10.;
 
@@ -123,7 +126,7 @@ Pressure iterate_contact(const Parameters &parameters,
   ContactIterationOptions options;
   options.tolerance = solver.tolerance;
   options.stationarity = stationarity_per_tolerance * solver.tolerance;
-  options.maximum_cycles = solver.maximum_iterations;
+  options.maximum_cycles = std::min<unsigned int>(solver.maximum_iterations, most_cycles);
   options.scale = growth_of_scale * start.scale;
   options.energy_tolerance = energy_tolerance(parameters, start);
   const ContactIterationResult result =

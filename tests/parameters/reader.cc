@@ -111,7 +111,7 @@ void test_files(Checks &checks)
 void test_values(Checks &checks)
 {
   const std::vector<std::pair<std::string, Words>> refused = {
-    {"Dimension", {"3", "1", "two"}},
+    {"Dimension", {"4", "1", "two"}},
     {"Geometry/Shape", {"disk", "Rectangle", "rectangle polygon"}},
     {"Geometry/Mesh size", {"-1", "fine"}},
     {"Geometry/Radius", {"0", "-1"}},
@@ -197,6 +197,7 @@ void test_options(Checks &checks)
     checks,
     "Geometry/Shape",
     {{Shape::rectangle, "rectangle"},
+     {Shape::box, "box"},
      {Shape::polygon, "polygon"},
      {Shape::half_disc, "half disc"},
      {Shape::disc, "disc"},

@@ -121,12 +121,13 @@ void test_reentrant_bodies(Checks &checks)
 /** The roles of a scene: nu = 0.3 in plane strain, held at the top, contact at the bottom. */
 void test_scene(Checks &checks)
 {
-  const Scene<2> scene = make_described_scene<2>(parse_parameters("",
-                                                               "scenes.prm",
-                                                               {"Boundary/Contact=bottom",
-                                                                "Boundary/Clamped=top",
-                                                                "Boundary/Rollers=left",
-                                                                "Material/Poisson's ratio=0.3"}));
+  const Scene<2> scene =
+    make_described_scene<2>(parse_parameters("",
+                                             "scenes.prm",
+                                             {"Boundary/Contact=bottom",
+                                              "Boundary/Clamped=top",
+                                              "Boundary/Rollers=left",
+                                              "Material/Poisson's ratio=0.3"}));
   for (const Corner &corner : corners(scene.geometry))
   {
     const double exponent = corner_exponent(scene, corner);

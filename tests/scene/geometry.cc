@@ -58,9 +58,9 @@ void test_rigid_motions(Checks &checks)
   // A roller on the slanted side of a triangle slides along it.
   const auto slide =
     free_rigid_motions(make_described_scene<2>(parameters({"Geometry/Shape=polygon",
-                                                        "Geometry/Vertices=0,0; 4,0; 4,3",
-                                                        "Boundary/Contact=side0",
-                                                        "Boundary/Rollers=side2"})));
+                                                           "Geometry/Vertices=0,0; 4,0; 4,3",
+                                                           "Boundary/Contact=side0",
+                                                           "Boundary/Rollers=side2"})));
   checks.that("slanted roller",
               slide.size() == 1 && slide[0].name() == "the translation along (0.8, 0.6)" &&
                 std::abs(slide[0].translation * Point(-0.6, 0.8)) < 1e-12 &&
