@@ -15,13 +15,15 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "level_iteration.h"
+
 namespace Signorini
 {
 namespace
 {
 /** Mesh, matrix and factor took 3.5 kB per cell for 2^16 cells of a square, 4.1 kB for 2^18 and
  * 4.4 kB for 2^20 (condensed; Amesos MUMPS takes more): the factor grows like n log n. In space it
- * grows like n^{4/3}: @@SPACE@@ */
+ * grows like n^{4/3}: 50 kB per cell for 2^15 cells of a cube. */
 template <int dim>
 double sparse_bytes(const double cells)
 {
@@ -30,11 +32,25 @@ double sparse_bytes(const double cells)
   return cells * (4e3 + 900. * std::cbrt(cells));
 }
 
+/** Without a factor, mesh, unknowns and vectors took 0.9 kB per cell of a square and 1.2 kB per
+ * cell of a cube. */
+template <int dim>
+double bytes_without_factor(const double cells)
+{
+  return cells * (dim == 2 ? 700. : 1000.);
+}
+
 /** C, its copy and its factor; condensed also the factor of S, of order @p unknowns, and W. */
 double dense_bytes(const double patches, const double unknowns, const bool condensed)
 {
   return sizeof(double) *
          (3. * patches * patches + (condensed ? unknowns * (unknowns + patches) : 0.));
+}
+
+/** The finest level, or with a target error, that may be reached before, the coarsest. */
+unsigned int judged_level(const DiscretizationParameters &given)
+{
+  return given.target_error > 0. ? given.coarsest_level : given.finest_level;
 }
 
 /** The number in a file, or infinity: "max" stands for no limit. */
@@ -89,10 +105,15 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
   , condensed_(resolve(parameters.solver.linear_solver,
                        dealii::Utilities::MPI::n_mpi_processes(communicator)) ==
                LinearSolver::condensed)
+  , multigrid_(
+      uses_multigrid(parameters_of_level(parameters,
+                                         scene,
+                                         judged_level(parameters.discretization),
+                                         dealii::Utilities::MPI::n_mpi_processes(communicator))))
   , available_(available_bytes())
 {
   const bool may_stop_early = given_.target_error > 0.;
-  const unsigned int level = may_stop_early ? given_.coarsest_level : given_.finest_level;
+  const unsigned int level = judged_level(given_);
   const auto refuse_if_huge = [&]() {
     if (needed(level) < available_)
       return;
@@ -142,6 +163,8 @@ double MemoryLimit<dim>::n_patches(const unsigned int level) const
 template <int dim>
 double MemoryLimit<dim>::needed(const unsigned int level) const
 {
+  if (multigrid_)
+    return bytes_without_factor<dim>(n_cells(level));
   return sparse_bytes<dim>(n_cells(level)) +
          dense_bytes(n_patches(level), dim * n_contact_faces(level), condensed_);
 }

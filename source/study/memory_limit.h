@@ -37,6 +37,8 @@ private:
   const DiscretizationParameters &given_;
   /** Whether the factor holds the dense Schur complement of the contact unknowns. */
   bool condensed_;
+  /** Whether nothing is factorised. */
+  bool multigrid_;
   double available_;
 
   double n_cells(unsigned int level) const;
