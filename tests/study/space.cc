@@ -120,10 +120,10 @@ double mean_of_hertz(const Patch<3> &patch, const double peak, const double radi
 }
 
 /** a³ = 3 F R/(4 E*), p_0³ = 6 F E*²/(pi³ R²), F of the whole sphere; the block is four contact
- * radii wide, and eight patches make a diameter. */
+ * radii wide, and fifteen patches make a diameter. */
 void check_sphere(Checks &checks)
 {
-  const StudyResult<3> result = solve_file("sphere");
+  const StudyResult<3> result = solve_file("sphere", {"Discretization/Finest level=6"});
   const LevelRecord &finest = result.levels.back();
   checks.that("sphere: equations hold", result.verdict.equations_hold());
   const double E = 1. / (1. - 0.3 * 0.3), force = 4. * finest.contact.normal_force;
@@ -136,12 +136,12 @@ void check_sphere(Checks &checks)
     square += std::pow(-result.pressure.P[k] - hertz, 2);
     square_of_hertz += hertz * hertz;
   }
-  checks.near("sphere: pressure", std::sqrt(square / square_of_hertz), 0., 0.05);
-  checks.near("sphere: peak", finest.answer.peak_pressure->value / peak, 1., 0.04);
+  checks.near("sphere: pressure", std::sqrt(square / square_of_hertz), 0., 0.06);
+  checks.near("sphere: peak", finest.answer.peak_pressure->value / peak, 1., 0.015);
   checks.near("sphere: area in contact",
               4. * finest.contact.length / (dealii::numbers::PI * radius * radius),
               1.,
-              0.1);
+              0.03);
 }
 } // namespace
 
