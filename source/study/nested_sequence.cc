@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Nested levels, coarsest to finest, each started from the one before.
 
+#include <signorini/base/exceptions.h>
 #include <signorini/base/stage_timer.h>
 #include <signorini/postprocess/locking.h>
 
@@ -42,8 +43,7 @@ public:
     const Discretization<dim> discretization(
       parameters, context_.scene, next_level_, context_.communicator);
     const LevelStart start = start_for(discretization);
-    LevelSolution<dim> solution =
-      solve_level(parameters, context_.scene, discretization, start, progress);
+    LevelSolution<dim> solution = solve(parameters, discretization, start, progress);
     progress("errors");
     add_errors(parameters, context_.scene, discretization, exact_pressure_.get(), solution);
     finished_ = next_level_ == parameters.discretization.finest_level ||
@@ -80,10 +80,38 @@ public:
 private:
   Parameters of_level(const unsigned int level) const
   {
-    return parameters_of_level(context_.parameters,
+    Parameters parameters = context_.parameters;
+    if (cycles_have_failed_)
+      parameters.solver.contact_solver.value = ContactSolver::active_set;
+    return parameters_of_level(parameters,
                                context_.scene,
                                level,
                                dealii::Utilities::MPI::n_mpi_processes(context_.communicator));
+  }
+
+  /** By V-cycles or by factors. Where V-cycles were chosen automatically and do not end, factors
+   * answer, on this level and on all that follow. */
+  LevelSolution<dim> solve(const Parameters &parameters,
+                           const Discretization<dim> &discretization,
+                           const LevelStart &start,
+                           const Progress &progress)
+  {
+    if (context_.parameters.solver.contact_solver != ContactSolver::automatic ||
+        !iterates_contact(parameters))
+      return solve_level(parameters, context_.scene, discretization, start, progress);
+    try
+    {
+      LevelSolution<dim> solution =
+        solve_level(parameters, context_.scene, discretization, start, progress);
+      if (solution.record.dual.converged)
+        return solution;
+    }
+    catch (const ComputationError &)
+    {
+      // The linear systems of the estimate do not end, either.
+    }
+    cycles_have_failed_ = true;
+    return solve_level(of_level(next_level_), context_.scene, discretization, start, progress);
   }
 
   /** What the levels before leave to start from. */
@@ -119,6 +147,7 @@ private:
   std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
   unsigned int next_level_;
   bool finished_ = false;
+  bool cycles_have_failed_ = false;
   PatchPressure<dim> pressure_;
   /** Of the last level, where V-cycles find contact; else null. */
   std::unique_ptr<const CoarseDisplacement<dim>> displacement_;
