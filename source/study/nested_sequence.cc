@@ -140,6 +140,8 @@ private:
   }
 
   StudyContext<dim> context_;
+  /** Before all that of_level() is asked for. */
+  bool cycles_have_failed_ = false;
   /** Those of the finest level. */
   Parameters finest_parameters_;
   MemoryLimit<dim> memory_;
@@ -147,7 +149,6 @@ private:
   std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
   unsigned int next_level_;
   bool finished_ = false;
-  bool cycles_have_failed_ = false;
   PatchPressure<dim> pressure_;
   /** Of the last level, where V-cycles find contact; else null. */
   std::unique_ptr<const CoarseDisplacement<dim>> displacement_;
