@@ -162,8 +162,8 @@
 //   u_2 = (U(x) + y (p(x) - lambda V'(x))/(lambda + 2 mu)) (1 - y^2).
 //
 // The factor 1 - y^2 is one at y = 0, with the slope zero, and does not disturb the conditions
-// there. Forces and tractions are what this u needs. The gap has to be zero opening where p < 0
-// and may open beyond:
+// there. Forces and tractions are what this u needs. Where p < 0 the body must touch the
+// foundation. Beyond, it may open:
 //
 //   g = u_n + (x - xi)_+^2.
 //
@@ -733,8 +733,8 @@ void LuoLiang::assemble_D_and_G()
 //
 // A is factorised once. Then C has one column after the other: D e_i is the force of a unit
 // pressure on patch i, z = A^{-1} D e_i the displacement that answers it, and D^T z what opens on
-// all patches. One more solve, with the loads, gives F. This is the expensive part, m + 1 solves.
-// It is why the unknowns of the dual problem are few.
+// all patches. One more solve, with the loads, gives F. This is the expensive part. After these
+// m + 1 solves the body's mesh plays no role: PSOR works with a matrix of the size m x m.
 void LuoLiang::compute_C_and_F()
 {
   A_inverse.initialize(A);
@@ -842,8 +842,9 @@ double LuoLiang::energy() const
 //
 //   ||u - pi^{2h} u_h||_1 <= ||u - pi^{2h} u||_1 + ||pi^{2h} (I^h u - u_h)||_1.
 //
-// The first term is of order two, and the second one is c times (24). This is the proof of
-// Theorem 6. (The paper prints (30) with c = 1. On squares c = 1.5539 for the seminorm.)
+// The first term is of order two for u in H^3, and the second one is at most c times (24). This is
+// the proof of Theorem 6. (The paper prints (30) with c = 1. On squares c = 1.5539 for the
+// seminorm.)
 //
 // FETools::extrapolate() does precisely this. It writes v on T^h with the element of degree two,
 // asks the parent of four cells for the values at its own nine nodes, and writes the result down on
