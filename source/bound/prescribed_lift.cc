@@ -148,8 +148,6 @@ PrescribedLift::PrescribedLift(const Scene<2> &scene, const EdgeMesh &mesh, cons
                     s * U[mesh.dofs()[cell.vertices[next]][d]];
         return rest;
       };
-      if (scale_ > 0.)
-        largest_jump_ = std::max({largest_jump_, r(0.).norm() / scale_, r(1.).norm() / scale_});
       EdgeRest rest = interpolate(
         k, r, is_constant(prescribed) ? 0 : std::min<std::size_t>(256, 20000 / n_edges));
       if (rest.largest() > 1e-13 * scale_)

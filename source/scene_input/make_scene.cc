@@ -4,6 +4,8 @@
 #include <signorini/base/exceptions.h>
 #include <signorini/base/text.h>
 #include <signorini/catalogue/catalogue.h>
+#include <signorini/scene/case_scenes.h>
+#include <signorini/scene/contradictions.h>
 #include <signorini/scene/rigid_motions.h>
 #include <signorini/scene_input/described.h>
 #include <signorini/scene_input/make_scene.h>
@@ -95,7 +97,16 @@ void refuse_bad_kinks(const Scene<2> &scene, const DiscretizationParameters &giv
   check(given.kinks_at_y, 1);
 }
 
-/** What both dimensions ask of a scene that is read. */
+/** Supports of which no displacement of finite energy obeys all. */
+template <int dim>
+void refuse_contradiction(const Scene<dim> &scene, const std::string &where)
+{
+  const std::string contradiction = find_contradiction(scene);
+  if (!contradiction.empty())
+    throw InputError(where + ": " + contradiction + ".");
+}
+
+/** The scene that the parameters name. */
 template <int dim>
 Scene<dim> read_scene(const Parameters &parameters)
 {
@@ -135,6 +146,7 @@ template <>
 Scene<2> make_scene(const Parameters &parameters)
 {
   Scene<2> scene = read_scene<2>(parameters);
+  refuse_contradiction(scene, parameters.boundary.where);
   judge_free_motions(scene, parameters.boundary.where);
   const DiscretizationParameters &discretization = parameters.discretization;
   refuse_bad_kinks(scene, discretization);
@@ -146,6 +158,9 @@ Scene<2> make_scene(const Parameters &parameters)
   for (const unsigned int side : scene.contact_sides())
     scene.kinks.add_ends_on(scene.geometry.sides[side]);
   scene.load_cases = read_load_cases(parameters.load_cases, scene);
+  for (std::size_t i = 0; i < scene.load_cases.size(); ++i)
+    refuse_contradiction(scene_of_case(scene, scene.load_cases[i]),
+                         parameters.load_cases.cases.where() + ": case " + std::to_string(i + 1));
   return scene;
 }
 
@@ -154,6 +169,7 @@ Scene<3> make_scene(const Parameters &parameters)
 {
   refuse_what_is_plane(parameters);
   const Scene<3> scene = read_scene<3>(parameters);
+  refuse_contradiction(scene, parameters.boundary.where);
   const std::vector<std::string> names = free_rigid_motions(scene);
   if (!names.empty())
     throw InputError(parameters.boundary.where +

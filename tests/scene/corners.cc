@@ -2,8 +2,10 @@
 // Corners of bodies: places, openings, sides, and the exponents of a scene's roles.
 
 #include <signorini/parameters/parameters.h>
+#include <signorini/scene/contradictions.h>
 #include <signorini/scene/corners.h>
 #include <signorini/scene_input/described.h>
+#include <signorini/scene_input/make_scene.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -142,6 +144,48 @@ void test_scene(Checks &checks)
       checks.near("held and rollers: half of a straight held edge", exponent, 3., 0.);
   }
 }
+
+/** Sides that agree where they meet, but for rounding, are no contradiction; wrong_files.txt has
+ * those that are. */
+void test_agreement(Checks &checks)
+{
+  const auto agree = [&](const std::string &name, const std::vector<std::string> &settings) {
+    std::vector<std::string> all = {"Boundary/Contact=bottom"};
+    all.insert(all.end(), settings.begin(), settings.end());
+    const Parameters parameters = parse_parameters("", "scenes.prm", all);
+    checks.that("agree: " + name,
+                (dimension_of(parameters) == 2
+                   ? find_contradiction(make_described_scene<2>(parameters))
+                   : find_contradiction(make_described_scene<3>(parameters)))
+                  .empty());
+  };
+  agree("along rollers", {"Boundary/Displacement=top: 0.3*x; -0.05", "Boundary/Rollers=left"});
+  agree("a turning plate whose end moves along rollers",
+        {"Boundary/Plates=top: 0, -1 turning",
+         "Load/Plate force=top: 1",
+         "Boundary/Rollers=left right"});
+  agree("a plate that moves past a gap",
+        {"Boundary/Plates=left: 1, -1", "Load/Plate force=left: 1", "Contact/Gap=0"});
+  agree("a plate that rests",
+        {"Boundary/Plates=top: 0.6, -1", "Load/Plate travel=top: 0", "Boundary/Clamped=left"});
+  agree("rounding",
+        {"Boundary/Displacement=top: 1e-3*sin(pi*x); 0 | right: sin(pi)*y; 0",
+         "Boundary/Clamped=left"});
+  agree("rollers and rollers", {"Boundary/Rollers=left right top"});
+  agree("along an inclined side",
+        {"Geometry/Shape=polygon",
+         "Geometry/Vertices=0,0; 1,0; 1,1; 0.577350269,1",
+         "Boundary/Contact=side0",
+         "Boundary/Rollers=side3",
+         "Boundary/Plates=side2: -0.5, -0.866025",
+         "Load/Plate force=side2: 1"});
+  agree("the gap begins where the held side ends",
+        {"Boundary/Displacement=left: 0; -0.01", "Contact/Foundation=plane 0,-0.01 normal 0,1"});
+  agree("in space",
+        {"Dimension=3",
+         "Boundary/Displacement=top: 0.1*x; 0.2*y; -0.05",
+         "Boundary/Rollers=left front"});
+}
 } // namespace
 
 int main()
@@ -151,5 +195,6 @@ int main()
   test_curved_bodies(checks);
   test_reentrant_bodies(checks);
   test_scene(checks);
+  test_agreement(checks);
   return checks.exit_code();
 }

@@ -28,12 +28,6 @@ public:
   {
     return cells_;
   }
-  /** The largest |r| at end points of edges, relative to the largest displacement: not zero if the
-   * prescribed displacements jump at corners. Then there is no solution of finite energy. */
-  double largest_jump() const
-  {
-    return largest_jump_;
-  }
   /** The largest difference between r and its interpolation, relative to the largest |r| on the
    * edge. */
   double largest_misfit() const
@@ -69,6 +63,6 @@ private:
   double scale_;
   std::vector<bool> cells_;
   std::map<unsigned int, std::vector<EdgeRest>> rests_;
-  double largest_jump_ = 0., largest_misfit_ = 0.;
+  double largest_misfit_ = 0.;
 };
 } // namespace Signorini
