@@ -14,8 +14,10 @@ namespace
 /** Lines that meet a plane at a smaller angle (radians) are parallel to it but for rounding. */
 constexpr double parallel = 1e-12;
 
+} // namespace
+
 /** phi(t) = a t² + 2 b t + c. */
-struct LinePolynomial
+struct RigidThing::LinePolynomial
 {
   double a, b, c;
   /** b² - a c, from a formula without cancellation. */
@@ -41,8 +43,12 @@ struct LinePolynomial
       return {};
     return -(b + w) / a;
   }
+  /** Whether entry() is no root but its continuation. */
+  bool misses() const
+  {
+    return a > 0. && c > 0. && !(discriminant > 0. && b <= 0.);
+  }
 };
-} // namespace
 
 RigidThing::RigidThing(std::variant<Parabola, Circle> shape)
   : shape_(shape)
@@ -66,8 +72,8 @@ RigidThing RigidThing::circle(const dealii::Point<2> &centre, const double radiu
   return RigidThing(Circle{centre, radius, body});
 }
 
-std::optional<double> RigidThing::distance(const dealii::Point<2> &x,
-                                           const dealii::Tensor<1, 2> &n) const
+RigidThing::LinePolynomial RigidThing::along(const dealii::Point<2> &x,
+                                             const dealii::Tensor<1, 2> &n) const
 {
   const dealii::Tensor<1, 2> d = x - anchor();
   if (const auto *circle = std::get_if<Circle>(&shape_))
@@ -75,9 +81,7 @@ std::optional<double> RigidThing::distance(const dealii::Point<2> &x,
     // phi = ±(|d + t n|² - r²); b² - a c = r² - h² with the distance h of the line from the centre.
     const double sign = circle->body == Body::outside ? 1. : -1.;
     const double r = circle->radius, h = std::abs(dealii::cross_product_2d(d) * n);
-    return LinePolynomial{
-      sign, sign * (d * n), sign * (d.norm() - r) * (d.norm() + r), (r - h) * (r + h)}
-      .entry();
+    return {sign, sign * (d * n), sign * (d.norm() - r) * (d.norm() + r), (r - h) * (r + h)};
   }
   // phi = y' - k x'^2/2 in the coordinates x' along tau and y' along nu.
   const Parabola &parabola = std::get<Parabola>(shape_);
@@ -87,11 +91,24 @@ std::optional<double> RigidThing::distance(const dealii::Point<2> &x,
   const double d_tau = d * tau, n_tau = n * tau, d_nu = d * nu;
   const double n_nu = std::abs(n * nu) < parallel ? 0. : n * nu;
   // b² - a c = (n_nu² - 2 k n_tau (d_tau n_nu - n_tau d_nu))/4
-  return LinePolynomial{-0.5 * k * n_tau * n_tau,
-                        0.5 * (n_nu - k * d_tau * n_tau),
-                        d_nu - 0.5 * k * d_tau * d_tau,
-                        0.25 * (n_nu * n_nu - 2. * k * n_tau * (d_tau * n_nu - n_tau * d_nu))}
-    .entry();
+  return {-0.5 * k * n_tau * n_tau,
+          0.5 * (n_nu - k * d_tau * n_tau),
+          d_nu - 0.5 * k * d_tau * d_tau,
+          0.25 * (n_nu * n_nu - 2. * k * n_tau * (d_tau * n_nu - n_tau * d_nu))};
+}
+
+std::optional<double> RigidThing::distance(const dealii::Point<2> &x,
+                                           const dealii::Tensor<1, 2> &n) const
+{
+  return along(x, n).entry();
+}
+
+bool RigidThing::is_met(const dealii::Point<2> &x,
+                        const dealii::Tensor<1, 2> &n,
+                        const double reach) const
+{
+  const LinePolynomial phi = along(x, n);
+  return !phi.misses() && phi.entry().value_or(reach) < reach;
 }
 
 bool RigidThing::can_stop(const dealii::Tensor<1, 2> &n) const

@@ -213,12 +213,14 @@ std::vector<std::string> names_of_contact_sides(const Scene<dim> &scene)
 
 /** The gaps of all contact sides: rigid things or expressions. */
 template <int dim>
-void read_gaps(const ContactParameters &given, const SceneReader<dim> &reader, Scene<dim> &scene)
+void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Scene<dim> &scene)
 {
+  const ContactParameters &given = parameters.contact;
   SideTexts gaps;
   if constexpr (dim == 2)
   {
-    read_foundation(given, reader.constants(), scene);
+    const bool moves = parameters.load_cases.cases.value.find("shift") != std::string::npos;
+    read_foundation(given, reader.constants(), moves, scene);
     gaps = gaps_without_foundation(given, scene);
   }
   else
@@ -289,7 +291,7 @@ Scene<dim> make_described_scene(const Parameters &parameters)
   scene.geometry = make_geometry<dim>(parameters.geometry);
   scene.material = read_material(parameters.material, reader, scene.geometry);
   read_boundary(parameters.boundary, parameters.load, reader, scene);
-  read_gaps(parameters.contact, reader, scene);
+  read_gaps(parameters, reader, scene);
   read_exact_pressure(parameters.exact.pressure, reader, scene);
   const Given<std::string> &body_force = parameters.load.body_force;
   if (dim == 2 || body_force.changed)

@@ -171,19 +171,33 @@ private:
   const Geometry<2> &geometry_;
 };
 
-/** Whether the normal somewhere on a side meets a thing, wherever that is moved. */
-bool can_stop(const RigidThing &thing, const Side<2> &side)
+/** Some arc lengths of a side, with the one nearest to a point on every piece. */
+std::vector<double> sample(const Side<2> &side, const dealii::Point<2> &near)
 {
   constexpr unsigned int n_samples = 16;
+  std::vector<double> samples;
   for (unsigned int k = 0; k < side.n_pieces(); ++k)
+  {
+    const double start = side.start_of(k), end = side.start_of(k + 1);
     for (unsigned int i = 0; i < n_samples; ++i)
-    {
-      const double share = (i + 0.5) / n_samples;
-      const double s = (1. - share) * side.start_of(k) + share * side.start_of(k + 1);
-      if (thing.can_stop(side.normal(s)))
-        return true;
-    }
-  return false;
+      samples.push_back(start + (i + 0.5) / n_samples * (end - start));
+    samples.push_back(std::clamp(start + side.piece(k).arc_length(near), start, end));
+  }
+  return samples;
+}
+
+/** Whether the normal somewhere on a side meets a thing; wherever it is, if load cases move it. */
+bool can_touch(const RigidThing &thing,
+               const Side<2> &side,
+               const dealii::Tensor<1, 2> &position,
+               const double reach,
+               const bool moves)
+{
+  const std::vector<double> samples = sample(side, thing.anchor() + position);
+  return std::any_of(samples.begin(), samples.end(), [&](const double s) {
+    const dealii::Tensor<1, 2> n = side.normal(s);
+    return moves ? thing.can_stop(n) : thing.is_met(side.point(s) - position, n, reach);
+  });
 }
 
 /** A thing with the sides that may touch it. */
@@ -195,7 +209,8 @@ struct ThingOfSides
 
 std::vector<ThingOfSides> read_things(const Given<std::string> &given,
                                       const Constants &constants,
-                                      const Scene<2> &scene)
+                                      const Scene<2> &scene,
+                                      const bool moves)
 {
   const Geometry<2> &geometry = scene.geometry;
   const ThingReader reader(given, constants, geometry);
@@ -207,6 +222,7 @@ std::vector<ThingOfSides> read_things(const Given<std::string> &given,
   if (texts.size() > most_things)
     throw InputError(given.where() + ": found " + std::to_string(texts.size()) +
                      " things, allowed: at most " + std::to_string(most_things) + ".");
+  const double reach = largest_gap * geometry.diameter();
   std::vector<ThingOfSides> things;
   for (const std::string &text : texts)
   {
@@ -223,17 +239,23 @@ std::vector<ThingOfSides> read_things(const Given<std::string> &given,
     }
     things.push_back({reader.read(description), sides});
     if (std::none_of(sides.begin(), sides.end(), [&](const unsigned int side) {
-          return can_stop(things.back().thing, geometry.sides[side]);
+          return can_touch(
+            things.back().thing, geometry.sides[side], scene.foundation_position, reach, moves);
         }))
-      throw InputError(given.where() + ": found " + quote(text) +
-                       ", which no outward normal of its contact sides can meet; allowed: a normal "
-                       "that points towards the body.");
+      throw InputError(
+        given.where() + ": found " + quote(text) +
+        ", which no outward normal of its contact sides can meet; allowed: things "
+        "ahead of a contact side, with normals towards the body, at a distance below " +
+        number_text(reach) + " (" + number_text(largest_gap) + " times the size of the body).");
   }
   return things;
 }
 } // namespace
 
-void read_foundation(const ContactParameters &given, const Constants &constants, Scene<2> &scene)
+void read_foundation(const ContactParameters &given,
+                     const Constants &constants,
+                     const bool moves,
+                     Scene<2> &scene)
 {
   if (given.foundation.value.empty())
   {
@@ -244,7 +266,7 @@ void read_foundation(const ContactParameters &given, const Constants &constants,
   }
   scene.foundation_position = ThingReader(given.foundation_position, constants, scene.geometry)
                                 .vector(given.foundation_position);
-  const std::vector<ThingOfSides> things = read_things(given.foundation, constants, scene);
+  const std::vector<ThingOfSides> things = read_things(given.foundation, constants, scene, moves);
   for (const unsigned int side : scene.contact_sides())
   {
     std::vector<RigidThing> of_side;

@@ -11,9 +11,13 @@ namespace Signorini
 {
 /**
  * Reads "plane x,y normal nx,ny | bottom: circle x,y radius r" and gives the contact sides that it
- * is for their foundation and gap. @throws InputError
+ * is for their foundation and gap. A thing that no normal can meet is refused, in its position or,
+ * where load cases make it move, in all. @throws InputError
  */
-void read_foundation(const ContactParameters &given, const Constants &constants, Scene<2> &scene);
+void read_foundation(const ContactParameters &given,
+                     const Constants &constants,
+                     bool moves,
+                     Scene<2> &scene);
 
 /**
  * The contact sides that read_foundation() left without a gap, with their texts in Contact/Gap.

@@ -220,6 +220,10 @@ void test_misses(Checks &checks)
   const RigidThing disc = RigidThing::circle(Point(0., 0.), 0.5, Body::outside);
   const double tangent = std::sqrt(0.75);
   checks.near("a disc behind", entry(disc, x, up), tangent, 1e-15);
+  checks.that("is_met: what is ahead, near enough, or around the point",
+              disc.is_met(x, down, 1.) && !disc.is_met(x, down, 0.4) && !disc.is_met(x, up, 1.) &&
+                !disc.is_met(Point(0.6, 0.8), down, 1.) && disc.is_met(Point(), right, 1.) &&
+                ground.is_met(x, down, 2.) && !ground.is_met(x, up, 2.));
   checks.near("beside a disc", entry(disc, Point(0.6, 0.8), down), tangent, 1e-15);
   checks.near("touching a disc", entry(disc, Point(0.5, tangent), down), tangent, 1e-7);
   checks.near("the back of a disc", entry(disc, Point(0., -0.4), down), -0.9, 1e-15);

@@ -44,8 +44,12 @@ public:
    */
   std::optional<double> distance(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const;
 
-  /** Whether a line with the direction n, |n| = 1, can enter this thing at all. */
+  /** Whether a line with the direction n, |n| = 1, can enter this thing, wherever that is moved. */
   bool can_stop(const dealii::Tensor<1, 2> &n) const;
+
+  /** Whether the line x + t n, |n| = 1, enters this thing at t < @p reach (length), or x lies in
+   * it. What distance() says about lines that miss does not count. */
+  bool is_met(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n, double reach) const;
 
   /** A point of a plane or a parabola, or the centre of a circle. */
   const dealii::Point<2> &anchor() const;
@@ -65,7 +69,11 @@ private:
     Body body;
   };
 
+  struct LinePolynomial;
+
   explicit RigidThing(std::variant<Parabola, Circle> shape);
+
+  LinePolynomial along(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const;
 
   std::variant<Parabola, Circle> shape_;
 };
