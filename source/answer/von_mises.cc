@@ -24,9 +24,27 @@ struct StressAt
   dealii::Point<dim> point;
 };
 
-/** The corners of the reference cell and its middle. */
+/** What some cells have. */
 template <int dim>
-dealii::Quadrature<dim> corners_and_middle()
+struct CellResults
+{
+  StressAt<dim> largest;
+  /** Their measure, and that of those that are strained much. */
+  double measure = 0., strained = 0.;
+
+  /** @param strain in the middle of the cell. */
+  void add_cell(const double of_cell, const dealii::SymmetricTensor<2, dim> &strain)
+  {
+    const auto principal = dealii::eigenvalues(strain);
+    measure += of_cell;
+    if (std::max(principal[0], -principal[dim - 1]) > large_strain)
+      strained += of_cell;
+  }
+};
+
+/** The middle of the reference cell and its corners. */
+template <int dim>
+dealii::Quadrature<dim> middle_and_corners()
 {
   std::vector<dealii::Point<dim>> points(1);
   for (unsigned int d = 0; d < dim; ++d)
@@ -69,15 +87,24 @@ void compare(const Material<dim> &material,
   }
 }
 
-/** The largest of a chunk of cells of several degrees, at the nodes of each. */
+/** The middle of the reference cell and the nodes of an element. */
 template <int dim>
-StressAt<dim> largest_at_nodes(const Cells<dim> &cells,
-                               const DisplacementSpace<dim> &space,
-                               const Material<dim> &material,
-                               const NodalVector &U)
+dealii::Quadrature<dim> middle_and_nodes(const dealii::FiniteElement<dim> &element)
+{
+  std::vector<dealii::Point<dim>> points = element.base_element(0).get_unit_support_points();
+  points.insert(points.begin(), middle_and_corners<dim>().point(0));
+  return dealii::Quadrature<dim>(points);
+}
+
+/** Of a chunk of cells of several degrees, with the largest stress at the nodes of each. */
+template <int dim>
+CellResults<dim> results_at_nodes(const Cells<dim> &cells,
+                                  const DisplacementSpace<dim> &space,
+                                  const Material<dim> &material,
+                                  const NodalVector &U)
 {
   const dealii::FEValuesExtractors::Vector displacement(0);
-  StressAt<dim> largest;
+  CellResults<dim> results;
   std::map<unsigned int, std::unique_ptr<dealii::FEValues<dim>>> values_by_degree;
   std::vector<dealii::SymmetricTensor<2, dim>> strains;
   for (const auto &cell : cells)
@@ -85,37 +112,38 @@ StressAt<dim> largest_at_nodes(const Cells<dim> &cells,
     const dealii::FiniteElement<dim> &element = cell->get_fe();
     std::unique_ptr<dealii::FEValues<dim>> &values = values_by_degree[element.degree];
     if (values == nullptr)
-      values = std::make_unique<dealii::FEValues<dim>>(
-        space.mesh().mapping(),
-        element,
-        dealii::Quadrature<dim>(element.base_element(0).get_unit_support_points()),
-        dealii::update_gradients | dealii::update_quadrature_points);
+      values = std::make_unique<dealii::FEValues<dim>>(space.mesh().mapping(),
+                                                       element,
+                                                       middle_and_nodes(element),
+                                                       dealii::update_gradients |
+                                                         dealii::update_quadrature_points);
     values->reinit(cell);
     strains.resize(values->n_quadrature_points);
     (*values)[displacement].get_function_symmetric_gradients(U, strains);
-    for (const unsigned int q : values->quadrature_point_indices())
-      compare(material, values->quadrature_point(q), strains[q], largest);
+    results.add_cell(cell->measure(), strains[0]);
+    for (unsigned int q = 1; q < strains.size(); ++q)
+      compare(material, values->quadrature_point(q), strains[q], results.largest);
   }
-  return largest;
+  return results;
 }
 
-/** The largest of a chunk of cells. */
+/** Of a chunk of cells. */
 template <int dim>
-StressAt<dim> largest_of(const Cells<dim> &cells,
-                         const DisplacementSpace<dim> &space,
-                         const Material<dim> &material,
-                         const NodalVector &U,
-                         const std::vector<double> &dilatation)
+CellResults<dim> results_of(const Cells<dim> &cells,
+                            const DisplacementSpace<dim> &space,
+                            const Material<dim> &material,
+                            const NodalVector &U,
+                            const std::vector<double> &dilatation)
 {
   if (space.has_several_elements())
-    return largest_at_nodes(cells, space, material, U);
+    return results_at_nodes(cells, space, material, U);
   dealii::FEValues<dim> values(space.mesh().mapping(),
                                space.element(),
-                               corners_and_middle<dim>(),
+                               middle_and_corners<dim>(),
                                dealii::update_gradients | dealii::update_inverse_jacobians |
                                  dealii::update_quadrature_points);
   PatchInterpolation<dim> field(space, values.get_quadrature(), space.mesh().has_parents() ? 1 : 0);
-  StressAt<dim> largest;
+  CellResults<dim> results;
   for (const auto &cell : cells)
   {
     values.reinit(cell);
@@ -125,10 +153,12 @@ StressAt<dim> largest_of(const Cells<dim> &cells,
       dealii::SymmetricTensor<2, dim> strain = symmetrize(u.gradients[q]);
       if (!dilatation.empty())
         replace_trace(strain, dilatation[cell->active_cell_index()]);
-      compare(material, values.quadrature_point(q), strain, largest);
+      compare(material, values.quadrature_point(q), strain, results.largest);
+      if (q == 0)
+        results.add_cell(cell->measure(), strain);
     }
   }
-  return largest;
+  return results;
 }
 
 /** The largest one of all ranks. */
@@ -149,19 +179,24 @@ StressAt<dim> largest_of_ranks(const StressAt<dim> &mine, MPI_Comm communicator)
   }
   return largest;
 }
-/** The largest one of all cells of this rank. */
+
+/** Of all cells of this rank. */
 template <int dim>
-StressAt<dim> largest_of_cells(const DisplacementSpace<dim> &space,
-                               const Material<dim> &material,
-                               const NodalVector &U,
-                               const std::vector<double> &dilatation)
+CellResults<dim> results_of_cells(const DisplacementSpace<dim> &space,
+                                  const Material<dim> &material,
+                                  const NodalVector &U,
+                                  const std::vector<double> &dilatation)
 {
-  StressAt<dim> largest;
-  integrate_by_chunks<StressAt<dim>, dim>(
+  CellResults<dim> results;
+  integrate_by_chunks<CellResults<dim>, dim>(
     space,
-    [&](const Cells<dim> &cells) { return largest_of(cells, space, material, U, dilatation); },
-    [&largest](const StressAt<dim> &of_chunk) { take_larger(of_chunk, largest); });
-  return largest;
+    [&](const Cells<dim> &cells) { return results_of(cells, space, material, U, dilatation); },
+    [&results](const CellResults<dim> &of_chunk) {
+      take_larger(of_chunk.largest, results.largest);
+      results.measure += of_chunk.measure;
+      results.strained += of_chunk.strained;
+    });
+  return results;
 }
 } // namespace
 
@@ -173,9 +208,13 @@ VonMises largest_von_mises(const DisplacementSpace<dim> &space,
   const std::vector<double> dilatation = space.strain_operator() == StrainOperator::mean_dilatation
                                            ? mean_dilatations(space, U)
                                            : std::vector<double>();
-  const StressAt<dim> largest = largest_of_ranks(
-    largest_of_cells(space, *scene.material, U, dilatation), space.mesh().communicator());
-  return {largest.value, largest.point};
+  const MPI_Comm communicator = space.mesh().communicator();
+  const CellResults<dim> mine = results_of_cells(space, *scene.material, U, dilatation);
+  const StressAt<dim> largest = largest_of_ranks(mine.largest, communicator);
+  return {largest.value,
+          largest.point,
+          dealii::Utilities::MPI::sum(mine.strained, communicator) /
+            dealii::Utilities::MPI::sum(mine.measure, communicator)};
 }
 
 template VonMises largest_von_mises(const DisplacementSpace<2> &,

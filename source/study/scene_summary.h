@@ -14,11 +14,6 @@ namespace Signorini
 template <int dim>
 void print_scene(const Parameters &parameters, const Scene<dim> &scene, std::ostream &screen);
 
-/** What a user should know about the data: a gap so negative that the body would have to be
- * crushed. */
-template <int dim>
-void print_scene_warnings(const Scene<dim> &scene, std::ostream &screen);
-
 /** What a user should know about a level at once. */
 void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &screen);
 

@@ -55,7 +55,6 @@ StudyResult<dim> run_study(const Parameters &parameters,
                                   dealii::Utilities::MPI::n_mpi_processes(communicator)),
               scene,
               report.screen);
-  print_scene_warnings(scene, report.screen);
   const bool graded = parameters.discretization.strategy == Strategy::hp;
   report.screen << screen_legend(graded) << "\n" << screen_header(graded) << std::endl;
   try

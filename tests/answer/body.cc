@@ -147,11 +147,11 @@ void von_mises_stress(Checks &checks)
   {
     const OneLevel strain(material + square + entry("Discretization", "Element", element), 2);
     // sigma = (0.1, -0.5, -0.1): sqrt(((0.6)² + (0.4)² + (0.2)²)/2).
-    checks.near(
-      "plane strain, " + element,
-      largest_von_mises(strain.space(), strain.scene, nodal_values(strain.space(), linear)).value,
-      std::sqrt(0.28),
-      1e-13);
+    const VonMises found =
+      largest_von_mises(strain.space(), strain.scene, nodal_values(strain.space(), linear));
+    checks.near("plane strain, " + element, found.value, std::sqrt(0.28), 1e-13);
+    // The principal strains are 0.1 and -0.2.
+    checks.near("strained share, " + element, found.strained_share, 1., 0.);
   }
   const OneLevel stress(
     "subsection Material\nset Young's modulus = 3.75\nset Poisson's ratio = 0.25\n"
@@ -172,6 +172,8 @@ void von_mises_stress(Checks &checks)
     }));
   checks.near("quadratic displacement", found.value, std::sqrt(3.), 1e-13);
   checks.near("its place", found.point.distance({1., 0.}), 0., 1e-13);
+  // x/2 is above 0.1 behind x = 0.2, in three of four columns of cells.
+  checks.near("half of the shear is a principal strain", found.strained_share, 0.75, 1e-13);
 }
 } // namespace
 
