@@ -168,6 +168,10 @@ std::string name_of(const GmshMesh &gmsh, const GmshMesh::Element &line)
     throw InputError(gmsh.name + ": found the physical name " + quote(name) +
                      ", allowed: names of letters, digits, '_', '-' and '.', because the parameter "
                      "file separates names by blanks.");
+  if (name == name_of_the_rest)
+    throw InputError(gmsh.name + ": found the physical name " + quote(name) +
+                     ", allowed: another one, because this is the side of all edges without a "
+                     "name.");
   return name;
 }
 

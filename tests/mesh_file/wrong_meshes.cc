@@ -249,6 +249,10 @@ const std::vector<WrongMesh> wrong_meshes = {
    {{"1 1 2 1 1 1 2", "1 1 2 1 1 1 5"}},
    "a.msh:20: the line 1 between nodes 1 and 5 is not an edge of a quadrilateral, allowed: lines "
    "along edges."},
+  {"a name that is taken",
+   {{"1 1 \"bottom\"", "1 1 \"rest\""}},
+   "a.msh: found the physical name 'rest', allowed: another one, because this is the side of all "
+   "edges without a name."},
   {"two names of a line",
    {{"2 1 2 2 2 4 5", "2 1 2 2 2 2 1"}},
    "a.msh:21: the line 2 between nodes 2 and 1 has the physical names 'bottom' and 'top', allowed: "
