@@ -57,6 +57,7 @@ void balance(const DisplacementSpace<dim> &space,
              const Scene<dim> &scene,
              const Resultant<dim> &applied,
              const Resultant<dim> &contact,
+             const double size_of_contact,
              const NodalForces &forces,
              Certificate &certificate)
 {
@@ -73,7 +74,7 @@ void balance(const DisplacementSpace<dim> &space,
   // About the centre of the body: the origin may be far away.
   const dealii::Point<dim> centre =
     scene.geometry.lower + 0.5 * (scene.geometry.upper - scene.geometry.lower);
-  const double largest = std::max({sum_of_sizes, applied.force.norm(), contact.force.norm()});
+  const double largest = std::max({sum_of_sizes, applied.force.norm(), size_of_contact});
   const double scale = forces.vanish() ? forces.magnitude : largest;
   certificate.force_balance = relative(sum.force.norm(), scale);
   certificate.moment_balance =
@@ -267,9 +268,15 @@ Certificate certify(const DisplacementSpace<dim> &space,
   const Deformation deformed = deformation(space, solution.U);
   certificate.translation = deformed.translation;
   Resultant<dim> contact;
+  // Pressures all around a hole have no resultant.
+  double size_of_contact = 0.;
   for (const Piece<dim> &piece : multipliers.surface().pieces())
-    contact += contact_resultant(multipliers, solution.P, piece);
-  balance(space, scene, system.applied, contact, forces, certificate);
+  {
+    const Resultant<dim> of_piece = contact_resultant(multipliers, solution.P, piece);
+    contact += of_piece;
+    size_of_contact += of_piece.force.norm();
+  }
+  balance(space, scene, system.applied, contact, size_of_contact, forces, certificate);
 
   dealii::Vector<double> W = D.transpose_product(solution.U);
   W -= solution.G;

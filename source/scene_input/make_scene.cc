@@ -33,9 +33,22 @@ void refuse_description(const Parameters &parameters)
                    described + ".");
 }
 
+/** Whether the body begins inside the foundation somewhere on a side. */
+bool begins_inside(const Side<2> &side, const dealii::Function<2> &gap)
+{
+  constexpr unsigned int n_samples = 64;
+  for (unsigned int i = 0; i < n_samples; ++i)
+    if (gap.value(side.point((i + 0.5) / n_samples * side.length())) < 0.)
+      return true;
+  return false;
+}
+
 /** Whether anything could press the body onto the foundation. */
 bool is_loaded(const Scene<2> &scene)
 {
+  for (const unsigned int side : scene.contact_sides())
+    if (begins_inside(scene.geometry.sides[side], *scene.boundary[side].data))
+      return true;
   const bool is_pushed = std::any_of(scene.plates.begin(), scene.plates.end(), [](const auto &p) {
     return p.force != 0. || p.moment != 0.;
   });

@@ -37,6 +37,15 @@ dealii::FullMatrix<double> closing_of_points(const Discretization<2> &discretiza
   return closing;
 }
 
+/** Of K; one without resistance. */
+double typical_stiffness(const FreeMotions &motions)
+{
+  double stiffness = 0.;
+  for (unsigned int j = 0; j < motions.K.m(); ++j)
+    stiffness = std::max(stiffness, motions.K(j, j));
+  return stiffness > 0. ? stiffness : 1.;
+}
+
 /** Whether forces at points of the contact boundary balance the loads. */
 bool points_balance(const Discretization<2> &discretization,
                     const MotionModes<2> &modes,
@@ -44,10 +53,7 @@ bool points_balance(const Discretization<2> &discretization,
 {
   FreeMotions of_points = motions;
   of_points.B = closing_of_points(discretization, modes);
-  double stiffness = 0.;
-  for (unsigned int j = 0; j < modes.size(); ++j)
-    stiffness = std::max(stiffness, motions.K(j, j));
-  return !SeenMotions(of_points, of_points.B.m(), stiffness > 0. ? stiffness : 1.).escape;
+  return !SeenMotions(of_points, of_points.B.m(), typical_stiffness(motions)).escape;
 }
 } // namespace
 
@@ -56,6 +62,27 @@ void refuse_sliding(const Parameters &parameters, const RigidMotion &motion)
   throw InputError(parameters.boundary.where + ": the loads drive " + motion.name() +
                    " of the body, along which contact sides slide without friction; allowed: "
                    "loads in balance, or more sides that hold the body.");
+}
+
+void refuse_undetermined(const Parameters &parameters,
+                         const MotionModes<2> &modes,
+                         const FreeMotions &motions,
+                         const dealii::Vector<double> &P)
+{
+  if (!motions.b.all_zero())
+    return;
+  FreeMotions of_pressing = motions;
+  for (unsigned int i = 0; i < P.size(); ++i)
+    for (unsigned int j = 0; j < modes.size() && P[i] == 0.; ++j)
+      of_pressing.B(i, j) = 0.;
+  const auto unseen = SeenMotions(of_pressing, P.size(), typical_stiffness(motions)).unseen;
+  if (!unseen.empty())
+    throw InputError(parameters.boundary.where +
+                     ": the loads are zero, and the pressure of the "
+                     "foundation, into which the body begins, leaves " +
+                     rigid_part(modes, unseen.front()).name() +
+                     " free; allowed: loads that press the body onto the foundation, or more sides "
+                     "that hold it.");
 }
 
 void refuse_escape(const Parameters &parameters,

@@ -21,4 +21,11 @@ namespace Signorini
 
 /** Tells that loads drive a motion along which contact sides slide. @throws InputError always. */
 [[noreturn]] void refuse_sliding(const Parameters &parameters, const RigidMotion &motion);
+
+/** Tells which motion of the body is left free by the patches that press, where no load decides it
+ * and only a negative gap presses. @throws InputError if there is such a motion. */
+void refuse_undetermined(const Parameters &parameters,
+                         const MotionModes<2> &modes,
+                         const FreeMotions &motions,
+                         const dealii::Vector<double> &P);
 } // namespace Signorini

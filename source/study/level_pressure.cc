@@ -117,8 +117,11 @@ QPResult solve_contact(const Parameters &parameters,
                      "' for a body or a plate that moves freely, allowed there: psor, active set.");
   const MotionResult result = solve_dual_problem(C, F, solution.motions, start, options);
   if constexpr (dim == 2)
+  {
     if (result.escape)
       refuse_escape(parameters, discretization, modes, solution.motions, *result.escape);
+    refuse_undetermined(parameters, modes, solution.motions, result.qp.P);
+  }
   solution.q = result.q;
   return result.qp;
 }

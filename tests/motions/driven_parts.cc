@@ -261,6 +261,34 @@ void test_roller(Checks &checks)
                 is_graded ? 1e-3 : 1e-7);
   }
 }
+
+/** A ring on a shaft that is larger by delta: Lame's p = delta E'/((b² + a²)/(b² - a²) + nu') for
+ * a = 1, b = 2; a shaft beside the centre moves the ring there. */
+void test_interference(Checks &checks)
+{
+  const auto fit = [](const std::string &g) {
+    return solve(
+      "subsection Geometry\nset Shape = ring\nset Inner radius = 1\nset Radius = 2\nend\n"
+      "subsection Material\nset Young's modulus = 1\nset Poisson's ratio = 0.3\n"
+      "set Plane state = stress\nend\n" +
+        boundary("set Contact = inner\n") + gap(g),
+      levels(2, 3));
+  };
+  const StudyResult<2> ring = fit("-0.001");
+  const double pressure = 0.001 / (5. / 3. + 0.3);
+  for (const double p : ring.pressure.P)
+    if (std::abs(p / pressure + 1.) > 3e-3)
+      checks.near("interference: pressure", p, -pressure, 3e-3 * pressure);
+  checks.that("interference: verdict", ring.verdict.is_certified());
+  const StudyResult<2> moved = fit("-0.001 - 0.0005*x");
+  checks.near("interference: beside the centre",
+              relative_distance(moved.pressure.P, ring.pressure.P),
+              0.,
+              1e-8);
+  checks.throws<InputError>("interference that lifts the body off",
+                            "leaves the translation along (0, 1) free",
+                            [&]() { solve(boundary("set Contact = bottom\n") + gap("-0.001")); });
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -277,5 +305,6 @@ int main(int argc, char **argv)
   test_graded(checks);
   test_bounds(checks);
   test_roller(checks);
+  test_interference(checks);
   return checks.exit_code();
 }
