@@ -14,6 +14,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <limits>
 #include <variant>
 
 namespace Signorini
@@ -86,6 +87,23 @@ RunSummary study_scene(const Parameters &parameters,
   return summary;
 }
 
+/** Ranks on several machines may see several files of one name. */
+void refuse_other_mesh_files(const Given<std::string> &file, MPI_Comm communicator)
+{
+  std::size_t digest = 0;
+  agree(communicator, [&]() {
+    constexpr std::size_t any_size = std::numeric_limits<std::size_t>::max();
+    if (!file.value.empty())
+      digest =
+        std::hash<std::string>()(read_whole_file(file, file.where() + ": ", "mesh file", any_size));
+  });
+  const std::size_t of_first = dealii::Utilities::MPI::broadcast(communicator, digest);
+  const std::string others = list_ranks(communicator, digest != of_first);
+  if (!others.empty())
+    throw InputError(file.where() + ": found another mesh file on " + others +
+                     " than on the first rank, allowed: the same file for all ranks.");
+}
+
 /** As far as no InputError ends it. */
 RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &screen)
 {
@@ -103,6 +121,7 @@ RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &scre
     else
       scene = make_scene<3>(parameters);
   });
+  refuse_other_mesh_files(parameters.geometry.file, communicator);
   std::optional<ResultsDirectory> results;
   agree(communicator, [&]() {
     if (!first_rank)
