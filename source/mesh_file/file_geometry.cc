@@ -3,6 +3,7 @@
 
 #include <signorini/base/exceptions.h>
 #include <signorini/mesh_file/file_geometry.h>
+#include <signorini/scene/arc_cell.h>
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
@@ -12,7 +13,6 @@
 #include <map>
 #include <memory>
 
-#include "arc_cell.h"
 #include "file_sides.h"
 
 namespace Signorini
@@ -65,7 +65,7 @@ void add_arc_cells(const FileMesh &mesh, const FileSides &sides, CoarseMesh &coa
     for (unsigned int i = 0; i < 4; ++i)
       corners[i] = mesh.vertices[cell.corners[i]].position;
     auto manifold = std::make_shared<ArcCell>(corners, centres_of_edges);
-    if (!manifold->is_valid())
+    if (!manifold->is_valid(10, 0.))
       throw InputError(mesh.file + ": the quadrilateral " + std::to_string(cell.tag) +
                        " is turned inside out by its edge on a circle, allowed: a finer mesh "
                        "there.");

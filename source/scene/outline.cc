@@ -88,13 +88,10 @@ dealii::Point<2> point_inside(const OutlineMesh &mesh)
 void make_triangulation(const OutlineMesh &mesh, dealii::Triangulation<2> &triangulation)
 {
   triangulation.create_triangulation(mesh.vertices, mesh.cells, mesh.lines);
-  if (mesh.circles.empty())
-    return;
   for (std::size_t k = 0; k < mesh.circles.size(); ++k)
-    triangulation.set_manifold(k + 1, dealii::SphericalManifold<2>(mesh.circles[k]));
-  dealii::TransfiniteInterpolationManifold<2> transfinite;
-  transfinite.initialize(triangulation);
-  triangulation.set_manifold(OutlineMesh::curved_cells, transfinite);
+    triangulation.set_manifold(k, dealii::SphericalManifold<2>(mesh.circles[k]));
+  for (std::size_t k = 0; k < mesh.curved_cells.size(); ++k)
+    triangulation.set_manifold(mesh.circles.size() + k, mesh.curved_cells[k]);
 }
 } // namespace
 

@@ -72,6 +72,19 @@ Polygons chords_of(const std::vector<Side<2>> &sides,
   return polygons;
 }
 
+/** The number of triangles with edges of the mesh size: others are smaller. */
+double fewest_triangles(const Polygons &polygons, const double mesh_size)
+{
+  double area = 0.;
+  for (const MeshChord &chord : polygons.chords)
+  {
+    const dealii::Tensor<1, 2> a = polygons.points[chord.start] - polygons.points[0];
+    const dealii::Tensor<1, 2> b = polygons.points[chord.end] - polygons.points[0];
+    area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+  }
+  return mesh_size > 0. ? area / (0.25 * std::sqrt(3.) * mesh_size * mesh_size) : 0.;
+}
+
 /** The parts into which points on it have divided a chord; false if the boundary is not that of the
  * chords. */
 bool find_edges(const Polygons &polygons,
@@ -118,6 +131,8 @@ public:
 
 private:
   using Edge = std::pair<unsigned int, unsigned int>;
+  /** Of the determinants of the map of a cell. */
+  static constexpr double smallest_ratio = 0.1;
 
   static Edge sorted(const unsigned int a, const unsigned int b)
   {
@@ -136,7 +151,7 @@ private:
     const auto k = static_cast<dealii::types::manifold_id>(known - mesh_.circles.begin());
     if (known == mesh_.circles.end())
       mesh_.circles.push_back(arc.centre_of_circle());
-    return k + 1;
+    return k;
   }
 
   void add_boundary_edge(const BoundaryEdge &edge)
@@ -187,10 +202,14 @@ private:
     {
       dealii::CellData<2> cell;
       cell.vertices = {triangle[i], middles[i], middles[(i + 2) % 3], number};
+      const ArcCell map = map_of(cell.vertices);
+      is_valid_ = is_valid_ && map.is_valid(4, smallest_ratio);
       if (arc_between(cell.vertices[0], cell.vertices[1]) != nullptr ||
           arc_between(cell.vertices[0], cell.vertices[2]) != nullptr)
-        cell.manifold_id = OutlineMesh::curved_cells;
-      is_valid_ = is_valid_ && is_one_to_one(cell.vertices);
+      {
+        cell.manifold_id = mesh_.circles.size() + mesh_.curved_cells.size();
+        mesh_.curved_cells.push_back(map);
+      }
       mesh_.cells.push_back(cell);
     }
   }
@@ -201,50 +220,15 @@ private:
     return found == arcs_.end() ? nullptr : found->second;
   }
 
-  /** A point of an edge and the derivative there. */
-  struct EdgePoint
+  /** The first two edges from vertex 0 may be arcs. */
+  ArcCell map_of(const std::vector<unsigned int> &v) const
   {
-    dealii::Tensor<1, 2> x, dx;
-  };
-  EdgePoint on_edge(const unsigned int a, const unsigned int b, const double t) const
-  {
-    const dealii::Point<2> &from = mesh_.vertices[a], &to = mesh_.vertices[b];
-    const Curve *const arc = arc_between(a, b);
-    if (arc == nullptr)
-      return {from + t * (to - from), to - from};
-    double s = arc->arc_length(from), length = arc->arc_length(to) - s;
-    // On a circle the arc lengths jump by its circumference; no edge is half as long.
-    length -= arc->is_closed() ? arc->length() * std::round(length / arc->length()) : 0.;
-    s += t * length;
-    return {arc->point(s), length * arc->tangent(s, s)};
-  }
-
-  /** The determinant of the transfinite map of a cell at points of a grid. The first two edges from
-   * vertex 0 may be arcs. */
-  bool is_one_to_one(const std::vector<unsigned int> &v) const
-  {
-    constexpr double smallest_ratio = 0.1;
-    constexpr unsigned int n = 4;
-    const auto x = [&](const unsigned int i) -> const dealii::Point<2> & {
-      return mesh_.vertices[v[i]];
+    const auto x = [&](const unsigned int i) { return mesh_.vertices[v[i]]; };
+    const auto centre = [&](const unsigned int i) {
+      const Curve *const arc = arc_between(v[0], v[i]);
+      return arc == nullptr ? std::optional<dealii::Point<2>>() : arc->centre_of_circle();
     };
-    double lowest = 0., highest = 0.;
-    for (unsigned int i = 0; i <= n; ++i)
-      for (unsigned int j = 0; j <= n; ++j)
-      {
-        const double r = static_cast<double>(i) / n, t = static_cast<double>(j) / n;
-        const EdgePoint below = on_edge(v[0], v[1], r), left = on_edge(v[0], v[2], t);
-        const EdgePoint above = on_edge(v[2], v[3], r), right = on_edge(v[1], v[3], t);
-        const dealii::Tensor<1, 2> along = (1. - t) * (x(1) - x(0)) + t * (x(3) - x(2));
-        const dealii::Tensor<1, 2> up = (1. - r) * (x(2) - x(0)) + r * (x(3) - x(1));
-        const dealii::Tensor<1, 2> dr =
-          (1. - t) * below.dx + t * above.dx + right.x - left.x - along;
-        const dealii::Tensor<1, 2> dt = (1. - r) * left.dx + r * right.dx + above.x - below.x - up;
-        const double determinant = dr[0] * dt[1] - dr[1] * dt[0];
-        lowest = i + j == 0 ? determinant : std::min(lowest, determinant);
-        highest = std::max(highest, determinant);
-      }
-    return lowest > smallest_ratio * highest;
+    return {{{x(0), x(1), x(3), x(2)}}, {{centre(1), {}, {}, centre(2)}}};
   }
 
   OutlineMesh mesh_;
@@ -266,7 +250,8 @@ std::optional<OutlineMesh> mesh_outline(const std::vector<Side<2>> &sides,
   for (const MeshChord &chord : polygons.chords)
     segments.push_back({chord.start, chord.end});
   Triangles triangles;
-  triangles.too_many = polygons.points.size() > most_cells;
+  triangles.too_many =
+    polygons.points.size() > most_cells || 3. * fewest_triangles(polygons, mesh_size) > most_cells;
   if (!triangles.too_many)
     triangles = triangulate(polygons.points, segments, mesh_size, most_cells / 3);
   if (triangles.too_many)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/scene/arc_cell.h>
+
 #include <deal.II/grid/tria_description.h>
 
 #include <optional>
@@ -13,15 +15,14 @@ namespace Signorini
 /** A coarse mesh between sides. */
 struct OutlineMesh
 {
-  /** Of cells that are curved; other cells have none, edges on circles[k] have k + 1. */
-  static constexpr dealii::types::manifold_id curved_cells = 0;
-
   std::vector<dealii::Point<2>> vertices;
   std::vector<dealii::CellData<2>> cells;
   /** Edges on sides, with the numbers of the sides. */
   dealii::SubCellData lines;
-  /** The centres of arcs. */
+  /** The centres of arcs: edges on circles[k] have the manifold k. */
   std::vector<dealii::Point<2>> circles;
+  /** Those with an arc: the k-th has the manifold circles.size() + k. */
+  std::vector<ArcCell> curved_cells;
 };
 
 /**

@@ -31,8 +31,9 @@ public:
   dealii::DerivativeForm<1, 2, 2>
   push_forward_gradient(const dealii::Point<2> &chart_point) const override;
 
-  /** Whether the map keeps its orientation at 11 x 11 points. */
-  bool is_valid() const;
+  /** Whether at (n + 1) x (n + 1) points the determinant of the map is positive, and larger than
+   * this share of the largest one. */
+  bool is_valid(unsigned int n, double smallest_ratio) const;
 
 private:
   struct Edge

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Transfinite interpolation in a cell with circular edges.
 
-#include "arc_cell.h"
-
 #include <signorini/base/exceptions.h>
+#include <signorini/scene/arc_cell.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace Signorini
 {
@@ -102,20 +102,26 @@ dealii::Point<2> ArcCell::pull_back(const dealii::Point<2> &x) const
     for (unsigned int d = 0; d < 2; ++d)
       chart_point[d] = std::min(std::max(chart_point[d], -0.5), 1.5);
   }
-  throw ComputationError("A point of a curved cell of the mesh file is not found in it.");
+  std::ostringstream text;
+  text
+    << "Geometry: the point (" << x << ") is not found in the coarse cell from (" << edges_[0].start
+    << ") to (" << edges_[2].start
+    << "), an edge of which lies on a circle, allowed: a finer mesh there (Mesh size, or another "
+       "File).";
+  throw ComputationError(text.str());
 }
 
-bool ArcCell::is_valid() const
+bool ArcCell::is_valid(const unsigned int n, const double smallest_ratio) const
 {
-  constexpr unsigned int n = 10;
+  double lowest = HUGE_VAL, highest = 0.;
   for (unsigned int i = 0; i <= n; ++i)
     for (unsigned int j = 0; j <= n; ++j)
     {
-      const dealii::DerivativeForm<1, 2, 2> gradient =
-        push_forward_gradient(dealii::Point<2>(double(i) / n, double(j) / n));
-      if (!(gradient.determinant() > 0.))
-        return false;
+      const double determinant =
+        push_forward_gradient(dealii::Point<2>(double(i) / n, double(j) / n)).determinant();
+      lowest = std::min(lowest, determinant);
+      highest = std::max(highest, determinant);
     }
-  return true;
+  return lowest > smallest_ratio * highest;
 }
 } // namespace Signorini
