@@ -87,18 +87,22 @@ RunSummary study_scene(const Parameters &parameters,
   return summary;
 }
 
-/** Ranks on several machines may see several files of one name. */
+/** Ranks on several machines may see several files of one name, or none, which is refused later. */
 void refuse_other_mesh_files(const Given<std::string> &file, MPI_Comm communicator)
 {
+  if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
+    return;
   std::size_t digest = 0;
   agree(communicator, [&]() {
     constexpr std::size_t any_size = std::numeric_limits<std::size_t>::max();
-    if (!file.value.empty())
+    std::error_code error;
+    if (std::filesystem::exists(file.value, error))
       digest =
         std::hash<std::string>()(read_whole_file(file, file.where() + ": ", "mesh file", any_size));
   });
   const std::size_t of_first = dealii::Utilities::MPI::broadcast(communicator, digest);
-  const std::string others = list_ranks(communicator, digest != of_first);
+  const std::string others =
+    list_ranks(communicator, digest != of_first && digest != 0 && of_first != 0);
   if (!others.empty())
     throw InputError(file.where() + ": found another mesh file on " + others +
                      " than on the first rank, allowed: the same file for all ranks.");
@@ -110,18 +114,20 @@ RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &scre
   const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   Parameters parameters;
   std::variant<Scene<2>, Scene<3>> scene;
-  // A mesh file may be missing on one rank.
   agree(communicator, [&]() {
     parameters = parse_parameters(input.text,
                                   input.name,
                                   input.overrides,
                                   std::filesystem::path(input.file_name).parent_path().string());
+  });
+  refuse_other_mesh_files(parameters.geometry.file, communicator);
+  // A mesh file may be missing on one rank.
+  agree(communicator, [&]() {
     if (dimension_of(parameters) == 2)
       scene = make_scene<2>(parameters);
     else
       scene = make_scene<3>(parameters);
   });
-  refuse_other_mesh_files(parameters.geometry.file, communicator);
   std::optional<ResultsDirectory> results;
   agree(communicator, [&]() {
     if (!first_rank)
