@@ -127,17 +127,24 @@ private:
   {
     constexpr double sliver = 1e-6;
     const double length_s = piece.length_s(), length_t = piece.length_t();
-    const double longest = std::max(length_s, length_t);
-    const bool is_long = longest > 2. * std::min(length_s, length_t) &&
-                         std::min(length_s, length_t) > sliver * longest;
+    const double longest = std::max(length_s, length_t), shortest = std::min(length_s, length_t);
+    const bool is_long = longest > 2. * shortest && shortest > sliver * longest;
     if (is_long && length_s == longest)
       for (const double s : {0., 0.5})
-        add(piece.part(s, 0., 0.5, 1.), depth);
+        add_half(piece.part(s, 0., 0.5, 1.), shortest, depth);
     else if (is_long)
       for (const double t : {0., 0.5})
-        add(piece.part(0., t, 1., 0.5), depth);
+        add_half(piece.part(0., t, 1., 0.5), shortest, depth);
     else
       quarter(piece, depth);
+  }
+  /** The half at the tip of a triangle has its shape: like a quarter, it is a level deeper.
+   * @param width of the whole. */
+  void add_half(const Quadrilateral &half, const double width, const unsigned int depth)
+  {
+    constexpr double half_of_width = 0.51;
+    const bool is_tip = std::min(half.length_s(), half.length_t()) < half_of_width * width;
+    add(half, is_tip ? depth + 1 : depth);
   }
   void quarter(const Quadrilateral &piece, const unsigned int depth)
   {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 
+#include "random_numbers.h"
 #include "tests.h"
 
 using namespace Signorini;
@@ -228,6 +229,51 @@ void test_ends(Checks &checks)
                 !needs_cuts<2>(kinks, far) && !needs_cuts<2>(without_contact, near));
 }
 
+/** The rules of all cells of a pentagon on the side from (0, 0) to (2, 0), where each line ends:
+ * they hold the area 2.25 and the integrals of polynomials, for lines anywhere, through vertices,
+ * almost so, and along edges. */
+void test_many_ends(Checks &checks)
+{
+  const Geometry<2> geometry =
+    make_polygon({Point(0., 0.), Point(2., 0.), Point(2., 1.), Point(0.5, 1.25), Point(0., 1.)});
+  dealii::Triangulation<2> mesh;
+  geometry.make_coarse_mesh(mesh);
+  mesh.refine_global(1);
+  std::vector<double> positions;
+  for (const Point &vertex : mesh.get_vertices())
+    for (const double off : {0., 1e-15, 1e-12, 1e-7, 1e-4})
+      positions.push_back(vertex[0] + off);
+  RandomNumbers random(1);
+  while (positions.size() < 200)
+    positions.push_back(1. + random());
+  const dealii::QGauss<2> gauss(6);
+  const Integrand polynomial = [](const Point &x) {
+    return std::pow(1. + x[0] - 2. * x[1], 4) + x[0] * x[1] * x[1];
+  };
+  double off = 0., smallest = 0.;
+  std::size_t most_points = 0;
+  for (const double position : positions)
+  {
+    Kinks<2> kinks(lines({position}, {0.3}));
+    kinks.add_ends_on(geometry.sides[0]);
+    double area = 0., integral = 0., exact = 0.;
+    for (const Cell &cell : mesh.active_cell_iterators())
+    {
+      const dealii::Quadrature<2> rule = cut_quadrature<2>(kinks, cell, 4);
+      area += integrate(cell, rule, [](const Point &) { return 1.; });
+      integral += integrate(cell, rule, polynomial);
+      exact += integrate(cell, gauss, polynomial);
+      most_points = std::max<std::size_t>(most_points, rule.size());
+      for (const double weight : rule.get_weights())
+        smallest = std::min(smallest, weight);
+    }
+    off = std::max({off, std::abs(area / 2.25 - 1.), std::abs(integral / exact - 1.)});
+  }
+  checks.near("many ends: area and polynomials", off, 0., 1e-12);
+  checks.that("many ends: no negative weights", smallest >= 0.);
+  checks.between("many ends: points in a cell", static_cast<double>(most_points), 16., 1e5);
+}
+
 double distance(const std::vector<double> &found, const std::vector<double> &expected)
 {
   double largest = found.size() == expected.size() ? 0. : 1e3;
@@ -323,6 +369,7 @@ int main()
   test_mesh(checks);
   test_cross(checks);
   test_ends(checks);
+  test_many_ends(checks);
   test_segments(checks);
   test_sides(checks);
   return checks.exit_code();
