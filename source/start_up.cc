@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <future>
 #include <new>
+#include <sstream>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -43,7 +44,8 @@ std::string settings_of_mpi()
 
 /** A process that no launcher has started is alone: Open MPI needs no daemon, no network, no shared
  * memory and no picture of the machine for it, which take as long to start as a small scene to
- * solve. What the user has set for these stays. */
+ * solve. Nor does it need a folder of its session: all such processes would share one, and one that
+ * ends would remove it while another makes it. What the user has set for these stays. */
 void settle_for_one_process()
 {
   for (const char *launched : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"})
@@ -53,6 +55,7 @@ void settle_for_one_process()
   // The daemon would be started by the framework plm: who sets that wants it.
   if (std::getenv("OMPI_MCA_plm") == nullptr)
     setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+  setenv("OMPI_MCA_orte_create_session_dirs", "0", keep);
   setenv("OMPI_MCA_pml", "ob1", keep);
   setenv("OMPI_MCA_btl", "self", keep);
   setenv("OMPI_MCA_coll", "^adapt,han,inter,monitoring,sm,sync,tuned", keep);
@@ -60,15 +63,49 @@ void settle_for_one_process()
   setenv("HWLOC_PLUGINS_BLACKLIST", "hwloc_gl.so,hwloc_opencl.so,hwloc_pci.so", keep);
 }
 
-/** One sentence instead of what MPI has printed. */
+/** What has been printed on stderr since MPI starts. */
+std::string text_of_mpi()
+{
+  std::string text;
+  char buffer[4096];
+  lseek(STDERR_FILENO, 0, SEEK_SET);
+  for (ssize_t n = 0; (n = read(STDERR_FILENO, buffer, sizeof(buffer))) > 0;)
+    text.append(buffer, static_cast<std::size_t>(n));
+  return text;
+}
+
+void print_to_user(const std::string &text)
+{
+  // Nothing can be done where not even this can be written.
+  if (write(standard_error, text.data(), text.size()) < 0)
+    return;
+}
+
+/** Of messages in frames of dashes the first, which names the cause, as words on one line. */
+std::string first_message(const std::string &text)
+{
+  std::istringstream words(text);
+  std::string message;
+  for (std::string word; words >> word;)
+  {
+    if (word.rfind("-----", 0) != 0)
+      message += " " + word;
+    else if (!message.empty())
+      break;
+  }
+  if (!message.empty() && message.back() != '.')
+    message += ".";
+  return message;
+}
+
+/** One line instead of all that MPI has printed. */
 void report_failed_start()
 {
-  const std::string sentence =
+  const std::string message = first_message(text_of_mpi());
+  print_to_user(
     "signorini: MPI could not be started" + given_settings +
-    ": check the variables OMPI_MCA_... of the environment and the installation of Open MPI.\n";
-  // Nothing can be done where not even this can be written.
-  if (write(standard_error, sentence.data(), sentence.size()) < 0)
-    return;
+    ": check the variables OMPI_MCA_... of the environment and the installation of Open MPI." +
+    (message.empty() ? "" : " It says:" + message) + "\n");
 }
 
 /** One product is enough for a thread of OpenBLAS to get its buffer. */
@@ -132,16 +169,9 @@ StartOfMPI::~StartOfMPI()
 {
   if (standard_error < 0)
     return;
+  print_to_user(text_of_mpi());
   const int original = standard_error;
   standard_error = -1;
-  char text[4096];
-  lseek(STDERR_FILENO, 0, SEEK_SET);
-  for (ssize_t n = 1; n > 0;)
-  {
-    n = read(STDERR_FILENO, text, sizeof(text));
-    if (n > 0 && write(original, text, static_cast<std::size_t>(n)) < 0)
-      break;
-  }
   dup2(original, STDERR_FILENO);
   close(original);
 }

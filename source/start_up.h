@@ -12,8 +12,9 @@ void check_surroundings();
 
 /**
  * While an object of this class lives, MPI is being started. If MPI ends the process, which it does
- * with many lines on stderr, the user reads one sentence instead and the exit code is 3. Otherwise
- * what was printed on stderr appears when the object's life ends. At most one lives at a time.
+ * with many lines on stderr, the user reads one line instead, with the first of MPI's messages, and
+ * the exit code is 3. Otherwise what was printed on stderr appears when the object's life ends. At
+ * most one lives at a time.
  */
 class StartOfMPI
 {

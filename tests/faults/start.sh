@@ -27,6 +27,21 @@ for variable in btl pml plm; do
   unset OMPI_MCA_$variable
 done
 
+# A process without a launcher has no folder of a session, which others would share.
+TMPDIR=/proc/none run 1 missing.prm
+check "  and no folder" says 'missing.prm: this parameter file cannot be read.'
+TMPDIR=/proc/none OMPI_MCA_orte_create_session_dirs=1 run 3 scene.prm --output none
+check "  in the words of Open MPI" says 'unable to create the desired directory: Directory: /proc/none'
+# Side by side: SIGNORINI_STARTS=100 makes 400 of them.
+for queue in 1 2 3 4; do
+  for ((i = 0; i < ${SIGNORINI_STARTS:-3}; ++i)); do
+    timeout 100 "$program" missing.prm >/dev/null 2>&1 </dev/null
+    [ $? -eq 1 ] || echo "start $i of queue $queue"
+  done >failed_starts.$queue &
+done
+wait
+check "starts side by side" [ -z "$(cat failed_starts.*)" ]
+
 # Below 520 MB the libraries cannot be loaded. A computation that fits may succeed.
 limits="550 650 750 1000"
 if ! (ulimit -v 20000000 && "$program" --version >stdout 2>stderr); then
