@@ -47,11 +47,13 @@ RunSummary run_file(const CommandLine &command_line,
                     Screen &screen)
 {
   return tell_errors(screen, [&]() {
-    const RunInput input = read_input(command_line.parameter_files[i],
-                                      command_line.overrides,
-                                      command_line.directories[i],
-                                      communicator,
-                                      screen);
+    RunInput input = read_input(command_line.parameter_files[i],
+                                command_line.overrides,
+                                command_line.directories[i],
+                                communicator,
+                                screen);
+    input.others.assign(command_line.parameter_files.begin() + i + 1,
+                        command_line.parameter_files.end());
     std::vector<Sweep> sweeps;
     for (const std::string &argument : command_line.sweeps)
       sweeps.push_back(read_sweep(argument));

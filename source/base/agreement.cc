@@ -21,6 +21,7 @@ enum class Outcome
   success,
   input_error,
   computation_error,
+  writing_error,
   out_of_memory,
   other_error
 };
@@ -31,6 +32,8 @@ enum class Outcome
     throw InputError(message);
   if (outcome == Outcome::computation_error)
     throw ComputationError(message);
+  if (outcome == Outcome::writing_error)
+    throw WritingError(message);
   if (outcome == Outcome::out_of_memory)
     throw std::bad_alloc();
   throw std::runtime_error(message);
@@ -48,6 +51,11 @@ void agree(MPI_Comm communicator, const std::function<void()> &work)
   catch (const InputError &error)
   {
     outcome = Outcome::input_error;
+    message = error.what();
+  }
+  catch (const WritingError &error)
+  {
+    outcome = Outcome::writing_error;
     message = error.what();
   }
   catch (const ComputationError &error)

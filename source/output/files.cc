@@ -6,6 +6,7 @@
 #include <signorini/output/files.h>
 #include <signorini/output/interruption.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <fstream>
@@ -20,6 +21,8 @@ namespace Signorini
 namespace
 {
 const std::string temporary_prefix = ".", temporary_suffix = ".part";
+constexpr const char *trial_name = "trial";
+constexpr const char *earlier_results = ".earlier-results";
 
 /** Makes an empty file of this name; what had the name before, say a pipe or a link, is removed. */
 bool make_new_file(const std::filesystem::path &path)
@@ -64,20 +67,26 @@ bool is_taken_name(const std::filesystem::path &path)
   return std::filesystem::exists(std::filesystem::symlink_status(path, error));
 }
 
-/** The outermost of the directories above and including @p directory that is not there. */
-std::filesystem::path outermost_missing(const std::filesystem::path &directory)
+/** Makes the directory and those above it, as far as they are missing. A path may lead up again by
+ * "..", so that not every directory on it is above the last. @return what was made, in this order.
+ */
+std::vector<std::filesystem::path> make_directories(const std::filesystem::path &directory)
 {
-  std::filesystem::path missing;
-  for (std::filesystem::path path = directory; !path.empty() && !is_taken_name(path);
-       path = path.parent_path())
-    missing = path;
-  return missing;
+  std::vector<std::filesystem::path> made;
+  std::filesystem::path path;
+  for (const std::filesystem::path &part : directory)
+  {
+    path /= part;
+    if (mkdir(path.c_str(), 0777) == 0)
+      made.push_back(path);
+  }
+  return made;
 }
 
 /** Whether a small file can be written into @p directory; it is removed again. */
 bool is_writable(const std::filesystem::path &directory)
 {
-  const std::filesystem::path trial = temporary_name(directory / "trial");
+  const std::filesystem::path trial = temporary_name(directory / trial_name);
   const RemovedOnInterruption registered(trial);
   const bool written = try_to_write(trial, [](std::ostream &stream) { stream << "trial\n"; });
   std::error_code ignored;
@@ -95,11 +104,45 @@ std::string final_name(const std::string &name)
       name.size() - temporary_suffix.size(), temporary_suffix.size(), temporary_suffix) == 0;
   return temporary ? name.substr(temporary_prefix.size(), name.size() - extra) : name;
 }
+
+/** The files of a directory whose names satisfy a test. */
+std::vector<std::filesystem::path> find_files(const std::filesystem::path &directory,
+                                              const NameTest &is_wanted)
+{
+  std::error_code error;
+  std::vector<std::filesystem::path> found;
+  for (const auto &entry : std::filesystem::directory_iterator(directory, error))
+    if (!entry.is_directory(error) && is_wanted(entry.path().filename().string()))
+      found.push_back(entry.path());
+  return found;
+}
+
+/** Whether a file of the directory that the results replace is the file @p input, under any name of
+ * it and through links. */
+bool holds_as_result(const std::filesystem::path &directory,
+                     const std::filesystem::path &input,
+                     const NameTest &is_result)
+{
+  const auto found = find_files(directory, [&](const std::string &name) {
+    return is_result(final_name(name)) || final_name(name) == trial_name;
+  });
+  return std::any_of(found.begin(), found.end(), [&](const std::filesystem::path &path) {
+    std::error_code error;
+    return std::filesystem::equivalent(path, input, error);
+  });
+}
+
+[[noreturn]] void refuse_to_leave(const std::filesystem::path &path, const std::error_code &error)
+{
+  throw WritingError("The file '" + shorten_path(path.string()) +
+                     "' of an earlier run could not be removed: " + error.message() + ".");
+}
 } // namespace
 
-ResultsDirectory::ResultsDirectory(const std::filesystem::path &path)
+ResultsDirectory::ResultsDirectory(const std::filesystem::path &path,
+                                   const std::vector<std::filesystem::path> &inputs,
+                                   const NameTest &is_result)
   : path_(path)
-  , outermost_made_(outermost_missing(path))
 {
   const std::string found = "--output: found '" + shorten_path(path_.string()) + "', ";
   std::error_code error;
@@ -107,45 +150,52 @@ ResultsDirectory::ResultsDirectory(const std::filesystem::path &path)
     throw InputError(found +
                      "a symbolic link that leads nowhere, allowed: a directory that can be made "
                      "and written to.");
-  std::filesystem::create_directories(path_, error);
-  if (error)
-  {
-    remove_if_empty();
-    throw InputError(found + "allowed: a directory that can be made and written to.");
-  }
-  // The kernel releases the lock when the process ends, however that happens.
-  descriptor_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-  {
-    close(descriptor_);
-    throw InputError(found + "into which another run is writing, allowed: a directory of its own.");
-  }
-  if (!is_writable(path_))
-  {
-    if (descriptor_ >= 0)
-      close(descriptor_);
-    remove_if_empty();
-    throw InputError(found + "allowed: a directory that can be made and written to.");
-  }
+  made_ = make_directories(path_);
+  const std::string objection = lock(inputs, is_result);
+  if (objection.empty())
+    return;
+  unlock();
+  remove_if_empty();
+  throw InputError(found + objection);
 }
 
 ResultsDirectory::~ResultsDirectory()
 {
+  unlock();
+}
+
+std::string ResultsDirectory::lock(const std::vector<std::filesystem::path> &inputs,
+                                   const NameTest &is_result)
+{
+  const std::string allowed = "allowed: a directory that can be made and written to.";
+  std::error_code error;
+  if (!std::filesystem::is_directory(path_, error))
+    return allowed;
+  // The kernel releases the lock when the process ends, however that happens.
+  descriptor_ = open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor_ >= 0 && flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    return "into which another run is writing, allowed: a directory of its own.";
+  for (const std::filesystem::path &input : inputs)
+    if (holds_as_result(path_, input, is_result) ||
+        holds_as_result(path_ / earlier_results, input, is_result))
+      return "where the file " + quote(shorten_path(input.string())) +
+             ", which the run reads, would be overwritten by the results, allowed: another "
+             "directory, or another name of this file.";
+  return is_writable(path_) ? "" : allowed;
+}
+
+void ResultsDirectory::unlock()
+{
   if (descriptor_ >= 0)
     close(descriptor_);
+  descriptor_ = -1;
 }
 
 void ResultsDirectory::remove_if_empty() const
 {
-  std::error_code ignored;
-  if (outermost_made_.empty())
-    return;
-  for (std::filesystem::path path = path_; !path.empty(); path = path.parent_path())
-  {
-    std::filesystem::remove(path, ignored);
-    if (path == outermost_made_)
-      return;
-  }
+  // rmdir() removes neither a file nor a directory that is not empty.
+  for (auto path = made_.rbegin(); path != made_.rend(); ++path)
+    rmdir(path->c_str());
 }
 
 HeldDirectory::HeldDirectory(const std::filesystem::path &path)
@@ -167,9 +217,9 @@ void HeldDirectory::check() const
     return;
   if (stat(path_.c_str(), &present) != 0 || held.st_dev != present.st_dev ||
       held.st_ino != present.st_ino)
-    throw ComputationError("The directory '" + shorten_path(path_.string()) +
-                           "' was removed or replaced while the run was writing into it: its "
-                           "results are incomplete.");
+    throw WritingError("The directory '" + shorten_path(path_.string()) +
+                       "' was removed or replaced while the run was writing into it: its "
+                       "results are incomplete.");
 }
 
 bool is_name_of_result(const std::string &name)
@@ -200,25 +250,62 @@ void write_file(const std::filesystem::path &path, const std::function<void(std:
       return;
   }
   std::filesystem::remove(temporary, error);
-  throw ComputationError("The file '" + shorten_path(path.string()) +
-                         "' could not be written: the disk is full, or the directory has been "
-                         "removed or write-protected.");
+  throw WritingError("The file '" + shorten_path(path.string()) +
+                     "' could not be written: the disk is full, or the directory has been "
+                     "removed or write-protected.");
 }
 
-void remove_files(const std::filesystem::path &directory,
-                  const std::function<bool(const std::string &name)> &is_removed)
+void remove_files(const std::filesystem::path &directory, const NameTest &is_removed)
 {
-  std::error_code error;
-  std::vector<std::filesystem::path> found;
-  for (const auto &entry : std::filesystem::directory_iterator(directory, error))
-    if (!entry.is_directory(error) && is_removed(final_name(entry.path().filename().string())))
-      found.push_back(entry.path());
-  for (const std::filesystem::path &path : found)
+  for (const std::filesystem::path &path :
+       find_files(directory, [&](const std::string &name) { return is_removed(final_name(name)); }))
   {
+    std::error_code error;
     std::filesystem::remove(path, error);
     if (error)
-      throw ComputationError("The file '" + shorten_path(path.string()) +
-                             "' of an earlier run could not be removed: " + error.message() + ".");
+      refuse_to_leave(path, error);
   }
+}
+
+void set_results_aside(const std::filesystem::path &directory)
+{
+  const std::filesystem::path aside = directory / earlier_results;
+  remove_files(aside, is_name_of_result);
+  std::vector<std::filesystem::path> found = find_files(directory, is_name_of_result);
+  // Without its results there must be no verdict.
+  std::partition(found.begin(), found.end(), [](const std::filesystem::path &path) {
+    return path.filename() == certificate_name;
+  });
+  if (!found.empty())
+    mkdir(aside.c_str(), 0777);
+  for (const std::filesystem::path &path : found)
+  {
+    std::error_code error;
+    std::filesystem::rename(path, aside / path.filename(), error);
+    if (error)
+    {
+      put_results_back(directory);
+      refuse_to_leave(path, error);
+    }
+  }
+}
+
+void put_results_back(const std::filesystem::path &directory)
+{
+  const std::filesystem::path aside = directory / earlier_results;
+  for (const std::filesystem::path &path : find_files(aside, is_name_of_result))
+  {
+    // What cannot be moved stays where it is.
+    std::error_code ignored;
+    std::filesystem::rename(path, directory / path.filename(), ignored);
+  }
+  rmdir(aside.c_str());
+}
+
+void remove_results_aside(const std::filesystem::path &directory)
+{
+  const std::filesystem::path aside = directory / earlier_results;
+  remove_files(aside, is_name_of_result);
+  rmdir(aside.c_str());
 }
 } // namespace Signorini

@@ -8,11 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstring>
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace Signorini
@@ -99,14 +102,34 @@ int start_gnuplot(const NamelessFile &in,
   return error;
 }
 
-/** Waits for the end of a process. @return whether it ended by itself with code 0. */
-bool ends_well(const pid_t id)
+/** Pictures take seconds. */
+constexpr std::chrono::seconds longest_wait(60);
+
+enum class End
 {
+  good,
+  bad,
+  late
+};
+
+/** Waits for the end of a process, which is good with code 0. One that is late is killed. */
+End wait_for(const pid_t id)
+{
+  const auto deadline = std::chrono::steady_clock::now() + longest_wait;
   int status = 0;
-  while (waitpid(id, &status, 0) < 0)
-    if (errno != EINTR)
-      return false;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  for (pid_t ended = 0; ended != id; ended = waitpid(id, &status, WNOHANG))
+  {
+    if (ended < 0 && errno != EINTR)
+      return End::bad;
+    if (std::chrono::steady_clock::now() > deadline)
+    {
+      kill(id, SIGKILL);
+      waitpid(id, &status, 0);
+      return End::late;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? End::good : End::bad;
 }
 
 /** What gnuplot says, on one line: the last of its lines that is not empty, which names the error.
@@ -144,10 +167,14 @@ Drawing draw_with_gnuplot(const Picture &picture)
     return {"", not_installed};
   if (error != 0)
     return {"", std::string("gnuplot could not be started: ") + std::strerror(error)};
-  const bool ended_well = ends_well(id);
+  const End end_of_process = wait_for(id);
+  if (end_of_process == End::late)
+    return {"",
+            "gnuplot did not end within " + std::to_string(longest_wait.count()) +
+              " seconds and was stopped"};
   std::string svg = out.read_all();
   constexpr const char *own_title = "<title>Gnuplot</title>", *end = "</svg>";
-  if (!ended_well || svg.find(end) == std::string::npos)
+  if (end_of_process == End::bad || svg.find(end) == std::string::npos)
     return {"", "gnuplot failed: " + one_line(last_line(err.read_all()))};
   if (const std::size_t place = svg.find(own_title); place != std::string::npos)
     svg.replace(place, std::strlen(own_title), "<title>" + escaped(picture.title) + "</title>");

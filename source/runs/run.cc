@@ -50,21 +50,16 @@ std::string without_description(const std::string &text)
   return start < text.size() ? text.substr(start) : "";
 }
 
-/** A run must not replace the scene that it was started with by another text. */
-void refuse_to_overwrite(const RunInput &input, const std::string &echo)
+/** The files that results must not replace. The parameters of the same run may be. */
+std::vector<std::filesystem::path> inputs_of(const RunInput &input, const Parameters &parameters)
 {
-  const std::filesystem::path file = input.file_name;
-  const std::string name = file.filename().string();
+  std::vector<std::filesystem::path> inputs = input.others;
   std::error_code error;
-  if (!is_name_of_result(name) ||
-      !std::filesystem::equivalent(file, input.directory / name, error) || error)
-    return;
-  if (name == parameters_name && without_description(input.text) == echo)
-    return;
-  throw InputError("--output: found '" + shorten_path(input.directory.string()) +
-                   "', where the scene " + input.name +
-                   " itself would be overwritten by the results, allowed: another directory, or "
-                   "another name of the scene.");
+  if (without_description(input.text) != parameters.echo ||
+      !std::filesystem::equivalent(input.file_name, input.directory / parameters_name, error))
+    inputs.emplace_back(input.file_name);
+  inputs.emplace_back(parameters.geometry.file.value);
+  return inputs;
 }
 
 template <int dim>
@@ -130,10 +125,8 @@ RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &scre
   });
   std::optional<ResultsDirectory> results;
   agree(communicator, [&]() {
-    if (!first_rank)
-      return;
-    refuse_to_overwrite(input, parameters.echo);
-    results.emplace(input.directory);
+    if (first_rank)
+      results.emplace(input.directory, inputs_of(input, parameters));
   });
   try
   {
@@ -160,7 +153,7 @@ RunInput read_input(const std::string &file_name,
                     const Screen &screen)
 {
   const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-  RunInput input = {file_name, shorten_path(file_name), "", overrides, directory};
+  RunInput input = {file_name, shorten_path(file_name), "", overrides, directory, {}};
   agree(communicator, [&]() {
     if (first_rank)
       input.text = read_text_file(file_name);
@@ -184,6 +177,11 @@ RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &
   {
     screen.complain(error.what());
     return {1, "wrong input", {}};
+  }
+  catch (const WritingError &error)
+  {
+    screen.complain(error.what());
+    return {3, "not written", {}};
   }
   catch (const ComputationError &error)
   {

@@ -20,6 +20,7 @@ namespace Signorini
 namespace
 {
 constexpr std::size_t most_runs = 1000;
+constexpr const char *table_name = "sweep.csv";
 
 /** A value as the name of a directory: what could mislead a shell becomes '_'. */
 std::string as_file_name(const std::string &value)
@@ -193,19 +194,24 @@ RunSummary run_sweep(const RunInput &input,
                      Screen &screen)
 {
   const std::vector<SweepPoint> points = combine(sweeps);
+  std::vector<std::filesystem::path> inputs = input.others;
+  inputs.emplace_back(input.file_name);
   for (const SweepPoint &point : points)
   {
     const RunInput one = input_at(input, sweeps, point);
-    parse_parameters(one.text,
-                     one.name,
-                     one.overrides,
-                     std::filesystem::path(one.file_name).parent_path().string());
+    const Parameters parameters =
+      parse_parameters(one.text,
+                       one.name,
+                       one.overrides,
+                       std::filesystem::path(one.file_name).parent_path().string());
+    inputs.emplace_back(parameters.geometry.file.value);
   }
   const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   std::optional<ResultsDirectory> results;
   agree(communicator, [&]() {
     if (first_rank)
-      results.emplace(input.directory);
+      results.emplace(
+        input.directory, inputs, [](const std::string &name) { return name == table_name; });
   });
   RunSummary worst;
   std::vector<RunSummary> runs;
@@ -222,7 +228,7 @@ RunSummary run_sweep(const RunInput &input,
       runs.begin(), runs.end(), [](const RunSummary &run) { return run.finest.has_value(); });
     agree(communicator, [&]() {
       if (first_rank && solved)
-        write_file(input.directory / "sweep.csv",
+        write_file(input.directory / table_name,
                    [&](std::ostream &stream) { write_sweep_csv(stream, sweeps, points, runs); });
     });
   }

@@ -87,13 +87,12 @@ void ResultsWriter::start_directory()
 {
   if (started_)
     return;
+  write_on_first_rank([&]() { set_results_aside(directory_); });
   started_ = true;
   write_on_first_rank([&]() {
-    // In this order the files in the directory tell the truth at every moment.
+    // What is left of attempts to write.
+    remove_files(directory_, is_name_of_result);
     write_certificate_of({}, judge_.unfinished({}));
-    remove_files(directory_, [](const std::string &name) {
-      return is_name_of_result(name) && name != parameters_name && name != certificate_name;
-    });
     write_file(directory_ / parameters_name, [&](std::ostream &stream) {
       stream << commented(scene_description_) << parameters_.echo;
     });
@@ -283,6 +282,8 @@ void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,
     write_certificate_of(levels, verdict);
     if (!verdict.reason.empty())
       write_convergence_of(levels);
+    if (verdict.outcome != Outcome::unfinished)
+      remove_results_aside(directory_);
   });
 }
 
@@ -325,23 +326,24 @@ void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,
     if (!dealii::Utilities::MPI::broadcast(communicator_, keeps_earlier_results))
       write_tables(levels, verdict);
   }
-  catch (const ComputationError &)
+  catch (const WritingError &)
   {
     // The first failure is the one to be told. A full disk may not even take the certificate: then
     // it still says "unfinished".
   }
 }
 
-void ResultsWriter::abandon(const std::vector<LevelRecord> &levels, const std::string &failure)
+void ResultsWriter::abandon()
 {
   if (!started_ || !held_)
     return;
   try
   {
     held_->check();
-    write_certificate_of(levels, judge_.failed(levels, failure));
+    remove_files(directory_, is_name_of_result);
+    put_results_back(directory_);
   }
-  catch (const ComputationError &)
+  catch (const WritingError &)
   {
     // The InputError is what the user has to hear of.
   }

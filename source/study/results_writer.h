@@ -22,9 +22,9 @@ class ResultsWriter
 public:
   /**
    * Nothing is changed in the directory before the first level is solved. Then the results of an
-   * earlier run are removed, by their names, and parameters.prm, with the description as comments,
-   * and a certificate that says "unfinished" are written. Collective, like all members but
-   * abandon().
+   * earlier run are set aside, by their names, and parameters.prm, with the description as
+   * comments, and a certificate that says "unfinished" are written. Collective, like all members
+   * but abandon().
    */
   ResultsWriter(const Parameters &parameters,
                 const Judge &judge,
@@ -51,7 +51,8 @@ public:
   /** cases.csv. */
   void write_cases(const std::vector<CaseResult> &cases);
 
-  /** convergence.csv and certificate.json for the levels so far. */
+  /** convergence.csv and certificate.json for the levels so far. With a verdict the results that
+   * were set aside are removed. */
   void write_tables(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
   /** answer.json, after the last level. Collective. */
   void write_answer(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
@@ -63,11 +64,9 @@ public:
    * earlier run stay as they are. */
   void write_failure(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
 
-  /**
-   * For a study that an InputError ended, on every rank: without a solved level nothing was
-   * written, otherwise the certificate says why there are no more.
-   */
-  void abandon(const std::vector<LevelRecord> &levels, const std::string &failure);
+  /** For a study that an InputError ended, on every rank: the results of an earlier run are put
+   * back in place of those of this one. */
+  void abandon();
 
 private:
   /** @param traced on the first rank; empty on others. */

@@ -17,20 +17,15 @@ namespace Signorini
 {
 namespace
 {
-/** What a user reads after the last level. */
-void print_end(const std::vector<LevelRecord> &levels,
-               const Judge &judge,
-               const StudyVerdict &verdict,
-               const StudyReport &report)
+/** What a user reads after the last level, before the verdict. */
+void print_end(const std::vector<LevelRecord> &levels, const StudyReport &report)
 {
-  if (!levels.empty())
-  {
-    const std::string errors = error_table(levels);
-    report.screen << "\n" << errors << (errors.empty() ? "" : "\n");
-    print_answer(report.screen, levels, report.directory);
-    report.screen << "\n";
-  }
-  print_verdict(levels, judge, verdict, report.screen);
+  if (levels.empty())
+    return;
+  const std::string errors = error_table(levels);
+  report.screen << "\n" << errors << (errors.empty() ? "" : "\n");
+  print_answer(report.screen, levels, report.directory);
+  report.screen << "\n";
 }
 } // namespace
 
@@ -83,17 +78,24 @@ StudyResult<dim> run_study(const Parameters &parameters,
       }
     }
   }
+  catch (const WritingError &error)
+  {
+    print_end(result.levels, report);
+    writer.write_failure(result.levels, judge.failed(result.levels, error.what()));
+    throw;
+  }
   catch (const ComputationError &error)
   {
     result.verdict = judge.failed(result.levels, error.what());
     writer.write_failure(result.levels, result.verdict);
   }
-  catch (const InputError &error)
+  catch (const InputError &)
   {
-    writer.abandon(result.levels, error.what());
+    writer.abandon();
     throw;
   }
-  print_end(result.levels, judge, result.verdict, report);
+  print_end(result.levels, report);
+  print_verdict(result.levels, judge, result.verdict, report.screen);
   return result;
 }
 

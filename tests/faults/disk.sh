@@ -24,11 +24,12 @@ could_not_write() { grep -q "^signorini: The file '$1.*' could not be written: t
 
 # failed_honestly DIRECTORY: after a run that could not write all its files.
 failed_honestly() {
-  check "  exit code 2" [ "$code" -eq 2 ]
+  check "  exit code 3" [ "$code" -eq 3 ]
   check "  one sentence" one_line stderr
   check "  which names the file" could_not_write "$1/"
   check "  no temporary files" no_temporary_files "$1"
   check "  complete files" no_half_files "$1"
+  check "  no word of residuals" [ "$(grep -c 'KKT residuals are' stdout)" -eq 0 ]
   check "  no wrong verdict" grep -Eq '"verdict": "(unfinished|not certified)"' "$1/certificate.json"
 }
 
@@ -100,7 +101,7 @@ process=$!
 until [ -e gone/contact-03.csv ] || ! kill -0 "$process"; do sleep 0.02; done
 until rm -rf gone 2>/dev/null; do :; done
 wait "$process"
-check "a directory that is removed: exit code 2" [ $? -eq 2 ]
+check "a directory that is removed: exit code 3" [ $? -eq 3 ]
 check "  one sentence" one_line stderr
 check "  which names the directory" grep -Eq "^signorini: The (directory 'gone' was removed|file 'gone/)" stderr
 check "  and stays removed" [ ! -e gone ]
@@ -110,7 +111,7 @@ process=$!
 until [ -e swapped/contact-03.csv ] || ! kill -0 "$process"; do sleep 0.02; done
 mv swapped moved && mkdir swapped
 wait "$process"
-check "a directory that is replaced: exit code 2" [ $? -eq 2 ]
+check "a directory that is replaced: exit code 3" [ $? -eq 3 ]
 check "  one sentence" one_line stderr
 check "  which names the directory" grep -Eq "^signorini: The (directory 'swapped' was removed or replaced|file 'swapped/)" stderr
 # The file that is being written at this moment may be in it.

@@ -81,6 +81,67 @@ cp scene.prm contact-02.csv
 run 1 contact-02.csv --output .
 check "  under any name" cmp -s scene.prm contact-02.csv
 rm parameters.prm contact-02.csv
+# The results go to another place than the file at first sight; so does what is removed again.
+cp scene.prm mine.prm
+run 1 mine.prm --output new/../mine.prm
+check "  the scene stays" cmp -s scene.prm mine.prm
+check "  and no directory" [ ! -e new ]
+mkdir linked linked/.earlier-results
+cp scene.prm linked/contact-09.csv
+ln -s linked/contact-09.csv by_link.prm
+ln linked/contact-09.csv by_name.prm
+cp scene.prm linked/.earlier-results/contact-09.csv
+for file in by_link.prm by_name.prm linked/.earlier-results/contact-09.csv; do
+  run 1 $file --output new/../linked
+  check "  about the file" says "$file"
+done
+check "  the file stays" cmp -s scene.prm linked/contact-09.csv
+cat >linked/answer.json <<'MSH'
+$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+1 1 "top"
+1 2 "bottom"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+$EndNodes
+$Elements
+3
+1 1 2 1 1 3 4
+2 1 2 2 2 1 2
+3 3 2 3 1 1 2 3 4
+$EndElements
+MSH
+ln -s linked/answer.json mesh.msh
+cat >mesh.prm <<'PRM'
+subsection Geometry
+  set Shape = file
+  set File  = mesh.msh
+end
+subsection Boundary
+  set Clamped = top
+  set Contact = bottom
+end
+PRM
+cp linked/answer.json answer.json
+run 1 mesh.prm --output linked
+check "  about the mesh" says "mesh.msh"
+check "  which stays" cmp -s answer.json linked/answer.json
+mkdir next
+cp scene.prm next.prm
+cp scene.prm next/sweep.csv
+run 1 next/sweep.csv --sweep 'Discretization/Finest level=4, 5' --output next
+cp scene.prm next/contact-02.csv
+run 1 next.prm next/contact-02.csv --output .
+check "  a scene that is still to come stays" cmp -s scene.prm next/contact-02.csv
+rm answer.json
 run 0 scene.prm --output repeated
 run 0 repeated/parameters.prm --output repeated
 

@@ -194,6 +194,12 @@ void directories(Checks &checks, const fs::path &directory)
     checks.that("only as far as they are empty",
                 !fs::exists(path) && fs::is_directory(directory / "a"));
   }
+  std::ofstream(directory / "file") << "mine";
+  checks.throws<InputError>("a file behind a new directory", "--output: found", [&]() {
+    const ResultsDirectory results(directory / "new" / ".." / "file");
+  });
+  checks.that("which stays, without the directory",
+              read(directory / "file") == "mine" && !fs::exists(directory / "new"));
   fs::create_directory(path);
   ResultsDirectory(path).remove_if_empty();
   checks.that("what was there before stays", fs::is_directory(path));
@@ -221,6 +227,42 @@ void earlier_run(Checks &checks, const fs::path &directory)
                 !fs::exists(directory / ".results-2.part"));
   checks.that("nothing else is", std::distance(begin(entries), end(entries)) == 5);
   remove_files(directory / "missing", [](const std::string &) { return true; });
+  fs::remove_all(directory);
+}
+
+/** Results are set aside and put back, whatever is beside them; a file in the folder that is no
+ * result stays. */
+void set_aside(Checks &checks, const fs::path &directory)
+{
+  const fs::path aside = directory / ".earlier-results";
+  fs::create_directories(aside);
+  std::ofstream(aside / "convergence.csv") << "of a killed run";
+  std::ofstream(aside / "notes") << "mine";
+  for (const char *name : {"certificate.json", "contact-01.csv", "notes"})
+    std::ofstream(directory / name) << "text";
+  set_results_aside(directory);
+  checks.that("results are set aside",
+              fs::exists(aside / "certificate.json") && fs::exists(aside / "contact-01.csv") &&
+                !fs::exists(directory / "certificate.json") &&
+                !fs::exists(directory / "contact-01.csv") &&
+                !fs::exists(aside / "convergence.csv") && fs::exists(directory / "notes"));
+  put_results_back(directory);
+  checks.that("results are put back",
+              read(directory / "certificate.json") == "text" &&
+                read(directory / "contact-01.csv") == "text");
+  set_results_aside(directory);
+  remove_results_aside(directory);
+  checks.that("results are replaced, foreign files are not",
+              fs::exists(aside / "notes") && !fs::exists(aside / "certificate.json"));
+  fs::remove_all(aside);
+  set_results_aside(directory);
+  checks.that("no folder for nothing", !fs::exists(aside));
+  std::ofstream(directory / "certificate.json") << "text";
+  std::ofstream(aside) << "no folder";
+  checks.throws<WritingError>("a file in the place of the folder", "could not be removed", [&]() {
+    set_results_aside(directory);
+  });
+  checks.that("the results stay", read(directory / "certificate.json") == "text");
   fs::remove_all(directory);
 }
 
@@ -304,6 +346,7 @@ int main(int argc, char **argv)
   fs::remove_all(directory);
   directories(checks, directory);
   earlier_run(checks, directory);
+  set_aside(checks, directory);
   disk(checks, directory);
   vtu(checks, directory);
   fs::remove_all(directory);

@@ -47,6 +47,12 @@ printf '#!/bin/sh\nkill -9 $$\n' >empty/gnuplot
 PATH=$directory/empty:$PATH run "$scenes/a1.prm" --set 'Discretization/Finest level=3' --set Output/Pictures=true --output killed
 check "a run with a gnuplot that is killed is certified" [ $? -eq 0 ]
 check "  and says why" grep -qx 'Pictures: pressure.svg was not drawn: gnuplot failed: it said nothing\.' stdout
+# One that does not end is stopped after a minute, during which the results are there.
+printf '#!/bin/sh\nexec sleep 1000\n' >empty/gnuplot
+PATH=$directory/empty:$PATH run "$scenes/a1.prm" --set 'Discretization/Finest level=3' --set Output/Pictures=true --output hangs
+check "a run with a gnuplot that hangs is certified" [ $? -eq 0 ]
+check "  and says why" grep -qx 'Pictures: pressure.svg was not drawn: gnuplot did not end within 60 seconds and was stopped\.' stdout
+check "  the certificate, too" grep -q '"verdict": "certified"' hangs/certificate.json
 
 if ! command -v gnuplot >/dev/null; then
   echo "gnuplot is not installed: the pictures themselves are not tested."

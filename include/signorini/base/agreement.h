@@ -10,9 +10,9 @@ namespace Signorini
 {
 /**
  * Runs @p work, which must not communicate, and lets all ranks leave together: if it throws on one
- * of them, all throw. An InputError or ComputationError keeps its type and its message (that of the
- * lowest rank that threw one), and std::bad_alloc its type; others become std::runtime_error.
- * Collective.
+ * of them, all throw. An InputError, ComputationError or WritingError keeps its type and its
+ * message (that of the lowest rank that threw one), and std::bad_alloc its type; others become
+ * std::runtime_error. Collective.
  */
 void agree(MPI_Comm communicator, const std::function<void()> &work);
 

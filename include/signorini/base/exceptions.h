@@ -34,4 +34,10 @@ public:
   {
   }
 };
+
+/** Results cannot be written: exit code 3. The message names the file. */
+class WritingError : public ComputationError
+{
+  using ComputationError::ComputationError;
+};
 } // namespace Signorini

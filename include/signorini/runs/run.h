@@ -23,12 +23,14 @@ struct RunInput
   std::vector<std::string> overrides;
   /** Where results go. */
   std::filesystem::path directory;
+  /** Further files that will be read, after this run; its results must not replace them. */
+  std::vector<std::filesystem::path> others;
 };
 
 /** How a run ended. */
 struct RunSummary
 {
-  /** 0: certified, 1: wrong input, 2: not certified. */
+  /** 0: certified, 1: wrong input, 2: not certified, 3: results could not be written. */
   int exit_code = 0;
   /** The verdict in one or two words. */
   std::string verdict;
@@ -46,8 +48,8 @@ RunInput read_input(const std::string &file_name,
                     MPI_Comm communicator,
                     const Screen &screen);
 
-/** run(), with an InputError or a ComputationError told on the screen and turned into the summary
- * of a run that it has ended. */
+/** run(), with an InputError, a ComputationError or a WritingError told on the screen and turned
+ * into the summary of a run that it has ended. */
 RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &run);
 
 /** From parameters to results: one scene. What goes wrong is told on the screen. Collective. */
