@@ -106,10 +106,18 @@ public:
   std::shared_ptr<const PointRule<dim, Number>> rule;
 };
 
-/** The matrices of the next coarser level: the energy of functions that are linear along the edges
- * of its cells, sum over the children of P^T K P. */
+/** The rule of the next coarser level: with its nodes. */
+template <int dim, typename Number>
+std::shared_ptr<const PointRule<dim, Number>> coarsen(const PointRule<dim, Number> &fine,
+                                                      const BlockGrid<dim> &coarse_grid);
+
+/**
+ * The matrices of the next coarser level: the energy of functions that are linear along the edges
+ * of its cells, sum over the children of P^T K P. In double precision: a slender body bends with
+ * less energy than rounding to single precision gives to rigid motions of its cells.
+ */
 template <int dim>
-CellMatrices<dim, float> coarsen(const CellMatrices<dim, float> &fine,
-                                 const BlockGrid<dim> &fine_grid,
-                                 const BlockGrid<dim> &coarse_grid);
+CellMatrices<dim, double> coarsen(const CellMatrices<dim, double> &fine,
+                                  const BlockGrid<dim> &fine_grid,
+                                  const BlockGrid<dim> &coarse_grid);
 } // namespace Signorini

@@ -3,6 +3,7 @@
 
 #include "coarsest_inverse.h"
 
+#include <signorini/base/exceptions.h>
 #include <signorini/stiffness_inverse/condensed_inverse.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -21,7 +22,7 @@ constexpr unsigned int most_unknowns_of_matrix = 1200;
  * and with a diagonal for the rest. */
 template <int dim, typename Function>
 void for_entries(const BlockGrid<dim> &grid,
-                 const CellMatrices<dim, float> &matrices,
+                 const CellMatrices<dim, double> &matrices,
                  const NodeConditions<dim> &conditions,
                  const Function &f)
 {
@@ -33,8 +34,8 @@ void for_entries(const BlockGrid<dim> &grid,
              ? dealii::Tensor<2, dim>(dealii::unit_symmetric_tensor<dim>())
              : condition_of[node]->projection;
   };
-  std::vector<float> buffer;
-  const float *K = nullptr;
+  std::vector<double> buffer;
+  const double *K = nullptr;
   for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
   {
     if (cell % n_lanes == 0)
@@ -46,7 +47,7 @@ void for_entries(const BlockGrid<dim> &grid,
         dealii::Tensor<2, dim> block;
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
-            block[c][d] = K[CellMatrices<dim, float>::entry(v * dim + c, w * dim + d) * n_lanes +
+            block[c][d] = K[CellMatrices<dim, double>::entry(v * dim + c, w * dim + d) * n_lanes +
                             cell % n_lanes];
         block = projected(nodes[v]) * block * projected(nodes[w]);
         for (unsigned int c = 0; c < dim; ++c)
@@ -65,7 +66,7 @@ void for_entries(const BlockGrid<dim> &grid,
 
 template <int dim>
 CoarsestInverse<dim>::CoarsestInverse(const BlockGrid<dim> &grid,
-                                      const CellMatrices<dim, float> &matrices,
+                                      const CellMatrices<dim, double> &matrices,
                                       const NodeConditions<dim> &conditions)
   : n_nodes_(grid.n_nodes())
   , conditions_(conditions)
@@ -80,12 +81,21 @@ CoarsestInverse<dim>::CoarsestInverse(const BlockGrid<dim> &grid,
       conditions,
       [&](const unsigned int i, const unsigned int j, const double value) { A(i, j) += value; });
     A.set_property(dealii::LAPACKSupport::symmetric);
-    A.compute_cholesky_factorization();
-    A.invert();
+    try
+    {
+      A.compute_cholesky_factorization();
+      A.invert();
+    }
+    catch (const dealii::LACExceptions::ExcSingular &)
+    {
+      throw ComputationError("The matrix of the coarsest multigrid level is not positive definite, "
+                             "by rounding: the body is very slender, or its moduli differ much; "
+                             "Solver/Linear solver = condensed factorises instead.");
+    }
     inverse_.resize(static_cast<std::size_t>(n) * n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j < n; ++j)
-        inverse_[static_cast<std::size_t>(i) * n + j] = static_cast<float>(A(i, j));
+        inverse_[static_cast<std::size_t>(i) * n + j] = A(i, j);
     return;
   }
   const dealii::IndexSet all = dealii::complete_index_set(n);
@@ -122,24 +132,24 @@ void CoarsestInverse<dim>::apply(LevelVector<dim, float> &x, LevelVector<dim, fl
   }
   else
   {
-    std::vector<float> values(static_cast<std::size_t>(dim) * n_nodes_);
+    std::vector<double> values(static_cast<std::size_t>(dim) * n_nodes_);
     for (unsigned int node = 0; node < n_nodes_; ++node)
       for (unsigned int c = 0; c < dim; ++c)
         values[node * dim + c] = b[c][node];
-    const float *row = inverse_.data();
+    const double *row = inverse_.data();
     for (unsigned int node = 0; node < n_nodes_; ++node)
       for (unsigned int c = 0; c < dim; ++c, row += values.size())
       {
         // Several sums: an addition need not wait for the one before.
-        std::array<float, 8> sums = {};
+        std::array<double, 8> sums = {};
         std::size_t j = 0;
         for (; j + 8 <= values.size(); j += 8)
           for (unsigned int s = 0; s < 8; ++s)
             sums[s] += row[j + s] * values[j + s];
         for (; j < values.size(); ++j)
           sums[0] += row[j] * values[j];
-        x[c][node] =
-          ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+        x[c][node] = static_cast<float>(((sums[0] + sums[1]) + (sums[2] + sums[3])) +
+                                        ((sums[4] + sums[5]) + (sums[6] + sums[7])));
       }
   }
   project(x, conditions_);

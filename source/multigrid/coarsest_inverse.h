@@ -18,8 +18,9 @@ template <int dim>
 class CoarsestInverse
 {
 public:
+  /** @throws ComputationError if A is not positive definite, by rounding. */
   CoarsestInverse(const BlockGrid<dim> &grid,
-                  const CellMatrices<dim, float> &matrices,
+                  const CellMatrices<dim, double> &matrices,
                   const NodeConditions<dim> &conditions);
 
   /** x = A^{-1} b, with the projections of both. */
@@ -29,7 +30,7 @@ private:
   unsigned int n_nodes_;
   const NodeConditions<dim> &conditions_;
   /** Of small levels: the inverse, row by row. */
-  std::vector<float> inverse_;
+  std::vector<double> inverse_;
   dealii::TrilinosWrappers::SparseMatrix matrix_;
   std::unique_ptr<const StiffnessInverse> factors_;
 };

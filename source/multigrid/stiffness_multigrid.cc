@@ -5,6 +5,7 @@
 #include <signorini/multigrid/stiffness_multigrid.h>
 
 #include <cmath>
+#include <optional>
 
 #include "cell_integration.h"
 #include "coarsest_inverse.h"
@@ -34,12 +35,13 @@ public:
   {
     levels_.push_back(std::make_unique<MultigridLevel<dim>>(
       grid_, fine_.matrices_in_single_precision(), fine_.conditions, instructions_));
+    std::optional<CellMatrices<dim, double>> coarse;
     while (levels_.back()->grid().n_nodes() > most_coarsest_nodes && levels_.back()->grid().n() > 1)
-      add_coarser_level();
+      coarse = add_coarser_level(coarse ? *coarse : fine_.matrices);
     fine_.places = {};
     const MultigridLevel<dim> &coarsest = *levels_.back();
     inverse_ = std::make_unique<CoarsestInverse<dim>>(
-      coarsest.grid(), coarsest.matrices(), coarsest.conditions());
+      coarsest.grid(), coarse ? *coarse : fine_.matrices, coarsest.conditions());
   }
 
   unsigned int n_dofs() const
@@ -113,18 +115,22 @@ public:
   }
 
 private:
-  void add_coarser_level()
+  /** @param matrices of the coarsest level so far. @return those of the new one. */
+  CellMatrices<dim, double> add_coarser_level(const CellMatrices<dim, double> &matrices)
   {
     const MultigridLevel<dim> &finer = *levels_.back();
     const BlockGrid<dim> &grid = finer.grid();
     fine_.places = every_other<dim>(fine_.places, grid.n_blocks(), grid.n());
     const auto coarse = std::make_shared<const BlockGrid<dim>>(
       grid.n_blocks(), grid.n() / 2, fine_.places, grid.n_nodes());
-    levels_.push_back(
-      std::make_unique<MultigridLevel<dim>>(coarse,
-                                            coarsen(finer.matrices(), grid, *coarse),
-                                            coarsen(finer.conditions(), grid.n_nodes(), *coarse),
-                                            instructions_));
+    CellMatrices<dim, double> sums = coarsen(matrices, grid, *coarse);
+    const auto &rule = finer.matrices().rule;
+    levels_.push_back(std::make_unique<MultigridLevel<dim>>(
+      coarse,
+      CellMatrices<dim, float>(sums, rule == nullptr ? nullptr : coarsen(*rule, *coarse)),
+      coarsen(finer.conditions(), grid.n_nodes(), *coarse),
+      instructions_));
+    return sums;
   }
 
   void cycle(const unsigned int l)
