@@ -61,7 +61,8 @@ Json describe(const LevelRecord &level, const Judge &judge)
           {"residual_bound", judge.residual_bound(level)},
           {"unique", level.dual.unique},
           {"contact_solver_replaced",
-           level.dual.active_set_failure.has_value() || level.dual.stalled.has_value()},
+           level.dual.active_set_failure.has_value() || level.dual.stalled.has_value() ||
+             level.dual.failure_of_cycles.has_value()},
           {"bound", level.bound ? describe(*level.bound) : Json(nullptr)},
           {"certified", judge.accepts(level)}};
 }

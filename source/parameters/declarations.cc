@@ -313,7 +313,7 @@ void Declarations::declare_solver(SolverParameters &solver)
     "Maximum iterations",
     solver.maximum_iterations,
     "Sweeps of projected SOR, steps of the active set, products of MPRGP or V-cycles before giving "
-    "up.",
+    "up; a level that needs more is the last one, and is not certified.",
     Patterns::Integer(1, std::numeric_limits<int>::max()),
     "a positive integer");
   add("Linear solver",

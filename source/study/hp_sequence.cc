@@ -3,6 +3,7 @@
 
 #include <signorini/base/exceptions.h>
 #include <signorini/base/stage_timer.h>
+#include <signorini/base/text.h>
 #include <signorini/elasticity/energy_norm.h>
 #include <signorini/refinement/contact_misfit.h>
 #include <signorini/refinement/error_history.h>
@@ -10,6 +11,8 @@
 #include <signorini/refinement/pressure_transfer.h>
 #include <signorini/refinement/step_difference.h>
 #include <signorini/refinement/unseen_contact.h>
+
+#include <cmath>
 
 #include "load_case_study.h"
 #include "sequence.h"
@@ -42,13 +45,8 @@ public:
     , plan_(first_plan(scene_,
                        context.parameters.discretization.coarsest_level,
                        context.parameters.discretization.maximum_degree))
-    , next_(make_discretization())
+    , next_(make_first_discretization())
   {
-    const auto &most = context.parameters.discretization.maximum_unknowns;
-    if (next_->space.dofs().n_dofs() > most)
-      throw InputError(most.where() + ": found '" + std::to_string(most.value) +
-                       "', but the first mesh has " + std::to_string(next_->space.dofs().n_dofs()) +
-                       " unknowns, allowed: that many, or a smaller Coarsest level.");
   }
 
   std::string name_of_next() const override
@@ -72,8 +70,8 @@ public:
     progress("errors");
     add_errors<2>(parameters, context_.scene, discretization, nullptr, solution);
     last_ = {std::move(next_), solution.U, solution.P};
-    finished_ =
-      (context_.judge.reaches_target(record) && is_checked(record)) || history_.stagnates();
+    finished_ = !record.dual.converged || history_.stagnates() ||
+                (context_.judge.reaches_target(record) && is_checked(record));
     if (!finished_)
       plan_next(findings);
     if (finished_)
@@ -102,6 +100,26 @@ private:
   std::unique_ptr<const Discretization<2>> make_discretization() const
   {
     return std::make_unique<const Discretization<2>>(context_.parameters, scene_, plan_);
+  }
+
+  /** @throws InputError if the first mesh has too many unknowns; one that is much too fine is not
+   * made. */
+  std::unique_ptr<const Discretization<2>> make_first_discretization() const
+  {
+    const auto check = [&](const double n_unknowns, const std::string &text) {
+      const auto &most = context_.parameters.discretization.maximum_unknowns;
+      if (n_unknowns > most)
+        throw InputError(most.where() + ": found '" + std::to_string(most.value) +
+                         "', but the first mesh has " + text +
+                         " unknowns, allowed: that many, or a smaller Coarsest level.");
+    };
+    // Every cell is of degree 2: by Euler's formula there are more than four nodes for each.
+    const double fewest = 8. * scene_.geometry.n_coarse_cells * std::pow(4., plan_.base_level);
+    check(fewest, "more than " + number_text(fewest));
+    auto first = make_discretization();
+    const auto n_dofs = first->space.dofs().n_dofs();
+    check(static_cast<double>(n_dofs), std::to_string(n_dofs));
+    return first;
   }
 
   /** Whether a second mesh agrees; only solutions that lie in the first space need none. */

@@ -47,7 +47,7 @@ public:
     progress("errors");
     add_errors(parameters, context_.scene, discretization, exact_pressure_.get(), solution);
     finished_ = next_level_ == parameters.discretization.finest_level ||
-                context_.judge.reaches_target(solution.record);
+                !solution.record.dual.converged || context_.judge.reaches_target(solution.record);
     if (finished_ && discretization.space.strain_operator() == StrainOperator::symmetric_gradient)
       solution.record.locking_number =
         locking_number(discretization.mesh, *context_.scene.material);
@@ -81,7 +81,7 @@ private:
   Parameters of_level(const unsigned int level) const
   {
     Parameters parameters = context_.parameters;
-    if (cycles_have_failed_)
+    if (failure_of_cycles_)
       parameters.solver.contact_solver.value = ContactSolver::active_set;
     return parameters_of_level(parameters,
                                context_.scene,
@@ -90,28 +90,35 @@ private:
   }
 
   /** By V-cycles or by factors. Where V-cycles were chosen automatically and do not end, factors
-   * answer, on this level and on all that follow. */
+   * answer, on this level and on all that follow, and the records of these levels say so. */
   LevelSolution<dim> solve(const Parameters &parameters,
                            const Discretization<dim> &discretization,
                            const LevelStart &start,
                            const Progress &progress)
   {
+    const auto solve_with = [&](const Parameters &with) {
+      LevelSolution<dim> solution =
+        solve_level(with, context_.scene, discretization, start, progress);
+      solution.record.dual.failure_of_cycles = failure_of_cycles_;
+      return solution;
+    };
     if (context_.parameters.solver.contact_solver != ContactSolver::automatic ||
         !iterates_contact(parameters))
-      return solve_level(parameters, context_.scene, discretization, start, progress);
+      return solve_with(parameters);
     try
     {
-      LevelSolution<dim> solution =
-        solve_level(parameters, context_.scene, discretization, start, progress);
+      LevelSolution<dim> solution = solve_with(parameters);
       if (solution.record.dual.converged)
         return solution;
+      failure_of_cycles_ = name_of_next() + " did not end within " +
+                           std::to_string(solution.record.dual.iterations) + " V-cycles";
     }
-    catch (const ComputationError &)
+    catch (const ComputationError &error)
     {
       // The linear systems of the estimate do not end, either.
+      failure_of_cycles_ = name_of_next() + ": " + error.what();
     }
-    cycles_have_failed_ = true;
-    return solve_level(of_level(next_level_), context_.scene, discretization, start, progress);
+    return solve_with(of_level(next_level_));
   }
 
   /** What the levels before leave to start from. */
@@ -141,7 +148,7 @@ private:
 
   StudyContext<dim> context_;
   /** Before all that of_level() is asked for. */
-  bool cycles_have_failed_ = false;
+  std::optional<std::string> failure_of_cycles_;
   /** Those of the finest level. */
   Parameters finest_parameters_;
   MemoryLimit<dim> memory_;

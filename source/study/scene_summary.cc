@@ -103,6 +103,9 @@ void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &
   if (level.dual.stalled)
     screen << "Warning: on " << name << " " << *level.dual.stalled
            << "; the active set method with MINRES answered instead.\n";
+  if (level.dual.failure_of_cycles)
+    screen << "Warning: on " << name << " a factorisation answered instead of V-cycles ("
+           << *level.dual.failure_of_cycles << ").\n";
   const std::string doubt = judge.doubt(level);
   if (!doubt.empty())
     screen << "Warning: " << name << " is not certified: " << doubt << "\n";

@@ -153,15 +153,41 @@ test_run() {
 test_exhausted() {
   run 2 a1.prm --output exhausted --set 'Solver/Contact solver=psor' \
     --set 'Solver/Maximum iterations=1'
-  check "  results are written" [ "$(wc -l <exhausted/convergence.csv)" -eq 3 ]
+  check "  results are written, of no finer level" [ "$(wc -l <exhausted/convergence.csv)" -eq 2 ]
   check "  and marked" verdict_is exhausted 'not certified'
   check "  and it is said" says 'NOT certified'
+  run 2 a1.prm --output exhausted --set Discretization/Strategy=hp --set 'Solver/Maximum iterations=1'
+  check "  graded meshes, too" [ "$(wc -l <exhausted/convergence.csv)" -eq 2 ]
+  run 1 a1.prm --output huge --set Discretization/Strategy=hp --set 'Discretization/Coarsest level=14'
+  check "  before it is made" grep -q 'the first mesh has more than 2.14748e+09 unknowns' stderr
 }
 
 test_replaced() {
   run 0 a1.prm --output replaced --set 'Solver/Tolerated error=2' --set 'Discretization/Finest level=2' --set 'Discretization/Patches=7'
   check "  a solver that was not chosen says so" says 'projected SOR answered instead'
   check "  and the certificate, too" grep -q '"contact_solver_replaced": true' replaced/certificate.json
+  # 6144 unknowns in space, which V-cycles are chosen for; three do not solve anything.
+  cat >box.prm <<'PRM'
+set Dimension = 3
+subsection Geometry
+  set Shape = box
+  set Cells = 2, 2, 1
+end
+subsection Boundary
+  set Clamped = top
+  set Contact = bottom
+end
+subsection Load
+  set Body force = 0; 0; -0.01
+end
+subsection Discretization
+  set Coarsest level = 3
+  set Finest level   = 3
+end
+PRM
+  run 0 box.prm --output factors --set 'Solver/Maximum iterations=3' --set 'Output/Inf-sup constant=false' --set Output/VTU=none
+  check "  V-cycles that are given up say so" says 'on level 3 a factorisation answered instead of V-cycles (level 3 did not end within'
+  check "  and the certificate, too" grep -q '"contact_solver_replaced": true' factors/certificate.json
 }
 
 write_inputs

@@ -144,6 +144,7 @@ void check_failures(Checks &checks)
     a1,
     {"Solver/Contact solver=psor", "Solver/Maximum iterations=3", "Discretization/Finest level=4"});
   checks.that("sweeps run out: not certified", !exhausted.verdict.is_certified());
+  checks.that("sweeps run out: no finer level", exhausted.levels.size() == 1);
   checks.that("sweeps run out: the cause is named",
               exhausted.verdict.reason.find("Maximum iterations") != std::string::npos);
   checks.throws<InputError>("H = h refused", "not inf-sup stable", [&]() {

@@ -26,6 +26,8 @@ struct DualSolve
   std::optional<std::string> active_set_failure;
   /** Why MINRES answered instead of V-cycles with boundary problems. */
   std::optional<std::string> stalled;
+  /** The level on which V-cycles were given up, and why; from there on factors answer. */
+  std::optional<std::string> failure_of_cycles;
   /** Relative to the energy norm of U: the algebraic error at which V-cycles ended because the
    * error of the discretisation is larger; 0 where the tolerance counts. */
   double energy_tolerance = 0.;
