@@ -3,6 +3,7 @@
 
 #include <signorini/bound/best_change.h>
 
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -143,6 +144,40 @@ void for_all_entries(const EdgeMesh &mesh,
       }
   }
 }
+
+/** The multipliers of a cell that do no work on any edge which may carry tractions: the rigid
+ * motions that such edges leave to the body, as the cell sees them. */
+std::vector<std::array<double, 3>> free_motions(const EdgeMesh &mesh, const EdgeCell &seen_by)
+{
+  // A motion moves x by (a - w y, b + w x)/size, x and y from corner 0 of the cell.
+  const double size = seen_by.corners[0].distance(seen_by.corners[2]);
+  dealii::SymmetricTensor<2, 3> work;
+  for (const EdgeCell &cell : mesh.cells())
+    for (unsigned int k = 0; k < 4; ++k)
+    {
+      const Edge &edge = mesh.edges()[cell.edges[k]];
+      if (edge.side == Edge::no_side || edge.freedom == EdgeFreedom::none)
+        continue;
+      for (const unsigned int corner : {k, (k + 1) % 4})
+      {
+        const dealii::Tensor<1, 2> arm = (cell.corners[corner] - seen_by.corners[0]) / size;
+        for (unsigned int d = 0; d < (edge.freedom == EdgeFreedom::any ? 2 : 1); ++d)
+        {
+          dealii::Tensor<1, 2> n = edge.normal;
+          if (edge.freedom == EdgeFreedom::any)
+            n = dealii::Point<2>::unit_vector(d);
+          const dealii::Tensor<1, 3> row({n[0], n[1], arm[0] * n[1] - arm[1] * n[0]});
+          work += symmetrize(outer_product(row, row));
+        }
+      }
+    }
+  std::vector<std::array<double, 3>> motions;
+  const auto pairs = eigenvectors(work);
+  for (const auto &[stopped, motion] : pairs)
+    if (stopped <= 1e-10 * pairs[0].first)
+      motions.push_back({{motion[0], motion[1], motion[2]}});
+  return motions;
+}
 } // namespace
 
 std::vector<double> best_change(const EdgeMesh &mesh,
@@ -151,6 +186,7 @@ std::vector<double> best_change(const EdgeMesh &mesh,
 {
   const FreeMoments free(mesh);
   const unsigned int n = free.size() + 3 * mesh.cells().size();
+  const auto motions = free_motions(mesh, mesh.cells()[0]);
   double largest = 0.;
   for (unsigned int c = 0; c < mesh.cells().size(); ++c)
     for (unsigned int j = 0; j < 16; ++j)
@@ -162,15 +198,26 @@ std::vector<double> best_change(const EdgeMesh &mesh,
   for_all_entries(mesh, energies, free, scale, [&](const auto i, const auto j, const double) {
     entries.add(i, j);
   });
+  const auto for_multipliers_of_first_cell = [&](const auto &add) {
+    for (const std::array<double, 3> &motion : motions)
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          add(free.size() + i, free.size() + j, -motion[i] * motion[j]);
+  };
+  for_multipliers_of_first_cell(
+    [&](const auto i, const auto j, const double) { entries.add(i, j); });
   dealii::SparsityPattern pattern;
   pattern.copy_from(entries);
   dealii::SparseMatrix<double> matrix(pattern);
   for_all_entries(mesh, energies, free, scale, [&](const auto i, const auto j, const double value) {
     matrix.add(i, j, value);
   });
-  dealii::Vector<double> x(n);
-  free.add_transposed(r, x);
-  x *= scale;
+  for_multipliers_of_first_cell(
+    [&](const auto i, const auto j, const double value) { matrix.add(i, j, value); });
+  dealii::Vector<double> rhs(n);
+  free.add_transposed(r, rhs);
+  rhs *= scale;
+  dealii::Vector<double> x(rhs), residual(n);
   try
   {
     dealii::SparseDirectUMFPACK().solve(matrix, x);
@@ -179,6 +226,9 @@ std::vector<double> best_change(const EdgeMesh &mesh,
   {
     return {};
   }
+  constexpr double tolerance = 1e-9;
+  if (!(matrix.residual(residual, x, rhs) <= tolerance * x.l2_norm()))
+    return {};
   return free.moments(x);
 }
 } // namespace Signorini

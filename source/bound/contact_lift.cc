@@ -120,7 +120,8 @@ double contact_term(const ContactTrace &trace, const LiftField &lift, const unsi
   static const dealii::QGauss<1> gauss(4);
   const PenetrationFace &F = trace.faces()[face];
   double sum = 0.;
-  for (const EdgeFunction::Part &part : F.d.parts())
+  // Those of d and p_H, and where w_n has kinks.
+  for (const EdgeFunction::Part &part : lift.remainder(face).parts())
     for (unsigned int q = 0; q < gauss.size(); ++q)
     {
       const double t = part.start + (part.end - part.start) * gauss.point(q)[0];

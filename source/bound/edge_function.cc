@@ -161,6 +161,9 @@ struct Samples
   }
 };
 
+/** Between two breaks, before any is halved. */
+constexpr unsigned int n_intervals = 4;
+
 class Sampler
 {
 public:
@@ -171,7 +174,7 @@ public:
     : f_(f)
     , n_scanned_(n_scanned)
   {
-    constexpr unsigned int n = 4;
+    constexpr unsigned int n = n_intervals;
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
       for (unsigned int i = 0; i < n; ++i)
       {
@@ -232,8 +235,13 @@ public:
     for (std::size_t i = 0; i <= n; ++i)
       values[i] += lifts[i];
     std::vector<EdgeFunction::Part> parts;
-    if (linear_)
-      parts.push_back({0., 1., intervals_.front().first, intervals_.back().last, 0.});
+    const double a = intervals_.front().first, b = intervals_.back().last;
+    for (std::size_t i = 0; i < n && linear_; i += n_intervals)
+    {
+      const double start = intervals_[i].start, end = intervals_[i + n_intervals - 1].end;
+      parts.push_back(
+        {start, end, (1. - start) * a + start * b, (1. - end) * a + end * b, 0.});
+    }
     for (std::size_t i = 0; i < n && !linear_; ++i)
       parts.push_back({intervals_[i].start,
                        intervals_[i].end,

@@ -15,10 +15,12 @@ namespace Signorini
  *     ( B  0  ) ( l ) = ( 0 ),
  *
  * about eleven equations per cell, by sparse LU factors. It is the limit of conjugate gradients
- * with StarSolver, which need many steps where a body or its cells are long and thin. The equations
- * have one solution if edges that may carry tractions hold the body.
+ * with StarSolver, which need many steps where a body or its cells are long and thin.
  *
- * @return nothing if the factorisation fails.
+ * Where edges that may carry tractions leave rigid motions to the body, B^T vanishes on them: l is
+ * taken without them in the first cell, which changes nothing of b.
+ *
+ * @return nothing if the factorisation fails, or leaves more than rounding.
  */
 std::vector<double> best_change(const EdgeMesh &mesh,
                                 const CellEnergies &energies,

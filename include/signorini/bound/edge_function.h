@@ -85,7 +85,8 @@ struct Pinned
  * of both values.
  *
  * @param rounding absolute rounding errors of f: what is not larger is nothing. An f that is linear
- * but for rounding gives one part.
+ * but for rounding gives one part between breaks: other functions may jump there, and integrals
+ * with them are taken part by part.
  */
 UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
                                         const std::vector<double> &breaks,

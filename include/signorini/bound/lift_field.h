@@ -42,6 +42,11 @@ public:
 
   /** w_n at t of a face. */
   double normal_value(unsigned int face, double t) const;
+  /** r_F. */
+  const EdgeFunction &remainder(const unsigned int face) const
+  {
+    return remainders_[face];
+  }
   /** w at a point of the reference cell. */
   dealii::Tensor<1, 2> value(const CellIterator &cell, const dealii::Point<2> &reference) const;
 
