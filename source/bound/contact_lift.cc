@@ -215,7 +215,7 @@ std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
                                         const ContactTrace &trace,
                                         const StiffnessInverse &inverse)
 {
-  const std::optional<NodalVector> z = lift_of_one(space, scene, trace, inverse);
+  const std::optional<NodalVector> z = lift_of_one(space, trace, inverse);
   if (!z)
     return {};
   const LiftField lift(space, scene, trace, *z, std::vector<EdgeFunction>(trace.faces().size()));

@@ -149,7 +149,7 @@ void ContactTrace::find_conditions()
       NodeCondition &condition = conditions_[face.conditions[end]];
       condition.presses = condition.presses || face.presses();
     }
-  const Coupling condensed = condense(Coupling(columns), space_.constraints());
+  const Coupling condensed = condense(Coupling(columns), space_.constraints_without_pins());
   columns.clear();
   for (unsigned int k = 0; k < condensed.n_columns(); ++k)
   {
@@ -196,6 +196,22 @@ ContactTrace::TractionChange ContactTrace::traction_change(const dealii::Tensor<
       }
   }
   return change;
+}
+
+double ContactTrace::work_of_penetration() const
+{
+  const dealii::QGauss<1> gauss(4);
+  double work = 0.;
+  for (const PenetrationFace &face : faces_)
+    for (const EdgeFunction::Part &part : face.d.parts())
+      for (unsigned int q = 0; q < gauss.size(); ++q)
+      {
+        const double t = part.start + (part.end - part.start) * gauss.point(q)[0];
+        if (const double traction = face.traction(t); traction != 0.)
+          work += traction * penetration(face, t) * face.length * (part.end - part.start) *
+                  gauss.weight(q);
+      }
+  return work;
 }
 
 void ContactTrace::sample()

@@ -239,8 +239,7 @@ public:
     for (std::size_t i = 0; i < n && linear_; i += n_intervals)
     {
       const double start = intervals_[i].start, end = intervals_[i + n_intervals - 1].end;
-      parts.push_back(
-        {start, end, (1. - start) * a + start * b, (1. - end) * a + end * b, 0.});
+      parts.push_back({start, end, (1. - start) * a + start * b, (1. - end) * a + end * b, 0.});
     }
     for (std::size_t i = 0; i < n && !linear_; ++i)
       parts.push_back({intervals_[i].start,

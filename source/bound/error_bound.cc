@@ -108,9 +108,7 @@ ContactLift make_lift(const BoundData &data,
           given.multipliers,
           given.U,
           given.P,
-          data.inverse.has_factors() ? std::make_optional(ContactLift::DualData{
-                                         data.inverse, data.condensed_D, 0.05 * stress_square})
-                                     : std::nullopt,
+          ContactLift::DualData{data.inverse, data.condensed_D, 0.05 * stress_square},
           fields};
 }
 
@@ -141,9 +139,33 @@ struct Consequences
   double stress_error = std::numeric_limits<double>::infinity();
 };
 
+/**
+ * Whether the bracket and J(u_h) contradict each other. With d = u_{h,n} - g, and eta, s and T as
+ * in energy_bracket.h,
+ *
+ *     J(u_h) - eta²/2 - int tau_n d <= J(u) <= J(u_h) + s |||w||| - int tau_n d + T,
+ *
+ * which uses neither J*(tau) nor the gap's work. Up to what another quadrature makes of loads.
+ */
+bool contradicts(const Consequences &known,
+                 const StressBound &of_stress,
+                 const ContactLift &lift,
+                 const double energy,
+                 const double strain_energy)
+{
+  constexpr double tolerance = 1e-4;
+  const ContactBound &contact = *lift.bound();
+  const double rest = energy - lift.trace().work_of_penetration();
+  const double upper =
+    rest + known.stress_error * std::sqrt(contact.lift_energy) + contact.contact_term;
+  const double allowed = tolerance * strain_energy;
+  return rest - 0.5 * of_stress.square > known.energy.upper + allowed ||
+         upper < known.energy.lower - allowed;
+}
+
 /** What is known for straight sides only: the bound for pi^{2h} u_h, the bracket of the energy and
- * the bound of the contact force. */
-void add_guaranteed(const BoundData &data,
+ * the bound of the contact force. @return whether the bracket is in accord with J(u_h). */
+bool add_guaranteed(const BoundData &data,
                     const EquilibratedStress &stress,
                     const StressBound &of_stress,
                     const ContactLift &lift,
@@ -173,7 +195,13 @@ void add_guaranteed(const BoundData &data,
         norm_of_unit_lift(given.space, given.scene, lift.trace(), data.inverse))
     result.force_error =
       contact_force_bound(consequences.stress_error, *unit_lift) + std::abs(change.normal_force);
+  const double energy_norm = stress.energy_norm();
+  // Where u_h only interpolates what is prescribed, J(u_h) is not that of a function with the
+  // boundary values of u.
+  return of_stress.lift > 1e-10 * energy_norm ||
+         !contradicts(consequences, of_stress, lift, data.energy, energy_norm * energy_norm);
 }
+
 /** Where a force drives a plate, the stress has to carry that force. Changes around single vertices
  * do not alter it, the best of all stresses may: it is not asked for. */
 ImprovementOptions improvement_for(const Scene<2> &scene)
@@ -223,8 +251,15 @@ LocatedBound compute_located_bound(const BoundData &data)
   result.geometry = std::sqrt(of_stress.geometry_square);
   result.relative_geometry = ratio(*result.geometry, scale);
   // A polygon says nothing about the last digits of the energy, nor about the force on a curve.
-  if (result.guaranteed)
-    add_guaranteed(data, stress, of_stress, lift, scale, result);
+  if (result.guaranteed && !add_guaranteed(data, stress, of_stress, lift, scale, result))
+  {
+    located.bound = {};
+    located.bound.missing = "the bracket of the energy contradicts the energy of u_h, by rounding "
+                            "or by data that vary between the points where they are sampled";
+    located.bound.penetration = lift.trace().largest_penetration();
+    located.bound.place_of_penetration = name_of(lift.trace().place_of_largest(), given.scene);
+    return located;
+  }
   result.largest_cell = name_of_worst_cell(of_stress, given.space);
   if (!given.scene.contact_sides().empty())
     result.largest_face = name_of(contact.largest_part, given.scene);

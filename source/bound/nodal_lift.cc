@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Functions of V^h with given normal components at contact nodes.
 
+#include <signorini/bound/nodal_compliance.h>
 #include <signorini/bound/nodal_lift.h>
 #include <signorini/compliance/compliance.h>
-#include <signorini/qp/dual_solver.h>
 #include <signorini/recovery/recovery.h>
 
 #include <deal.II/base/mpi.h>
@@ -137,29 +137,9 @@ NodalVector interpolate_layers(const DisplacementSpace<2> &space,
           w[cell->vertex_dof_index(v, d)] = value[d];
       }
   impose(trace.normals(), omega, false, w);
-  space.distribute_homogeneous(w);
+  space.distribute_without_pins(w);
   return w;
 }
-
-/** The conditions of nodes that are not held: their numbers, and the columns. */
-struct FreeConditions
-{
-  explicit FreeConditions(const ContactTrace &trace)
-    : E(std::vector<Coupling::Column>())
-  {
-    std::vector<Coupling::Column> columns;
-    for (unsigned int k = 0; k < trace.conditions().size(); ++k)
-      if (!trace.conditions()[k].held)
-      {
-        numbers.push_back(k);
-        columns.push_back(trace.normals().column(k));
-      }
-    E = Coupling(std::move(columns));
-  }
-
-  std::vector<unsigned int> numbers;
-  Coupling E;
-};
 
 /** E^T A^{-1} D P: the last column of [E, D P]^T A^{-1} [E, D P], which a trailing factor gives
  * without a solve. */
@@ -236,56 +216,46 @@ NodalVector dual_lift(const DisplacementSpace<2> &space,
                       const dealii::Vector<double> &P,
                       const dealii::Vector<double> &required)
 {
-  const FreeConditions free(trace);
-  if (free.numbers.empty())
+  NodalCompliance C(space, trace, inverse);
+  if (C.numbers().empty())
     return NodalVector(space.dofs().n_dofs());
-  Vector F = pushed_by(P, condensed_D, free.E, inverse), start(F.size());
+  Vector F = pushed_by(P, condensed_D, C.columns(), inverse), start(F.size());
   for (unsigned int i = 0; i < F.size(); ++i)
   {
-    F[i] -= required[free.numbers[i]];
-    if (trace.conditions()[free.numbers[i]].presses)
+    F[i] -= required[C.numbers()[i]];
+    if (trace.conditions()[C.numbers()[i]].presses)
       start[i] = -P.linfty_norm() * trace.faces()[0].length;
   }
-  double seconds = 0.;
-  const auto C = make_compliance(inverse, free.E, seconds);
-  const QPResult result = solve_dual_problem(C, F, start, {});
-  Vector minus_Q = result.P;
+  Vector minus_Q = C.press(F, start);
   minus_Q *= -1.;
   DistributedVector forces = space.make_vector();
   condensed_D.add_product(P, forces);
-  free.E.add_product(minus_Q, forces);
+  C.columns().add_product(minus_Q, forces);
   NodalVector w = solve_homogeneous(inverse, space, forces);
-  // What the solver's tolerance leaves.
+  // What the solver's tolerance leaves, and pins.
   impose(trace.normals(), required, true, w);
-  space.distribute_homogeneous(w);
+  space.distribute_without_pins(w);
   return w;
 }
 
 std::optional<NodalVector> lift_of_one(const DisplacementSpace<2> &space,
-                                       const Scene<2> &scene,
                                        const ContactTrace &trace,
                                        const StiffnessInverse &inverse)
 {
-  const FreeConditions free(trace);
-  if (free.numbers.empty() || free.numbers.size() < trace.conditions().size())
+  NodalCompliance C(space, trace, inverse);
+  const auto &conditions = trace.conditions();
+  if (C.numbers().empty() ||
+      std::any_of(conditions.begin(), conditions.end(), [](const auto &c) { return c.held; }))
     return {};
-  Vector one(free.numbers.size());
+  Vector one(C.numbers().size()), everywhere(conditions.size());
   one = 1.;
-  double seconds = 0.;
-  const auto C = make_compliance(inverse, free.E, seconds);
-  if (!C->is_explicit())
-    return interpolate_layers(space, scene, trace, one);
-  dealii::LAPACKFullMatrix<double> matrix(one.size());
-  matrix = C->dense();
-  matrix.set_property(dealii::LAPACKSupport::symmetric);
-  matrix.compute_cholesky_factorization();
-  Vector forces = one;
-  matrix.solve(forces);
+  everywhere = 1.;
+  const Vector forces = C.solve(one);
   DistributedVector b = space.make_vector();
-  free.E.add_product(forces, b);
+  C.columns().add_product(forces, b);
   NodalVector z = solve_homogeneous(inverse, space, b);
-  impose(trace.normals(), one, false, z);
-  space.distribute_homogeneous(z);
+  impose(trace.normals(), everywhere, false, z);
+  space.distribute_without_pins(z);
   return z;
 }
 } // namespace Signorini

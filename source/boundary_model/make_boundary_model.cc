@@ -59,12 +59,12 @@ double relative_contact_modulus(const ContactSurface<dim> &surface, const Patch<
 
 /** (2/E')^{1/2} for every patch. */
 template <int dim>
-Vector scaling_of(const ContactSurface<dim> &surface)
+Vector scaling_of(const ContactSurface<dim> &surface, const std::vector<Patch<dim>> &patches)
 {
   const double unit = surface.scene().material->modulus();
-  Vector scaling(surface.patches().size());
+  Vector scaling(patches.size());
   for (unsigned int k = 0; k < scaling.size(); ++k)
-    scaling[k] = std::sqrt(2. / (unit * relative_contact_modulus(surface, surface.patches()[k])));
+    scaling[k] = std::sqrt(2. / (unit * relative_contact_modulus(surface, patches[k])));
   return scaling;
 }
 
@@ -165,24 +165,30 @@ std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<d
     blocks.push_back(std::move(*block));
   }
   return std::make_shared<const CosineModel>(
-    std::move(blocks), scaling_of(surface), largest_factorised_set(dim));
+    std::move(blocks), scaling_of(surface, surface.patches()), largest_factorised_set(dim));
 }
 
 template <int dim>
 std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<dim> &multipliers)
 {
   require_constants(multipliers);
-  const ContactSurface<dim> &surface = multipliers.surface();
-  const auto m = static_cast<unsigned int>(surface.patches().size());
+  return make_kernel_model(multipliers.surface(), multipliers.surface().patches());
+}
+
+template <int dim>
+std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim> &surface,
+                                                       const std::vector<Patch<dim>> &patches)
+{
+  const auto m = static_cast<unsigned int>(patches.size());
   if (m > most_kernel_patches)
     throw ComputationError("The kernel of the half space is a dense matrix: found " +
                            std::to_string(m) + " contact patches, allowed: at most " +
                            std::to_string(most_kernel_patches) + ".");
   // The logarithm is definite where R exceeds the capacity of the surface.
   const double radius = surface.scene().geometry.diameter();
-  const Vector scaling = scaling_of(surface);
+  const Vector scaling = scaling_of(surface, patches);
   std::vector<FlatPatch<dim>> flat;
-  for (const Patch<dim> &patch : surface.patches())
+  for (const Patch<dim> &patch : patches)
     flat.push_back(flat_patch(surface, patch));
   dealii::FullMatrix<double> C(m, m);
   for (unsigned int i = 0; i < m; ++i)
@@ -199,4 +205,8 @@ template std::shared_ptr<const BoundaryModel> make_boundary_model(const Multipli
 template std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<3> &);
 template std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<2> &);
 template std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<3> &);
+template std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<2> &,
+                                                                const std::vector<Patch<2>> &);
+template std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<3> &,
+                                                                const std::vector<Patch<3>> &);
 } // namespace Signorini

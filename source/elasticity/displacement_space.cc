@@ -143,6 +143,17 @@ dealii::AffineConstraints<double> continuity_conditions(const dealii::DoFHandler
   return conditions;
 }
 
+/** Constrained values of w = T w_free. */
+void set_constrained(const dealii::AffineConstraints<double> &constraints, NodalVector &w)
+{
+  for (const auto &line : constraints.get_lines())
+  {
+    w[line.index] = 0.;
+    for (const auto &entry : line.entries)
+      w[line.index] += entry.second * w[entry.first];
+  }
+}
+
 /** Both; where a degree of freedom has both, the essential condition. */
 dealii::AffineConstraints<double> merge(dealii::AffineConstraints<double> essential,
                                         const dealii::AffineConstraints<double> &continuity)
@@ -196,10 +207,12 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
   dofs_.distribute_dofs(elements);
   auto essential = essential_conditions(mesh_, dofs_, scene);
   supports_ = held_dofs(essential, dofs_.n_dofs());
+  continuity_ = continuity_conditions(dofs_);
   if constexpr (dim == 2)
     if (scene.is_held_by_contact)
     {
       pins_ = choose_pins(dofs_, scene, essential);
+      constraints_without_pins_ = merge(essential_conditions(mesh_, dofs_, scene), continuity_);
       dealii::AffineConstraints<double> conditions;
       conditions.merge(essential);
       for (const Pin &pin : pins_)
@@ -207,7 +220,6 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
       conditions.close();
       essential = std::move(conditions);
     }
-  continuity_ = continuity_conditions(dofs_);
   constraints_ = merge(std::move(essential), continuity_);
 }
 
@@ -236,12 +248,13 @@ NodalVector DisplacementSpace<dim>::prescribed(const Scene<dim> &scene) const
 template <int dim>
 void DisplacementSpace<dim>::distribute_homogeneous(NodalVector &w) const
 {
-  for (const auto &line : constraints_.get_lines())
-  {
-    w[line.index] = 0.;
-    for (const auto &entry : line.entries)
-      w[line.index] += entry.second * w[entry.first];
-  }
+  set_constrained(constraints_, w);
+}
+
+template <int dim>
+void DisplacementSpace<dim>::distribute_without_pins(NodalVector &w) const
+{
+  set_constrained(constraints_without_pins(), w);
 }
 
 template <int dim>

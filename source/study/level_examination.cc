@@ -213,7 +213,8 @@ void add_bound(const Discretization<2> &discretization,
                                                  discretization.n_points},
                                                 inverse,
                                                 discretization.condensed_D,
-                                                discretization.G});
+                                                discretization.G,
+                                                solution.record.certificate.energy});
   solution.record.bound = located.bound;
   solution.bound_fields = std::move(located.fields);
 }

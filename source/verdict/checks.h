@@ -23,6 +23,8 @@ std::string check_residuals(const LevelRecord &level, const Judge &judge);
 
 /** The finest level is in doubt. Coarser ones do not matter: it does not depend on them. */
 std::string check_finest_level(const std::vector<LevelRecord> &levels, const Judge &judge);
+/** Two brackets of the energy have no number in common. */
+std::string check_brackets(const std::vector<LevelRecord> &levels, const Judge &judge);
 /** On the finest level other pressures solve the dual problem, too. */
 std::string check_uniqueness(const std::vector<LevelRecord> &levels, const Judge &judge);
 /** The guaranteed bound on the finest level is larger than what is tolerated. */

@@ -23,7 +23,8 @@ constexpr Check<LevelRecord> level_checks[] = {check_overflow,
                                                check_load_cases,
                                                check_residuals};
 constexpr Check<std::vector<LevelRecord>> equation_checks[] = {check_finest_level,
-                                                               check_uniqueness};
+                                                               check_uniqueness,
+                                                               check_brackets};
 constexpr Check<std::vector<LevelRecord>> accuracy_checks[] = {check_bound,
                                                                check_energy,
                                                                check_locking,

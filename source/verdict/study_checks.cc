@@ -121,6 +121,37 @@ std::string check_uniqueness(const std::vector<LevelRecord> &levels, const Judge
          "take a Patch ratio of 2 or more, or fewer Patches.";
 }
 
+std::string check_brackets(const std::vector<LevelRecord> &levels, const Judge &)
+{
+  const auto has_bracket = [](const LevelRecord &level) {
+    return is_guaranteed(level) && level.bound->energy_lower && level.bound->energy_upper;
+  };
+  const LevelRecord *highest = nullptr, *lowest = nullptr;
+  for (const LevelRecord &level : levels)
+    if (has_bracket(level))
+    {
+      if (highest == nullptr || *level.bound->energy_lower > *highest->bound->energy_lower)
+        highest = &level;
+      if (lowest == nullptr || *level.bound->energy_upper < *lowest->bound->energy_upper)
+        lowest = &level;
+    }
+  // What rounding leaves of the terms that J is the sum of.
+  constexpr double rounding = 1e-8;
+  if (highest == nullptr)
+    return "";
+  const double strain_energy = std::pow(*highest->bound->absolute / *highest->bound->relative, 2);
+  const double allowed = rounding * (std::abs(*highest->bound->energy_lower) + strain_energy);
+  if (!(*highest->bound->energy_lower - *lowest->bound->energy_upper > allowed))
+    return "";
+  std::ostringstream text;
+  text << "The energy is at least " << *highest->bound->energy_lower << " by the bound of level "
+       << highest->sizes.level << " and at most " << *lowest->bound->energy_upper
+       << " by that of level " << lowest->sizes.level
+       << ": they contradict each other, and one of them is lost to rounding or to data that vary "
+          "between the points where they are sampled.";
+  return text.str();
+}
+
 std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &)
 {
   const LevelRecord &finest = levels.back();

@@ -145,6 +145,8 @@ public:
   };
   /** @param c a translation. */
   TractionChange traction_change(const dealii::Tensor<1, 2> &c) const;
+  /** int tau_n d over Gamma_c, by the same points. */
+  double work_of_penetration() const;
   /** max (d)_+ over all samples, and where. */
   double largest_penetration() const
   {

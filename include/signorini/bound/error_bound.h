@@ -101,6 +101,8 @@ struct BoundData
   const StiffnessInverse &inverse;
   const Coupling &condensed_D;
   const dealii::Vector<double> &G;
+  /** J(u_h) = a(u_h, u_h)/2 - f(u_h) (force x length per thickness). */
+  double energy;
 };
 
 /** Computes the bound for a plane body, guaranteed if its sides are straight and else an estimated

@@ -55,7 +55,6 @@ NodalVector dual_lift(const DisplacementSpace<2> &space,
  * contact node is held. Collective.
  */
 std::optional<NodalVector> lift_of_one(const DisplacementSpace<2> &space,
-                                       const Scene<2> &scene,
                                        const ContactTrace &trace,
                                        const StiffnessInverse &inverse);
 } // namespace Signorini

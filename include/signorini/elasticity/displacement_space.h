@@ -147,6 +147,13 @@ public:
   /** Constrained values of a difference of two displacements: T w_free, zero where displacements
    * are prescribed. */
   void distribute_homogeneous(NodalVector &w) const;
+  /** The same where pins let go: the body may move as a whole. */
+  void distribute_without_pins(NodalVector &w) const;
+  /** constraints() without pins. */
+  const dealii::AffineConstraints<double> &constraints_without_pins() const
+  {
+    return pins_.empty() ? constraints_ : constraints_without_pins_;
+  }
   /**
    * The functional restricted to V^h: T^T r, where v = T v_free for v in V^h. r_j = r(phi_j) for
    * all j; zero at constrained degrees of freedom, whatever is prescribed there.
@@ -170,6 +177,8 @@ private:
   StrainOperator strain_operator_;
   dealii::DoFHandler<dim> dofs_;
   dealii::AffineConstraints<double> constraints_;
+  /** Only where there are pins. */
+  dealii::AffineConstraints<double> constraints_without_pins_;
   /** Those that keep u_h continuous; empty where no node hangs and all degrees are equal. */
   dealii::AffineConstraints<double> continuity_;
   dealii::IndexSet supports_;
