@@ -241,7 +241,8 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
   add("Target error",
       discretization.target_error,
       "If positive: stop refining when the relative error of u_h in the energy norm is below it: "
-      "its guaranteed bound, or, where there is no bound, its estimate. With hp 0 stands for 1e-4.",
+      "its guaranteed bound, or, where there is no bound, its estimate. Where none is given, hp "
+      "aims at 1e-3, and an estimate below Tolerated error suffices.",
       Patterns::Double(0., 1.),
       "a number from 0 to 1");
   declare_graded_meshes(discretization);

@@ -4,6 +4,7 @@
 #include <signorini/refinement/error_history.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
@@ -29,6 +30,8 @@ double ErrorHistory::add(const double indicator,
 
 bool ErrorHistory::stagnates() const
 {
+  if (!estimates_.empty() && !std::isfinite(estimates_.back()))
+    return true;
   // The first steps see more and more of what the scene holds.
   constexpr std::size_t patience = 8, n_compared = 4;
   return estimates_.size() > patience &&

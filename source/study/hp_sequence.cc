@@ -41,6 +41,7 @@ class HpSequence final : public Sequence<2>
 public:
   explicit HpSequence(const StudyContext<2> &context)
     : context_(context)
+    , target_(target_error(context.parameters.discretization))
     , scene_(without_graded_rules(context.scene))
     , plan_(first_plan(scene_,
                        context.parameters.discretization.coarsest_level,
@@ -70,8 +71,9 @@ public:
     progress("errors");
     add_errors<2>(parameters, context_.scene, discretization, nullptr, solution);
     last_ = {std::move(next_), solution.U, solution.P};
+    // Where the contact solver did not end, there is no solution to plan a mesh from.
     finished_ = !record.dual.converged || history_.stagnates() ||
-                (context_.judge.reaches_target(record) && is_checked(record));
+                (record.estimate && record.estimate->relative < target_ && is_checked(record));
     if (!finished_)
       plan_next(findings);
     if (finished_)
@@ -141,8 +143,9 @@ private:
     add_contact_misfit(space, multipliers, scene, solution.U, solution.P, findings.indicators);
     findings.brackets = contact_brackets(multipliers, solution.P);
     findings.unseen_contact = unseen_contact(space, multipliers, solution.U, solution.P);
-    const double scale = energy_scale(space, scene, solution.U);
-    findings.target = context_.judge.target_error() * scale;
+    const double norm = energy_norm(space, scene, solution.U);
+    const double scale = energy_scale(norm, space, scene, solution.U);
+    findings.target = target_ * scale;
     if (!findings.unseen_contact.empty())
     {
       // The next mesh sees another problem.
@@ -157,7 +160,11 @@ private:
     constexpr double rounding = 1e-12;
     findings.error = history_.add(total(findings.indicators), difference, plan_.aim);
     findings.error = std::max(findings.error, rounding * scale);
-    solution.record.estimate = ErrorEstimate{{}, findings.error, findings.error / scale, {}, {}};
+    // Nothing has an error where nothing deforms the body: all that is left is rounding.
+    if (norm == 0. || norm < scale)
+      findings.error = 0.;
+    solution.record.estimate =
+      ErrorEstimate{{}, findings.error, findings.error > 0. ? findings.error / scale : 0., {}, {}};
     return findings;
   }
 
@@ -172,6 +179,8 @@ private:
   }
 
   StudyContext<2> context_;
+  /** Relative, in the energy norm. */
+  double target_;
   /** For everything but the errors against an exact solution. */
   Scene<2> scene_;
   MeshPlan plan_;
@@ -191,7 +200,7 @@ std::unique_ptr<Sequence<2>> make_hp_sequence(const StudyContext<2> &context)
 
 double target_error(const DiscretizationParameters &given)
 {
-  constexpr double usual = 1e-4;
+  constexpr double usual = 1e-3;
   return given.strategy == Strategy::hp && given.target_error == 0. ? usual
                                                                     : given.target_error.value;
 }

@@ -56,6 +56,7 @@ std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context)
   return make_nested_sequence(context);
 }
 
-/** Target error, with its default for the strategy. */
+/** What refinement aims at: Target error, with hp 1e-3 where none is given. The verdict then asks
+ * for Tolerated error only. */
 double target_error(const DiscretizationParameters &given);
 } // namespace Signorini

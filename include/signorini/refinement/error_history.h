@@ -34,7 +34,7 @@ public:
     return estimates_.size();
   }
   /** Whether the estimates of the last steps do not fall: the solution has no finite energy, or the
-   * mesh cannot be refined further where it is singular. */
+   * mesh cannot be refined further where it is singular. A number that overflows stagnates. */
   bool stagnates() const;
 
 private:

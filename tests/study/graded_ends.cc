@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How runs on graded meshes end where there is nothing to refine, or no solution to refine from.
+
+#include <deal.II/base/mpi.h>
+
+#include "graded_steps.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+StudyResult<2> solve_hp(const std::string &scene, std::vector<std::string> overrides = {})
+{
+  overrides.insert(overrides.end(), {"Discretization/Strategy=hp", "Output/VTU=none"});
+  return solve(scene, overrides);
+}
+
+/** Nothing deforms the body: the first step has the answer, up to rounding. */
+void check_nothing_to_do(Checks &checks)
+{
+  const std::string far = "subsection Contact\n set Gap = 1\n end\n";
+  const std::string held = "subsection Boundary\n set Contact = bottom\n set Clamped = top\n end\n";
+  const std::string moved = "subsection Boundary\n set Contact = bottom\n"
+                            " set Displacement = top: 0.3; -0.1\n end\n";
+  for (const std::string &boundary : {held, moved})
+  {
+    const StudyResult<2> result = solve_hp(boundary + far);
+    const std::string name = boundary == held ? "No load" : "A translation";
+    checks.that(name + ": one step", result.levels.size() == 1);
+    checks.that(name + ": certified", result.verdict.is_certified());
+    checks.near(name + ": no energy", result.levels.back().certificate.energy, 0., 1e-20);
+  }
+}
+
+/** What a contact solver left half done is not refined. */
+void check_early_stop(Checks &checks)
+{
+  const StudyResult<2> result =
+    solve_hp("subsection Boundary\n set Contact = bottom\n set Displacement = top: 0; -0.05\n end\n"
+             "subsection Contact\n set Gap = 0.3*(x-0.37)^2\n end\n",
+             {"Solver/Contact solver=psor", "Solver/Maximum iterations=1"});
+  checks.that("One sweep: one step", result.levels.size() == 1);
+  checks.that("One sweep: not certified", result.verdict.outcome == Outcome::not_certified);
+}
+
+/** Without a Target error the sequence aims at 1e-3. */
+void check_usual_target(Checks &checks)
+{
+  const StudyResult<2> result =
+    solve(named_scene("B1"), {"Discretization/Strategy=hp", "Output/VTU=none"});
+  const std::vector<GradedStep> steps = steps_of(result.levels);
+  checks.that("No target: certified", result.verdict.outcome == Outcome::accuracy_estimated);
+  checks.between("No target: the last step", steps.back().estimate, steps.back().error, 1e-3);
+  checks.that("No target: the step before", steps[steps.size() - 2].estimate > 1e-3);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  Checks checks;
+  check_nothing_to_do(checks);
+  check_early_stop(checks);
+  check_usual_target(checks);
+  return checks.exit_code();
+}
