@@ -19,6 +19,20 @@ dealii::Tensor<1, dim> to_tensor(const AnswerVector &x)
   return tensor;
 }
 
+/** Where a maximum lies at a singular place and stands out. */
+template <int dim, typename Maximum>
+void set_growth(const std::vector<SingularPlace<dim>> &places,
+                const MultiplierSpace<dim> &multipliers,
+                const dealii::Vector<double> &P,
+                const AnswerVector &point,
+                Maximum &largest)
+{
+  // A constant stress has no singular part.
+  constexpr double rounding = 1e-6;
+  if (!largest.away || largest.value > (1. + rounding) * largest.away->value)
+    largest.grows_at = growth_at(dealii::Point<dim>(to_tensor<dim>(point)), places, multipliers, P);
+}
+
 /** The sum of the forces. Its line of action is given by the point nearest to the mean of theirs.
  */
 template <int dim>
@@ -43,6 +57,22 @@ SideForce total_force(const std::vector<SideForce> &parts)
   if (sizes > 0.)
     total.through = point_of_action(sum, dealii::Point<dim>(centre / sizes), sizes);
   return total;
+}
+
+/** The largest pressure, and whether it means anything. */
+template <int dim>
+std::optional<PeakPressure> describe_peak(const MultiplierSpace<dim> &multipliers,
+                                          const dealii::Vector<double> &P,
+                                          const std::vector<SingularPlace<dim>> &places)
+{
+  const std::optional<PressureMaximum> largest = peak_pressure(multipliers, P);
+  if (!largest)
+    return {};
+  PeakPressure peak = {*largest, {}, {}};
+  if (!places.empty())
+    peak.away = peak_pressure(multipliers, P, places);
+  set_growth(places, multipliers, P, largest->place.point, peak);
+  return peak;
 }
 
 /** Between 0 and 1 on a piece. */
@@ -117,11 +147,13 @@ Answer compute_answer(const DisplacementSpace<dim> &space,
   answer.contact_by_side = contact_forces(multipliers, scene, P);
   answer.contact_force = total_force<dim>(answer.contact_by_side);
   answer.reactions = reactions(space, scene, forces);
-  answer.peak_pressure = peak_pressure(multipliers, P);
+  const std::vector<SingularPlace<dim>> places = singular_places(scene);
+  answer.peak_pressure = describe_peak(multipliers, P, places);
   if constexpr (dim == 2)
     answer.zones = contact_zones(multipliers, P);
   answer.penetration = largest_penetration(space, multipliers, U);
-  answer.von_mises = largest_von_mises(space, scene, U);
+  answer.von_mises = largest_von_mises(space, scene, U, places);
+  set_growth(places, multipliers, P, answer.von_mises.point, answer.von_mises);
   return answer;
 }
 

@@ -118,21 +118,22 @@ std::vector<double> positions_on(const PatchGrid &grid,
 }
 } // namespace
 
-std::optional<PeakPressure> peak_pressure(const MultiplierSpace<3> &multipliers,
-                                          const dealii::Vector<double> &P)
+std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<3> &multipliers,
+                                             const dealii::Vector<double> &P,
+                                             const std::vector<SingularPlace<3>> &outside_of)
 {
   const ContactSurface<3> &surface = multipliers.surface();
   const double threshold = pressing_threshold(P);
   const RecoveredPressure<3> recovered(multipliers, P);
-  std::optional<PeakPressure> peak;
+  std::optional<PressureMaximum> peak;
   const auto compare = [&](const unsigned int tau, const PressureAt &candidate) {
     // Of equal peaks (a symmetric body may have two) the first, whatever rounding makes of them.
     constexpr double larger = 1. + 1e-9;
-    if (!peak || candidate.value > larger * peak->value)
-    {
-      const Side<3> &side = surface.side(surface.patches()[tau]);
-      peak = {candidate.value, {side.name(), 0., side.point(candidate.s)}, -P[tau]};
-    }
+    const Patch<3> &patch = surface.patches()[tau];
+    const Side<3> &side = surface.side(patch);
+    const dealii::Point<3> x = side.point(candidate.s);
+    if ((!peak || candidate.value > larger * peak->value) && !any_contains(outside_of, x))
+      peak = {candidate.value, {side.name(), 0., x}, -P[tau], {}};
   };
   for (const PatchGrid &grid : patch_grids(surface.patches()))
   {

@@ -9,11 +9,12 @@
 
 namespace Signorini
 {
-std::optional<PeakPressure> peak_pressure(const MultiplierSpace<2> &multipliers,
-                                          const dealii::Vector<double> &P)
+std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<2> &multipliers,
+                                             const dealii::Vector<double> &P,
+                                             const std::vector<SingularPlace<2>> &outside_of)
 {
   if (!multipliers.is_piecewise_constant())
-    return peak_of_polynomial(multipliers, P);
+    return peak_of_polynomial(multipliers, P, outside_of);
   const ContactSurface<2> &surface = multipliers.surface();
   const std::vector<Patch<2>> &patches = surface.patches();
   const double threshold = pressing_threshold(P);
@@ -24,7 +25,7 @@ std::optional<PeakPressure> peak_pressure(const MultiplierSpace<2> &multipliers,
   const auto presses = [&](const std::size_t tau, const unsigned int side) {
     return tau < patches.size() && patches[tau].side == side && means[tau] > -threshold;
   };
-  std::optional<PeakPressure> peak;
+  std::optional<PressureMaximum> peak;
   for (std::size_t tau = 0; tau < patches.size(); ++tau)
   {
     const Patch<2> &patch = patches[tau];
@@ -33,11 +34,10 @@ std::optional<PeakPressure> peak_pressure(const MultiplierSpace<2> &multipliers,
     // Of equal peaks (a symmetric body may have two) the first, whatever rounding makes of them.
     constexpr double larger = 1. + 1e-9;
     const auto compare = [&](const MeanParabola::Value &candidate) {
-      if (!peak || candidate.value > larger * peak->value)
-      {
-        const Side<2> &side = surface.side(patch);
-        peak = {candidate.value, {side.name(), candidate.s, side.point(candidate.s)}, means[tau]};
-      }
+      const Side<2> &side = surface.side(patch);
+      const dealii::Point<2> x = side.point(candidate.s);
+      if ((!peak || candidate.value > larger * peak->value) && !any_contains(outside_of, x))
+        peak = {candidate.value, {side.name(), candidate.s, x}, means[tau], {}};
     };
     const bool has_corner = surface.side(patch).has_corner(patch.lower[0]) ||
                             surface.side(patch).has_corner(patch.upper[0]);

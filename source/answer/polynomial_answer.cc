@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 namespace Signorini
 {
@@ -48,29 +49,36 @@ PointOfPressure golden_maximum(const std::function<double(double)> &f, double lo
   return f_left > f_right ? PointOfPressure{left, f_left} : PointOfPressure{right, f_right};
 }
 
-/** The maximum of -p_H on a patch: the best of many points, then between its neighbours. */
-PointOfPressure largest_on(const unsigned int patch,
-                           const MultiplierSpace<2> &multipliers,
-                           const dealii::Vector<double> &P)
+/** The maximum of -p_H on a patch outside of given places: the best of many points, then between
+ * its neighbours. Nothing where the patch lies in one of them. */
+std::optional<PointOfPressure> largest_on(const unsigned int patch,
+                                          const MultiplierSpace<2> &multipliers,
+                                          const dealii::Vector<double> &P,
+                                          const std::vector<SingularPlace<2>> &outside_of)
 {
   const Patch<2> &tau = multipliers.surface().patches()[patch];
+  const Side<2> &side = multipliers.surface().side(tau);
   const auto pressure = [&](const double s) {
     return -multipliers.value(P, patch, dealii::Point<1>(s));
   };
-  if (multipliers.unknowns_on(patch).size() == 1)
-    return {tau.centre()[0], pressure(tau.centre()[0])};
+  const bool is_constant = multipliers.unknowns_on(patch).size() == 1;
   const unsigned int n_intervals = 16 * multipliers.unknowns_on(patch).size();
   const double step = tau.measure / n_intervals;
-  PointOfPressure best = {tau.lower[0], pressure(tau.lower[0])};
-  for (unsigned int i = 1; i <= n_intervals; ++i)
+  std::optional<PointOfPressure> best;
+  for (unsigned int i = 0; i <= (is_constant ? 0 : n_intervals); ++i)
   {
-    const double s = i == n_intervals ? tau.upper[0] : tau.lower[0] + i * step;
-    if (pressure(s) > best.pressure)
+    const double s = is_constant        ? tau.centre()[0]
+                     : i == n_intervals ? tau.upper[0]
+                                        : tau.lower[0] + i * step;
+    if ((!best || pressure(s) > best->pressure) && !any_contains(outside_of, side.point(s)))
       best = {s, pressure(s)};
   }
+  if (!best || is_constant)
+    return best;
   const PointOfPressure inner = golden_maximum(
-    pressure, std::max(best.s - step, tau.lower[0]), std::min(best.s + step, tau.upper[0]));
-  return inner.pressure > best.pressure ? inner : best;
+    pressure, std::max(best->s - step, tau.lower[0]), std::min(best->s + step, tau.upper[0]));
+  return inner.pressure > best->pressure && !any_contains(outside_of, side.point(inner.s)) ? inner
+                                                                                           : best;
 }
 
 /** -int p_H / |tau|. */
@@ -106,15 +114,16 @@ std::vector<ContactZone> zones_of_polynomial(const MultiplierSpace<2> &multiplie
   return zones;
 }
 
-std::optional<PeakPressure> peak_of_polynomial(const MultiplierSpace<2> &multipliers,
-                                               const dealii::Vector<double> &P)
+std::optional<PressureMaximum> peak_of_polynomial(const MultiplierSpace<2> &multipliers,
+                                                  const dealii::Vector<double> &P,
+                                                  const std::vector<SingularPlace<2>> &outside_of)
 {
   // Of equal peaks (a symmetric body may have two) the first, whatever rounding makes of them.
   constexpr double larger = 1. + 1e-9;
   const ContactSurface<2> &surface = multipliers.surface();
   const double threshold = pressing_threshold(P);
   const dealii::Vector<double> integrals = multipliers.integrals();
-  std::optional<PeakPressure> peak;
+  std::optional<PressureMaximum> peak;
   for (unsigned int patch = 0; patch < surface.patches().size(); ++patch)
   {
     bool presses = false;
@@ -122,13 +131,15 @@ std::optional<PeakPressure> peak_of_polynomial(const MultiplierSpace<2> &multipl
       presses = presses || P[k] < threshold;
     if (!presses)
       continue;
-    const PointOfPressure point = largest_on(patch, multipliers, P);
-    if (peak && !(point.pressure > larger * peak->value))
+    const std::optional<PointOfPressure> point = largest_on(patch, multipliers, P, outside_of);
+    if (!point || (peak && !(point->pressure > larger * peak->value)))
       continue;
-    const Side<2> &side = surface.side(surface.patches()[patch]);
-    peak = {point.pressure,
-            {side.name(), point.s, side.point(point.s)},
-            mean_pressure(patch, multipliers, P, integrals)};
+    const Patch<2> &tau = surface.patches()[patch];
+    const Side<2> &side = surface.side(tau);
+    peak = {point->pressure,
+            {side.name(), point->s, side.point(point->s)},
+            mean_pressure(patch, multipliers, P, integrals),
+            {tau.measure, static_cast<unsigned int>(multipliers.unknowns_on(patch).size())}};
   }
   return peak;
 }

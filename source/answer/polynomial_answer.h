@@ -9,6 +9,7 @@ namespace Signorini
 /** contact_zones() and peak_pressure() where patches have polynomials. */
 std::vector<ContactZone> zones_of_polynomial(const MultiplierSpace<2> &multipliers,
                                              const dealii::Vector<double> &P);
-std::optional<PeakPressure> peak_of_polynomial(const MultiplierSpace<2> &multipliers,
-                                               const dealii::Vector<double> &P);
+std::optional<PressureMaximum> peak_of_polynomial(const MultiplierSpace<2> &multipliers,
+                                                  const dealii::Vector<double> &P,
+                                                  const std::vector<SingularPlace<2>> &outside_of);
 } // namespace Signorini

@@ -36,6 +36,10 @@ std::string word_for(const Trend::Kind kind)
     return "settled";
   case Trend::Kind::not_settled:
     return "not settled";
+  case Trend::Kind::not_refined:
+    return "not refined there";
+  case Trend::Kind::unlimited:
+    return "grows without limit";
   default:
     return "one level only";
   }

@@ -22,29 +22,31 @@ struct StressAt
 {
   double value = 0.;
   dealii::Point<dim> point;
+  MeshAt mesh;
 };
 
-/** What some cells have. */
+/** Of all points, and of those away from singular places. */
 template <int dim>
-struct CellResults
+struct Maxima
 {
-  StressAt<dim> largest;
-  /** Their measure, and that of those that are strained much. */
-  double measure = 0., strained = 0.;
-
-  /** @param strain in the middle of the cell. */
-  void add_cell(const double of_cell, const dealii::SymmetricTensor<2, dim> &strain)
-  {
-    const auto principal = dealii::eigenvalues(strain);
-    measure += of_cell;
-    if (std::max(principal[0], -principal[dim - 1]) > large_strain)
-      strained += of_cell;
-  }
+  StressAt<dim> all, away;
 };
 
-/** The middle of the reference cell and its corners. */
+/** What is looked at. */
 template <int dim>
-dealii::Quadrature<dim> middle_and_corners()
+struct StressField
+{
+  const DisplacementSpace<dim> &space;
+  const Material<dim> &material;
+  const NodalVector &U;
+  /** By cell; empty where the strain is that of u_h. */
+  const std::vector<double> dilatation;
+  const std::vector<SingularPlace<dim>> &places;
+};
+
+/** The corners of the reference cell and its middle. */
+template <int dim>
+dealii::Quadrature<dim> corners_and_middle()
 {
   std::vector<dealii::Point<dim>> points(1);
   for (unsigned int d = 0; d < dim; ++d)
@@ -71,40 +73,40 @@ void take_larger(const StressAt<dim> &candidate, StressAt<dim> &largest)
     largest = candidate;
 }
 
+/** Both maxima of two parts of the body. */
+template <int dim>
+void take_larger(const Maxima<dim> &candidate, Maxima<dim> &largest)
+{
+  take_larger(candidate.all, largest.all);
+  take_larger(candidate.away, largest.away);
+}
+
 /** The stress at a point; nothing where the material's data has no value. */
 template <int dim>
-void compare(const Material<dim> &material,
+void compare(const StressField<dim> &field,
              const dealii::Point<dim> &x,
              const dealii::SymmetricTensor<2, dim> &strain,
-             StressAt<dim> &largest)
+             const MeshAt &mesh,
+             Maxima<dim> &largest)
 {
   try
   {
-    take_larger<dim>({von_mises(stress_in_space(material, x, strain)), x}, largest);
+    const StressAt<dim> here = {von_mises(stress_in_space(field.material, x, strain)), x, mesh};
+    take_larger(here, largest.all);
+    if (!any_contains(field.places, x))
+      take_larger(here, largest.away);
   }
   catch (const InputError &)
   {
   }
 }
 
-/** The middle of the reference cell and the nodes of an element. */
+/** The largest of a chunk of cells of several degrees, at the nodes of each. */
 template <int dim>
-dealii::Quadrature<dim> middle_and_nodes(const dealii::FiniteElement<dim> &element)
-{
-  std::vector<dealii::Point<dim>> points = element.base_element(0).get_unit_support_points();
-  points.insert(points.begin(), middle_and_corners<dim>().point(0));
-  return dealii::Quadrature<dim>(points);
-}
-
-/** Of a chunk of cells of several degrees, with the largest stress at the nodes of each. */
-template <int dim>
-CellResults<dim> results_at_nodes(const Cells<dim> &cells,
-                                  const DisplacementSpace<dim> &space,
-                                  const Material<dim> &material,
-                                  const NodalVector &U)
+Maxima<dim> largest_at_nodes(const Cells<dim> &cells, const StressField<dim> &field)
 {
   const dealii::FEValuesExtractors::Vector displacement(0);
-  CellResults<dim> results;
+  Maxima<dim> largest;
   std::map<unsigned int, std::unique_ptr<dealii::FEValues<dim>>> values_by_degree;
   std::vector<dealii::SymmetricTensor<2, dim>> strains;
   for (const auto &cell : cells)
@@ -112,58 +114,66 @@ CellResults<dim> results_at_nodes(const Cells<dim> &cells,
     const dealii::FiniteElement<dim> &element = cell->get_fe();
     std::unique_ptr<dealii::FEValues<dim>> &values = values_by_degree[element.degree];
     if (values == nullptr)
-      values = std::make_unique<dealii::FEValues<dim>>(space.mesh().mapping(),
-                                                       element,
-                                                       middle_and_nodes(element),
-                                                       dealii::update_gradients |
-                                                         dealii::update_quadrature_points);
+      values = std::make_unique<dealii::FEValues<dim>>(
+        field.space.mesh().mapping(),
+        element,
+        dealii::Quadrature<dim>(element.base_element(0).get_unit_support_points()),
+        dealii::update_gradients | dealii::update_quadrature_points);
     values->reinit(cell);
     strains.resize(values->n_quadrature_points);
-    (*values)[displacement].get_function_symmetric_gradients(U, strains);
-    results.add_cell(cell->measure(), strains[0]);
-    for (unsigned int q = 1; q < strains.size(); ++q)
-      compare(material, values->quadrature_point(q), strains[q], results.largest);
+    (*values)[displacement].get_function_symmetric_gradients(field.U, strains);
+    const MeshAt mesh = {cell->diameter(), element.degree};
+    for (const unsigned int q : values->quadrature_point_indices())
+      compare(field, values->quadrature_point(q), strains[q], mesh, largest);
   }
-  return results;
+  return largest;
 }
 
-/** Of a chunk of cells. */
+/** The largest of a chunk of cells. */
 template <int dim>
-CellResults<dim> results_of(const Cells<dim> &cells,
-                            const DisplacementSpace<dim> &space,
-                            const Material<dim> &material,
-                            const NodalVector &U,
-                            const std::vector<double> &dilatation)
+Maxima<dim> largest_of(const Cells<dim> &cells, const StressField<dim> &field)
 {
+  const DisplacementSpace<dim> &space = field.space;
   if (space.has_several_elements())
-    return results_at_nodes(cells, space, material, U);
+    return largest_at_nodes(cells, field);
   dealii::FEValues<dim> values(space.mesh().mapping(),
                                space.element(),
-                               middle_and_corners<dim>(),
+                               corners_and_middle<dim>(),
                                dealii::update_gradients | dealii::update_inverse_jacobians |
                                  dealii::update_quadrature_points);
-  PatchInterpolation<dim> field(space, values.get_quadrature(), space.mesh().has_parents() ? 1 : 0);
-  CellResults<dim> results;
+  PatchInterpolation<dim> interpolation(
+    space, values.get_quadrature(), space.mesh().has_parents() ? 1 : 0);
+  Maxima<dim> largest;
   for (const auto &cell : cells)
   {
     values.reinit(cell);
-    const FieldValues<dim> &u = field.evaluate(U, cell, values);
+    const FieldValues<dim> &u = interpolation.evaluate(field.U, cell, values);
     for (const unsigned int q : values.quadrature_point_indices())
     {
       dealii::SymmetricTensor<2, dim> strain = symmetrize(u.gradients[q]);
-      if (!dilatation.empty())
-        replace_trace(strain, dilatation[cell->active_cell_index()]);
-      compare(material, values.quadrature_point(q), strain, results.largest);
-      if (q == 0)
-        results.add_cell(cell->measure(), strain);
+      if (!field.dilatation.empty())
+        replace_trace(strain, field.dilatation[cell->active_cell_index()]);
+      compare(field, values.quadrature_point(q), strain, {}, largest);
     }
   }
-  return results;
+  return largest;
+}
+
+/** The largest ones of all cells of this rank. */
+template <int dim>
+Maxima<dim> largest_of_cells(const StressField<dim> &field)
+{
+  Maxima<dim> largest;
+  integrate_by_chunks<Maxima<dim>, dim>(
+    field.space,
+    [&](const Cells<dim> &cells) { return largest_of(cells, field); },
+    [&largest](const Maxima<dim> &of_chunk) { take_larger(of_chunk, largest); });
+  return largest;
 }
 
 /** The largest one of all ranks. */
 template <int dim>
-StressAt<dim> largest_of_ranks(const StressAt<dim> &mine, MPI_Comm communicator)
+StressMaximum largest_of_ranks(const StressAt<dim> &mine, MPI_Comm communicator)
 {
   std::array<double, 1 + dim> numbers = {{mine.value}};
   for (unsigned int d = 0; d < dim; ++d)
@@ -175,52 +185,41 @@ StressAt<dim> largest_of_ranks(const StressAt<dim> &mine, MPI_Comm communicator)
     other.value = of_rank[0];
     for (unsigned int d = 0; d < dim; ++d)
       other.point[d] = of_rank[1 + d];
+    // Graded meshes are those of one rank.
+    other.mesh = mine.mesh;
     take_larger(other, largest);
   }
-  return largest;
-}
-
-/** Of all cells of this rank. */
-template <int dim>
-CellResults<dim> results_of_cells(const DisplacementSpace<dim> &space,
-                                  const Material<dim> &material,
-                                  const NodalVector &U,
-                                  const std::vector<double> &dilatation)
-{
-  CellResults<dim> results;
-  integrate_by_chunks<CellResults<dim>, dim>(
-    space,
-    [&](const Cells<dim> &cells) { return results_of(cells, space, material, U, dilatation); },
-    [&results](const CellResults<dim> &of_chunk) {
-      take_larger(of_chunk.largest, results.largest);
-      results.measure += of_chunk.measure;
-      results.strained += of_chunk.strained;
-    });
-  return results;
+  return {largest.value, largest.point, largest.mesh};
 }
 } // namespace
 
 template <int dim>
 VonMises largest_von_mises(const DisplacementSpace<dim> &space,
                            const Scene<dim> &scene,
-                           const NodalVector &U)
+                           const NodalVector &U,
+                           const std::vector<SingularPlace<dim>> &places)
 {
-  const std::vector<double> dilatation = space.strain_operator() == StrainOperator::mean_dilatation
-                                           ? mean_dilatations(space, U)
-                                           : std::vector<double>();
-  const MPI_Comm communicator = space.mesh().communicator();
-  const CellResults<dim> mine = results_of_cells(space, *scene.material, U, dilatation);
-  const StressAt<dim> largest = largest_of_ranks(mine.largest, communicator);
-  return {largest.value,
-          largest.point,
-          dealii::Utilities::MPI::sum(mine.strained, communicator) /
-            dealii::Utilities::MPI::sum(mine.measure, communicator)};
+  const StressField<dim> field = {space,
+                                  *scene.material,
+                                  U,
+                                  space.strain_operator() == StrainOperator::mean_dilatation
+                                    ? mean_dilatations(space, U)
+                                    : std::vector<double>(),
+                                  places};
+  const Maxima<dim> largest = largest_of_cells(field);
+  MPI_Comm communicator = space.mesh().communicator();
+  VonMises stress = {largest_of_ranks(largest.all, communicator), {}, {}};
+  if (!places.empty())
+    stress.away = largest_of_ranks(largest.away, communicator);
+  return stress;
 }
 
 template VonMises largest_von_mises(const DisplacementSpace<2> &,
                                     const Scene<2> &,
-                                    const NodalVector &);
+                                    const NodalVector &,
+                                    const std::vector<SingularPlace<2>> &);
 template VonMises largest_von_mises(const DisplacementSpace<3> &,
                                     const Scene<3> &,
-                                    const NodalVector &);
+                                    const NodalVector &,
+                                    const std::vector<SingularPlace<3>> &);
 } // namespace Signorini

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The answer of the finest level, for people to read.
 
-#include <signorini/answer/trend.h>
 #include <signorini/output/answer_output.h>
 
 #include <cmath>
@@ -124,13 +123,19 @@ public:
       return;
     }
     const PeakPressure &peak = *answer_.peak_pressure;
-    lines_.add("Peak pressure",
-               {digits(peak.value),
-                at(peak.place) + ",",
-                trend_text(over_levels(levels_, "peak_pressure")) + ";",
-                "mean of its patch",
-                digits(peak.mean),
-                "(" + percent(peak.mean / peak.value - 1.) + ")"});
+    const MaximumTrends trends = trends_of_peak(levels_);
+    const auto parts = [this](const PressureMaximum &maximum, std::vector<std::string> trend) {
+      trend.back() += ";";
+      trend.insert(trend.begin(), {digits(maximum.value), at(maximum.place) + ","});
+      trend.insert(trend.end(),
+                   {"mean of its patch",
+                    digits(maximum.mean),
+                    "(" + percent(maximum.mean / maximum.value - 1.) + ")"});
+      return trend;
+    };
+    lines_.add("Peak pressure", parts(peak, trend_parts(trends.largest, peak.grows_at)));
+    if (peak.grows_at && peak.away)
+      lines_.add(away_text(*peak.grows_at), parts(*peak.away, trend_parts(trends.away)));
   }
 
   void print_zones()
@@ -172,11 +177,15 @@ public:
   void print_stress()
   {
     const VonMises &stress = answer_.von_mises;
-    lines_.add("Von Mises stress",
-               {digits(stress.value),
-                "at",
-                vector_text(stress.point, answer_.size) + ",",
-                trend_text(over_levels(levels_, "largest_von_mises"))});
+    const MaximumTrends trends = trends_of_stress(levels_);
+    const auto parts = [this](const StressMaximum &maximum, std::vector<std::string> trend) {
+      trend.insert(trend.begin(),
+                   {digits(maximum.value), "at", vector_text(maximum.point, answer_.size) + ","});
+      return trend;
+    };
+    lines_.add("Von Mises stress", parts(stress, trend_parts(trends.largest, stress.grows_at)));
+    if (stress.grows_at && stress.away)
+      lines_.add(away_text(*stress.grows_at), parts(*stress.away, trend_parts(trends.away)));
   }
 
   void print_energy()
@@ -250,13 +259,30 @@ private:
     text << std::showpos << std::setprecision(2) << 100. * rounded(share, 1.) << " %";
     return text.str();
   }
-  std::string trend_text(const std::vector<std::optional<double>> &values) const
+  /** "settled (-1 % from the level before)", with the place where a value grows. */
+  std::vector<std::string> trend_parts(const Trend &trend,
+                                       const std::optional<GrowthPlace> &place = {}) const
   {
-    const Trend trend = trend_of(values);
     const std::string word = word_for(trend.kind);
-    return trend.change ? word + " (" + percent(*trend.change) + " from the " +
-                            level_.sizes.word() + " before)"
-                        : word;
+    const std::string change =
+      trend.change ? "(" + percent(*trend.change) + " from the " + level_.sizes.word() + " before)"
+                   : "";
+    if (!place)
+      return {word + (trend.change ? " " + change : "")};
+    const std::string first = vector_text(place->ends[0], answer_.size);
+    std::vector<std::string> parts = {word,
+                                      answer_.dimension == 2
+                                        ? "at the corner " + first
+                                        : "at the edge from " + first + " to " +
+                                            vector_text(place->ends[1], answer_.size)};
+    if (trend.change)
+      parts.push_back(change);
+    return parts;
+  }
+  /** "  farther than 0.1". */
+  static std::string away_text(const GrowthPlace &place)
+  {
+    return "  farther than " + digits(place.radius);
   }
 
   Lines lines_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // answer.json: the answer of the finest level, for programs to read.
 
-#include <signorini/answer/trend.h>
 #include <signorini/output/answer_output.h>
 
 #include <nlohmann/json.hpp>
@@ -60,31 +59,60 @@ AnswerJson describe(const ZoneEnd &end)
   return json;
 }
 
-void add_trend(const std::vector<std::optional<double>> &values, AnswerJson &json)
+AnswerJson describe(const PressureMaximum &peak)
 {
-  const Trend trend = trend_of(values);
-  json["change"] = optional_number(trend.change);
-  json["trend"] = word_for(trend.kind);
+  AnswerJson json = {{"value", peak.value}};
+  json.update(describe(peak.place));
+  json["mean"] = peak.mean;
+  return json;
+}
+
+AnswerJson describe(const StressMaximum &stress)
+{
+  return {{"value", stress.value}, {"point", components(stress.point)}};
+}
+
+AnswerJson describe(const GrowthPlace &place, const unsigned int dimension)
+{
+  AnswerJson json;
+  if (dimension == 2)
+    json["point"] = components(place.ends[0]);
+  else
+    json["ends"] = {components(place.ends[0]), components(place.ends[1])};
+  json["radius"] = place.radius;
+  return json;
+}
+
+/** A maximum, where it grows without limit, and the maximum away from such places. */
+template <typename Maximum>
+AnswerJson describe(const Maximum &maximum,
+                    const MaximumTrends &trends,
+                    const unsigned int dimension)
+{
+  const auto with_trend = [](AnswerJson json, const Trend &trend) {
+    json["change"] = optional_number(trend.change);
+    json["trend"] = word_for(trend.kind);
+    return json;
+  };
+  AnswerJson json = with_trend(describe(maximum), trends.largest);
+  json["grows_at"] =
+    maximum.grows_at ? describe(*maximum.grows_at, dimension) : AnswerJson(nullptr);
+  json["away"] = maximum.away ? with_trend(describe(*maximum.away), trends.away) : nullptr;
+  return json;
 }
 
 AnswerJson peak_of(const std::vector<LevelRecord> &levels)
 {
-  const std::optional<PeakPressure> &peak = levels.back().answer.peak_pressure;
-  if (!peak)
+  const Answer &answer = levels.back().answer;
+  if (!answer.peak_pressure)
     return nullptr;
-  AnswerJson json = {{"value", peak->value}};
-  json.update(describe(peak->place));
-  json["mean"] = peak->mean;
-  add_trend(over_levels(levels, "peak_pressure"), json);
-  return json;
+  return describe(*answer.peak_pressure, trends_of_peak(levels), answer.dimension);
 }
 
 AnswerJson von_mises_of(const std::vector<LevelRecord> &levels)
 {
-  const VonMises &stress = levels.back().answer.von_mises;
-  AnswerJson json = {{"value", stress.value}, {"point", components(stress.point)}};
-  add_trend(over_levels(levels, "largest_von_mises"), json);
-  return json;
+  const Answer &answer = levels.back().answer;
+  return describe(answer.von_mises, trends_of_stress(levels), answer.dimension);
 }
 
 AnswerJson zones_of(const Answer &answer)

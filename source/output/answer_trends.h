@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/answer/trend.h>
 #include <signorini/record/level_record.h>
 
 #include <optional>
@@ -9,9 +10,13 @@
 
 namespace Signorini
 {
-/** A column of convergence.csv, level by level; empty where it is not known. */
-std::vector<std::optional<double>> over_levels(const std::vector<LevelRecord> &levels,
-                                               const std::string &column);
+/** How largest values move over the levels; those of the finest level that are there. */
+struct MaximumTrends
+{
+  Trend largest, away;
+};
+MaximumTrends trends_of_peak(const std::vector<LevelRecord> &levels);
+MaximumTrends trends_of_stress(const std::vector<LevelRecord> &levels);
 
 /** Wall seconds of all levels. */
 double total_seconds(const std::vector<LevelRecord> &levels);

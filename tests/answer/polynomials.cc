@@ -72,7 +72,7 @@ void peak(Checks &checks)
     return *peak_pressure(where.multipliers, P);
   };
   // -p = x (1 - x)^3 has the maximum 27/256 at 1/4, on the face from 0 to 1/3.
-  const PeakPressure inner =
+  const PressureMaximum inner =
     of(coarse, coarse.values([](const double x) { return -x * std::pow(1. - x, 3); }));
   checks.near("a polynomial of degree four", inner.value, 27. / 256., 1e-15);
   checks.near("its place", inner.place.point[0], 0.25, 1e-7);
@@ -80,12 +80,12 @@ void peak(Checks &checks)
     return -std::pow(1. - x, 4) / 4. + std::pow(1. - x, 5) / 5.;
   };
   checks.near("mean of its patch", inner.mean, 3. * (primitive(1. / 3.) - primitive(0.)), 1e-15);
-  const PeakPressure end = of(coarse, coarse.values([](const double x) { return x - 2.; }));
+  const PressureMaximum end = of(coarse, coarse.values([](const double x) { return x - 2.; }));
   checks.near("peak at the end of a side", end.value, 2., 1e-14);
   checks.near("there", end.place.point[0], 0., 1e-15);
   // -p = 1 + t^2 (1 - t^2) on both faces, -1 <= t <= 1, with four equal peaks at t^2 = 1/2.
   const Polynomials swinging(square(2), 0, 8);
-  const PeakPressure first = of(swinging, swinging.values([](const double x) {
+  const PressureMaximum first = of(swinging, swinging.values([](const double x) {
     const double t = 4. * x - (x < 0.5 ? 1. : 3.);
     return -(1. + t * t * (1. - t * t));
   }));

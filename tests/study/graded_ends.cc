@@ -54,6 +54,37 @@ void check_usual_target(Checks &checks)
   checks.between("No target: the last step", steps.back().estimate, steps.back().error, 1e-3);
   checks.that("No target: the step before", steps[steps.size() - 2].estimate > 1e-3);
 }
+/** A clamped block that is pulled: stresses are infinite at both ends of the clamped side, and
+ * their largest value elsewhere is the same on nested and on graded meshes. With nu = 0 the stress
+ * is one everywhere, whatever the exponent. */
+void check_growth(Checks &checks)
+{
+  const auto pulled = [](const std::string &ratio) {
+    return "subsection Boundary\n set Clamped = left\n set Contact = bottom\n"
+           " set Traction = right: 1; 0\n end\nsubsection Contact\n set Gap = 10\n end\n"
+           "subsection Material\n set Poisson's ratio = " +
+           ratio + "\n end\n";
+  };
+  const StudyResult<2> nested = solve(pulled("0.3"), levels(5, 5));
+  const StudyResult<2> graded_result = solve_hp(pulled("0.3"));
+  for (const StudyResult<2> *result : {&nested, &graded_result})
+  {
+    const VonMises &stress = result->levels.back().answer.von_mises;
+    const std::string name = result == &nested ? "Pulled, nested" : "Pulled, graded";
+    checks.that(name + ": grows at a clamped corner",
+                stress.grows_at && stress.grows_at->ends[0][0] == 0. &&
+                  std::abs(stress.grows_at->ends[0][1] - 0.5) == 0.5);
+    checks.near(name + ": away from it", stress.grows_at->radius, 0.1, 1e-14);
+    checks.near(name + ": the same stress there",
+                stress.away->value,
+                graded_result.levels.back().answer.von_mises.away->value,
+                0.03);
+    checks.that(name + ": infinite at the corner", stress.value > 1.2 * stress.away->value);
+  }
+  const VonMises uniform = solve(pulled("0"), levels(3, 3)).levels.back().answer.von_mises;
+  checks.that("Pulled, nu = 0: no growth", !uniform.grows_at);
+  checks.near("Pulled, nu = 0: the stress", uniform.away->value, 1., 1e-10);
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -64,5 +95,6 @@ int main(int argc, char **argv)
   check_nothing_to_do(checks);
   check_early_stop(checks);
   check_usual_target(checks);
+  check_growth(checks);
   return checks.exit_code();
 }

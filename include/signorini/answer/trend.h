@@ -16,7 +16,11 @@ struct Trend
     unknown,
     settled,
     /** It still changes, by more than refinement would let it if it converged. */
-    not_settled
+    not_settled,
+    /** The mesh was not refined where the number comes from. */
+    not_refined,
+    /** The exact number is infinite. */
+    unlimited
   };
   Kind kind = Kind::unknown;
   /** (v_L - v_{L-1})/|v_L|; empty where there is no level before or v_L vanishes. */
@@ -31,6 +35,6 @@ struct Trend
  */
 Trend trend_of(const std::vector<std::optional<double>> &values);
 
-/** "settled", "not settled", or "one level only". */
+/** "settled", "not settled", "one level only", "not refined there" or "grows without limit". */
 std::string word_for(Trend::Kind kind);
 } // namespace Signorini
