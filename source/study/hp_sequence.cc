@@ -7,12 +7,14 @@
 #include <signorini/elasticity/energy_norm.h>
 #include <signorini/refinement/contact_misfit.h>
 #include <signorini/refinement/error_history.h>
+#include <signorini/refinement/hidden_data.h>
 #include <signorini/refinement/next_plan.h>
 #include <signorini/refinement/pressure_transfer.h>
 #include <signorini/refinement/step_difference.h>
 #include <signorini/refinement/unseen_contact.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "load_case_study.h"
 #include "sequence.h"
@@ -36,6 +38,22 @@ Scene<2> without_graded_rules(Scene<2> scene)
   return scene;
 }
 
+/** The plan of the first mesh. @throws InputError where the material hides between all points. */
+MeshPlan make_first_plan(const Scene<2> &scene, const DiscretizationParameters &given)
+{
+  MeshPlan plan = first_plan(scene, given.coarsest_level, given.maximum_degree);
+  if (const std::optional<dealii::Point<2>> hidden = show_hidden_data(scene, plan))
+  {
+    std::ostringstream message;
+    message << given.strategy.where() << ": the material changes within a layer at (" << *hidden
+            << ") that is too thin for cells that are not aligned with it, allowed: lines of the "
+               "mesh at both of its sides (Kinks at x, Kinks at y; in a polygon sides or a mesh "
+               "file that follow it).";
+    throw InputError(message.str());
+  }
+  return plan;
+}
+
 class HpSequence final : public Sequence<2>
 {
 public:
@@ -43,9 +61,7 @@ public:
     : context_(context)
     , target_(target_error(context.parameters.discretization))
     , scene_(without_graded_rules(context.scene))
-    , plan_(first_plan(scene_,
-                       context.parameters.discretization.coarsest_level,
-                       context.parameters.discretization.maximum_degree))
+    , plan_(make_first_plan(scene_, context.parameters.discretization))
     , next_(make_first_discretization())
   {
   }
@@ -124,11 +140,10 @@ private:
     return first;
   }
 
-  /** Whether a second mesh agrees; only solutions that lie in the first space need none. */
+  /** Whether a second mesh agrees. Bodies that nothing deforms need none. */
   bool is_checked(const LevelRecord &record) const
   {
-    constexpr double rounding = 1e-10;
-    return history_.n_steps() > 1 || record.estimate->relative < rounding;
+    return history_.n_steps() > 1 || record.estimate->relative == 0.;
   }
 
   /** The estimate of the error, and what the next mesh is made from. */
@@ -141,6 +156,7 @@ private:
     StepFindings findings;
     findings.indicators = indicate(space, scene, solution.U);
     add_contact_misfit(space, multipliers, scene, solution.U, solution.P, findings.indicators);
+    add_jump_misfit(space, scene, solution.U, findings.indicators);
     findings.brackets = contact_brackets(multipliers, solution.P);
     findings.unseen_contact = unseen_contact(space, multipliers, solution.U, solution.P);
     const double norm = energy_norm(space, scene, solution.U);
