@@ -59,7 +59,6 @@ class HpSequence final : public Sequence<2>
 public:
   explicit HpSequence(const StudyContext<2> &context)
     : context_(context)
-    , target_(target_error(context.parameters.discretization))
     , scene_(without_graded_rules(context.scene))
     , plan_(make_first_plan(scene_, context.parameters.discretization))
     , next_(make_first_discretization())
@@ -89,7 +88,7 @@ public:
     last_ = {std::move(next_), solution.U, solution.P};
     // Where the contact solver did not end, there is no solution to plan a mesh from.
     finished_ = !record.dual.converged || history_.stagnates() ||
-                (record.estimate && record.estimate->relative < target_ && is_checked(record));
+                (context_.judge.reaches_target(record) && is_checked(record));
     if (!finished_)
       plan_next(findings);
     if (finished_)
@@ -161,7 +160,7 @@ private:
     findings.unseen_contact = unseen_contact(space, multipliers, solution.U, solution.P);
     const double norm = energy_norm(space, scene, solution.U);
     const double scale = energy_scale(norm, space, scene, solution.U);
-    findings.target = target_ * scale;
+    findings.target = context_.judge.target_error() * scale;
     if (!findings.unseen_contact.empty())
     {
       // The next mesh sees another problem.
@@ -176,6 +175,10 @@ private:
     constexpr double rounding = 1e-12;
     findings.error = history_.add(total(findings.indicators), difference, plan_.aim);
     findings.error = std::max(findings.error, rounding * scale);
+    // What does not fall while the mesh is refined has no limit: data contradict each other.
+    constexpr double noticeable = 1e-3;
+    if (history_.stagnates() && findings.error > noticeable * scale)
+      findings.error = std::max(findings.error, scale);
     // Nothing has an error where nothing deforms the body: all that is left is rounding.
     if (norm == 0. || norm < scale)
       findings.error = 0.;
@@ -195,8 +198,6 @@ private:
   }
 
   StudyContext<2> context_;
-  /** Relative, in the energy norm. */
-  double target_;
   /** For everything but the errors against an exact solution. */
   Scene<2> scene_;
   MeshPlan plan_;

@@ -56,7 +56,6 @@ std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context)
   return make_nested_sequence(context);
 }
 
-/** What refinement aims at: Target error, with hp 1e-3 where none is given. The verdict then asks
- * for Tolerated error only. */
+/** What refinement aims at: Target error, with hp 1e-3 where none is given. */
 double target_error(const DiscretizationParameters &given);
 } // namespace Signorini

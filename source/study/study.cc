@@ -37,7 +37,7 @@ StudyResult<dim> run_study(const Parameters &parameters,
 {
   const Judge judge({parameters.solver.tolerance,
                      parameters.solver.tolerated_error,
-                     parameters.discretization.target_error});
+                     target_error(parameters.discretization)});
   const LibraryThreads one_thread_in_libraries(1);
   check_settings(parameters, scene, communicator);
   const std::unique_ptr<Sequence<dim>> sequence =
