@@ -38,10 +38,25 @@ Scene<2> without_graded_rules(Scene<2> scene)
   return scene;
 }
 
-/** The plan of the first mesh. @throws InputError where the material hides between all points. */
+void require_few(const DiscretizationParameters &given,
+                 const double n_unknowns,
+                 const std::string &text)
+{
+  const auto &max_unknowns = given.maximum_unknowns;
+  if (n_unknowns > max_unknowns)
+    throw InputError(max_unknowns.where() + ": found '" + std::to_string(max_unknowns.value) +
+                     "', but the first mesh has " + text +
+                     " unknowns, allowed: that many, or a smaller Coarsest level.");
+}
+
+/** The plan of the first mesh. @throws InputError where it is much too fine, which is found out
+ * before it is made, and where the material hides between all points. */
 MeshPlan make_first_plan(const Scene<2> &scene, const DiscretizationParameters &given)
 {
   MeshPlan plan = first_plan(scene, given.coarsest_level, given.maximum_degree);
+  // Every cell is of degree 2: by Euler's formula there are more than four nodes for each.
+  const double fewest = 8. * scene.geometry.n_coarse_cells * std::pow(4., plan.base_level);
+  require_few(given, fewest, "more than " + number_text(fewest));
   if (const std::optional<dealii::Point<2>> hidden = show_hidden_data(scene, plan))
   {
     std::ostringstream message;
@@ -119,23 +134,12 @@ private:
     return std::make_unique<const Discretization<2>>(context_.parameters, scene_, plan_);
   }
 
-  /** @throws InputError if the first mesh has too many unknowns; one that is much too fine is not
-   * made. */
+  /** @throws InputError if the first mesh has too many unknowns. */
   std::unique_ptr<const Discretization<2>> make_first_discretization() const
   {
-    const auto check = [&](const double n_unknowns, const std::string &text) {
-      const auto &most = context_.parameters.discretization.maximum_unknowns;
-      if (n_unknowns > most)
-        throw InputError(most.where() + ": found '" + std::to_string(most.value) +
-                         "', but the first mesh has " + text +
-                         " unknowns, allowed: that many, or a smaller Coarsest level.");
-    };
-    // Every cell is of degree 2: by Euler's formula there are more than four nodes for each.
-    const double fewest = 8. * scene_.geometry.n_coarse_cells * std::pow(4., plan_.base_level);
-    check(fewest, "more than " + number_text(fewest));
     auto first = make_discretization();
     const auto n_dofs = first->space.dofs().n_dofs();
-    check(static_cast<double>(n_dofs), std::to_string(n_dofs));
+    require_few(context_.parameters.discretization, n_dofs, std::to_string(n_dofs));
     return first;
   }
 
