@@ -25,11 +25,23 @@ struct StressAt
   MeshAt mesh;
 };
 
-/** Of all points, and of those away from singular places. */
+/** What some cells have. */
 template <int dim>
-struct Maxima
+struct CellResults
 {
+  /** The largest stress of all points, and of those away from singular places. */
   StressAt<dim> all, away;
+  /** Their measure, and that of those that are strained much. */
+  double measure = 0., strained = 0.;
+
+  /** @param strain in the middle of the cell. */
+  void add_cell(const double of_cell, const dealii::SymmetricTensor<2, dim> &strain)
+  {
+    const auto principal = dealii::eigenvalues(strain);
+    measure += of_cell;
+    if (std::max(principal[0], -principal[dim - 1]) > large_strain)
+      strained += of_cell;
+  }
 };
 
 /** What is looked at. */
@@ -44,9 +56,9 @@ struct StressField
   const std::vector<SingularPlace<dim>> &places;
 };
 
-/** The corners of the reference cell and its middle. */
+/** The middle of the reference cell and its corners. */
 template <int dim>
-dealii::Quadrature<dim> corners_and_middle()
+dealii::Quadrature<dim> middle_and_corners()
 {
   std::vector<dealii::Point<dim>> points(1);
   for (unsigned int d = 0; d < dim; ++d)
@@ -73,12 +85,14 @@ void take_larger(const StressAt<dim> &candidate, StressAt<dim> &largest)
     largest = candidate;
 }
 
-/** Both maxima of two parts of the body. */
+/** Adds another part of the body. */
 template <int dim>
-void take_larger(const Maxima<dim> &candidate, Maxima<dim> &largest)
+void add(const CellResults<dim> &part, CellResults<dim> &results)
 {
-  take_larger(candidate.all, largest.all);
-  take_larger(candidate.away, largest.away);
+  take_larger(part.all, results.all);
+  take_larger(part.away, results.away);
+  results.measure += part.measure;
+  results.strained += part.strained;
 }
 
 /** The stress at a point; nothing where the material's data has no value. */
@@ -87,26 +101,35 @@ void compare(const StressField<dim> &field,
              const dealii::Point<dim> &x,
              const dealii::SymmetricTensor<2, dim> &strain,
              const MeshAt &mesh,
-             Maxima<dim> &largest)
+             CellResults<dim> &results)
 {
   try
   {
     const StressAt<dim> here = {von_mises(stress_in_space(field.material, x, strain)), x, mesh};
-    take_larger(here, largest.all);
+    take_larger(here, results.all);
     if (!any_contains(field.places, x))
-      take_larger(here, largest.away);
+      take_larger(here, results.away);
   }
   catch (const InputError &)
   {
   }
 }
 
-/** The largest of a chunk of cells of several degrees, at the nodes of each. */
+/** The middle of the reference cell and the nodes of an element. */
 template <int dim>
-Maxima<dim> largest_at_nodes(const Cells<dim> &cells, const StressField<dim> &field)
+dealii::Quadrature<dim> middle_and_nodes(const dealii::FiniteElement<dim> &element)
+{
+  std::vector<dealii::Point<dim>> points = element.base_element(0).get_unit_support_points();
+  points.insert(points.begin(), middle_and_corners<dim>().point(0));
+  return dealii::Quadrature<dim>(points);
+}
+
+/** Of a chunk of cells of several degrees, with the largest stress at the nodes of each. */
+template <int dim>
+CellResults<dim> results_at_nodes(const Cells<dim> &cells, const StressField<dim> &field)
 {
   const dealii::FEValuesExtractors::Vector displacement(0);
-  Maxima<dim> largest;
+  CellResults<dim> results;
   std::map<unsigned int, std::unique_ptr<dealii::FEValues<dim>>> values_by_degree;
   std::vector<dealii::SymmetricTensor<2, dim>> strains;
   for (const auto &cell : cells)
@@ -114,36 +137,37 @@ Maxima<dim> largest_at_nodes(const Cells<dim> &cells, const StressField<dim> &fi
     const dealii::FiniteElement<dim> &element = cell->get_fe();
     std::unique_ptr<dealii::FEValues<dim>> &values = values_by_degree[element.degree];
     if (values == nullptr)
-      values = std::make_unique<dealii::FEValues<dim>>(
-        field.space.mesh().mapping(),
-        element,
-        dealii::Quadrature<dim>(element.base_element(0).get_unit_support_points()),
-        dealii::update_gradients | dealii::update_quadrature_points);
+      values = std::make_unique<dealii::FEValues<dim>>(field.space.mesh().mapping(),
+                                                       element,
+                                                       middle_and_nodes(element),
+                                                       dealii::update_gradients |
+                                                         dealii::update_quadrature_points);
     values->reinit(cell);
     strains.resize(values->n_quadrature_points);
     (*values)[displacement].get_function_symmetric_gradients(field.U, strains);
     const MeshAt mesh = {cell->diameter(), element.degree};
-    for (const unsigned int q : values->quadrature_point_indices())
-      compare(field, values->quadrature_point(q), strains[q], mesh, largest);
+    results.add_cell(cell->measure(), strains[0]);
+    for (unsigned int q = 1; q < strains.size(); ++q)
+      compare(field, values->quadrature_point(q), strains[q], mesh, results);
   }
-  return largest;
+  return results;
 }
 
-/** The largest of a chunk of cells. */
+/** Of a chunk of cells. */
 template <int dim>
-Maxima<dim> largest_of(const Cells<dim> &cells, const StressField<dim> &field)
+CellResults<dim> results_of(const Cells<dim> &cells, const StressField<dim> &field)
 {
   const DisplacementSpace<dim> &space = field.space;
   if (space.has_several_elements())
-    return largest_at_nodes(cells, field);
+    return results_at_nodes(cells, field);
   dealii::FEValues<dim> values(space.mesh().mapping(),
                                space.element(),
-                               corners_and_middle<dim>(),
+                               middle_and_corners<dim>(),
                                dealii::update_gradients | dealii::update_inverse_jacobians |
                                  dealii::update_quadrature_points);
   PatchInterpolation<dim> interpolation(
     space, values.get_quadrature(), space.mesh().has_parents() ? 1 : 0);
-  Maxima<dim> largest;
+  CellResults<dim> results;
   for (const auto &cell : cells)
   {
     values.reinit(cell);
@@ -153,22 +177,24 @@ Maxima<dim> largest_of(const Cells<dim> &cells, const StressField<dim> &field)
       dealii::SymmetricTensor<2, dim> strain = symmetrize(u.gradients[q]);
       if (!field.dilatation.empty())
         replace_trace(strain, field.dilatation[cell->active_cell_index()]);
-      compare(field, values.quadrature_point(q), strain, {}, largest);
+      compare(field, values.quadrature_point(q), strain, {}, results);
+      if (q == 0)
+        results.add_cell(cell->measure(), strain);
     }
   }
-  return largest;
+  return results;
 }
 
-/** The largest ones of all cells of this rank. */
+/** Of all cells of this rank. */
 template <int dim>
-Maxima<dim> largest_of_cells(const StressField<dim> &field)
+CellResults<dim> results_of_cells(const StressField<dim> &field)
 {
-  Maxima<dim> largest;
-  integrate_by_chunks<Maxima<dim>, dim>(
+  CellResults<dim> results;
+  integrate_by_chunks<CellResults<dim>, dim>(
     field.space,
-    [&](const Cells<dim> &cells) { return largest_of(cells, field); },
-    [&largest](const Maxima<dim> &of_chunk) { take_larger(of_chunk, largest); });
-  return largest;
+    [&](const Cells<dim> &cells) { return results_of(cells, field); },
+    [&results](const CellResults<dim> &of_chunk) { add(of_chunk, results); });
+  return results;
 }
 
 /** The largest one of all ranks. */
@@ -206,11 +232,13 @@ VonMises largest_von_mises(const DisplacementSpace<dim> &space,
                                     ? mean_dilatations(space, U)
                                     : std::vector<double>(),
                                   places};
-  const Maxima<dim> largest = largest_of_cells(field);
+  const CellResults<dim> mine = results_of_cells(field);
   MPI_Comm communicator = space.mesh().communicator();
-  VonMises stress = {largest_of_ranks(largest.all, communicator), {}, {}};
+  VonMises stress = {largest_of_ranks(mine.all, communicator), {}, {}};
   if (!places.empty())
-    stress.away = largest_of_ranks(largest.away, communicator);
+    stress.away = largest_of_ranks(mine.away, communicator);
+  stress.strained_share = dealii::Utilities::MPI::sum(mine.strained, communicator) /
+                          dealii::Utilities::MPI::sum(mine.measure, communicator);
   return stress;
 }
 

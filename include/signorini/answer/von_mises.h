@@ -23,7 +23,13 @@ struct VonMises : StressMaximum
   std::optional<GrowthPlace> grows_at;
   /** The largest one away from all SingularPlace, where there are any. */
   std::optional<StressMaximum> away;
+  /** The share of the body (area, volume) in cells with a principal strain above large_strain in
+   * their middle. */
+  double strained_share = 0.;
 };
+
+/** Theories of small strains err by about as much as the strain. */
+constexpr double large_strain = 0.1;
 
 /**
  * Of pi^{2h} u_h, or of u_h on a mesh without T^{2h}, at the corners and the middle of every cell.
