@@ -12,6 +12,7 @@
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -204,6 +205,14 @@ void test_holes(Checks &checks)
                      "4.5,1; arc 5,1 cw; 5.5,1; arc 5,1 cw"),
              {12. - 0.09 * PI - (1. - 0.0625 * (1. - 0.25 * PI)) - 0.25 * PI,
               {{"hole0", 0.6 * PI}, {"hole1", 4. - 0.5 + 0.125 * PI}, {"hole2", PI}}});
+  // Cells beside the gaps of 1e-6 are much longer than wide.
+  const double radius = 0.499999;
+  dealii::Triangulation<2> gaps;
+  polygon("0,0; 1,0; 1,1; 0,1", "circle 0.5,0.5,0.499999").make_coarse_mesh(gaps);
+  checks.near("four narrow gaps: area",
+              dealii::GridTools::volume(gaps, dealii::MappingQ<2>(2)),
+              1. - PI * radius * radius,
+              1e-4);
 }
 
 void test_round(Checks &checks)
