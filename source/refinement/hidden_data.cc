@@ -15,8 +15,8 @@ namespace Signorini
 {
 namespace
 {
-/** Layers that need more splits are refused, and bumps on sides are left alone. */
-constexpr unsigned int most_splits = 16, most_split_cells = 2000;
+/** Layers that need more splits are refused, and what sides hide is left alone. */
+constexpr unsigned int most_splits_in_body = 16, most_splits_on_sides = 24, most_split_cells = 2000;
 
 /** The lines of a cell that are sampled. Near their ends the distances are 2^-k. */
 constexpr std::array<double, 5> sampled_lines = {{0.081, 0.293, 0.517, 0.714, 0.923}};
@@ -24,7 +24,7 @@ constexpr unsigned int n_points_at_ends = 20;
 
 using Values = std::vector<double>;
 
-/** Positions between 0 and 1. */
+/** Positions between 0 and 1: @p n at equal distances, then those near the ends. */
 std::vector<double> sample_positions(const unsigned int n)
 {
   std::vector<double> positions;
@@ -122,11 +122,16 @@ public:
     const auto positions = sample_positions(most_points);
     for (std::size_t i = 0; i < scene.boundary.size(); ++i)
     {
-      double largest = 0.;
+      const double length = scene.geometry.sides[i].length();
+      double largest = 0., sum = 0.;
       for (const double t : positions)
-        for (const double value : on_side(i, t * scene.geometry.sides[i].length()))
+        for (const double value : on_side(i, t * length))
+        {
           largest = std::max(largest, std::abs(value));
+          sum += std::abs(value);
+        }
       largest_on_side_.push_back(largest);
+      force_on_side_.push_back(sum * length / positions.size());
     }
   }
 
@@ -141,7 +146,8 @@ public:
     const std::optional<dealii::Point<2>> place = hidden_in(cell, n);
     if (!place && !hides_on_side(cell, n))
       return false;
-    if (n_splits >= most_splits || n_split_ >= most_split_cells)
+    if (n_splits >= (place ? most_splits_in_body : most_splits_on_sides) ||
+        n_split_ >= most_split_cells)
     {
       hidden_ = place;
       return false;
@@ -198,9 +204,10 @@ private:
     return {};
   }
 
+  /** Whether the data of a side hides on a face, or a rule does not find the force of a traction:
+   * it would act from step to step as another load. */
   bool hides_on_side(const Cell &cell, const unsigned int n) const
   {
-    constexpr double tolerance = 1e-4;
     for (const auto &face : cell->face_iterators())
     {
       if (!face->at_boundary())
@@ -211,21 +218,53 @@ private:
       double length = side.arc_length(face->vertex(1)) - first;
       if (side.is_closed())
         length -= side.length() * std::round(length / side.length());
-      SeenRange seen;
-      const dealii::QGauss<1> gauss(n_gauss);
-      for (const dealii::Point<1> &x : gauss.get_points())
-        seen.add(on_side(number, first + x[0] * length));
-      for (const double t : sample_positions(n))
-        if (seen.is_far(on_side(number, first + t * length), tolerance * largest_on_side_[number]))
-          return true;
+      if (hides_between(number, first, length, n))
+        return true;
     }
     return false;
+  }
+
+  bool hides_between(const unsigned int side,
+                     const double first,
+                     const double length,
+                     const unsigned int n) const
+  {
+    constexpr double tolerance = 1e-4;
+    const auto at = [&](const double t) { return on_side(side, first + t * length); };
+    SeenRange seen;
+    const dealii::QGauss<1> gauss(n_gauss);
+    for (const dealii::Point<1> &t : gauss.get_points())
+      seen.add(at(t[0]));
+    const std::vector<double> positions = sample_positions(n);
+    Values before, low, high;
+    double jump = 0., range = 0.;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+    {
+      const Values values = at(positions[i]);
+      if (seen.is_far(values, tolerance * largest_on_side_[side]))
+        return true;
+      if (i == 0)
+        low = high = values;
+      for (std::size_t c = 0; i < n && c < std::min(values.size(), low.size()); ++c)
+      {
+        low[c] = std::min(low[c], values[c]);
+        high[c] = std::max(high[c], values[c]);
+        range = std::max(range, high[c] - low[c]);
+        if (c < before.size())
+          jump = std::max(jump, std::abs(values[c] - before[c]));
+      }
+      before = values;
+    }
+    // Smooth functions change by a few times their range/n from sample to sample.
+    const double force = 0.25 * (jump - 8. * range / n) * std::abs(length);
+    return scene_.boundary[side].role == Role::traction && force > tolerance * force_on_side_[side];
   }
 
   static constexpr unsigned int n_gauss = 4;
   const Scene<2> &scene_;
   MeshPlan &plan_;
-  std::vector<double> largest_on_side_;
+  /** The largest component, and about the force of its absolute value. */
+  std::vector<double> largest_on_side_, force_on_side_;
   /** Cells in which nothing hides. */
   std::set<dealii::CellId> looked_at_;
   unsigned int n_split_ = 0;

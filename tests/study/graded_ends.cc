@@ -88,6 +88,20 @@ void check_coating(Checks &checks)
   checks.that("A film: refused", message.find("Kinks at y") != std::string::npos);
 }
 
+/** A traction of 30 on a thousandth of a side is a force of 0.03, which the clamped side holds. */
+void check_spike(Checks &checks)
+{
+  const StudyResult<2> result =
+    solve_hp("subsection Boundary\n set Contact = bottom\n set Clamped = top\n"
+             " set Traction = left: abs(y - 0.4003) < 5e-4 ? -30 : 0; 0\n end\n"
+             "subsection Contact\n set Gap = 1\n end\n",
+             {"Discretization/Target error=0.05"});
+  checks.near("Spike: its force",
+              result.levels.back().answer.reactions.at(0).resultant.force[0],
+              0.03,
+              2e-4 * 0.03);
+}
+
 /** Without a Target error the sequence aims at 1e-3. */
 void check_usual_target(Checks &checks)
 {
@@ -140,6 +154,7 @@ int main(int argc, char **argv)
   check_early_stop(checks);
   check_contradiction(checks);
   check_coating(checks);
+  check_spike(checks);
   check_usual_target(checks);
   check_growth(checks);
   return checks.exit_code();
