@@ -245,7 +245,8 @@ LocatedBound compute_located_bound(const BoundData &data)
   result.algebra = of_stress.algebra;
   // The inequality holds for u_h + E with the prescribed displacement itself; E is zero on contact.
   result.absolute = total(of_stress.square, of_stress.lift, contact);
-  const double scale = energy_scale(stress.energy_norm(), given.space, given.scene, given.U);
+  const double scale =
+    energy_scale(stress.energy_norm(), *result.absolute, given.space, given.scene, given.U);
   result.relative = ratio(*result.absolute, scale);
   result.guaranteed = stress.is_guaranteed();
   result.geometry = std::sqrt(of_stress.geometry_square);

@@ -188,10 +188,16 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
   }
   StepHistory history;
   Acceleration acceleration;
+  double before = 0.;
   for (unsigned int doublings = 0;;)
   {
     ContactStep step;
     step.r = measure(system, options, result);
+    // r.V r falls like |r|², and the last step may have taken nearly all of it.
+    const double now = step.r.norm_sqr();
+    if (before > 0.)
+      result.energy_of_residual *= now / before;
+    before = now;
     if (result.converged || result.cycles >= options.maximum_cycles)
     {
       if (result.cycles == 0)
@@ -209,13 +215,15 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
       break;
     complete_step(system, result, step);
     ++result.cycles;
-    // Of the point before: more than what the step leaves, and without a V-cycle of its own.
+    // Of the point before; without a V-cycle of its own.
     result.energy_of_residual = 0.5 * (step.r * step.z);
     history.add(step.size());
     acceleration.advance(result.U, result.P, step, keeps_set(result.P, step.d));
     if (step.size() <= options.energy_tolerance * energy_norm(system, result))
     {
-      measure(system, options, result);
+      const double left = measure(system, options, result).norm_sqr();
+      if (before > 0.)
+        result.energy_of_residual *= left / before;
       result.converged = true;
       return result;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// |||u_h||| without what a rigid translation would add by rounding.
+// |||u_h||| without what a rigid translation would add by rounding, and whether it is anything
+// else.
 
 #include <signorini/elasticity/cell_stiffness.h>
 #include <signorini/elasticity/energy_norm.h>
@@ -36,30 +37,60 @@ double energy_norm(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
+std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
+                                           const Scene<dim> &scene,
+                                           const NodalVector &U)
+{
+  constexpr double unit_roundoff = std::numeric_limits<double>::epsilon();
+  const double motion = U.linfty_norm(), size = space.mesh().size();
+  // Of a body that moves far, the strains are not known: they are less than rounding of U.
+  if (unit_roundoff * motion > 1e-12 * size)
+    return {};
+  // Rounding, or what V-cycles leave: strains below 1e-10, and below 1e-9 of the motion.
+  const double tolerance =
+    std::max(1e3 * unit_roundoff, 1e-10 * size / std::max(motion, 0.1 * size));
+  CellStiffness<dim> stiffness(space, scene);
+  dealii::Vector<double> on_cell, forces;
+  bool rigid = true;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (rigid && cell->is_locally_owned())
+    {
+      on_cell.reinit(cell->get_fe().n_dofs_per_cell());
+      forces.reinit(on_cell.size());
+      cell->get_dof_values(U, on_cell);
+      const dealii::FullMatrix<double> &K = stiffness(cell);
+      K.vmult(forces, on_cell);
+      rigid = forces.linfty_norm() <= tolerance * K.linfty_norm() * motion;
+    }
+  if (dealii::Utilities::MPI::min(rigid ? 1 : 0, space.mesh().communicator()) == 0)
+    return {};
+  return motion * std::sqrt(stiffness_unit(space, *scene.material));
+}
+
+template <int dim>
 double energy_scale(const double norm,
+                    const double error,
                     const DisplacementSpace<dim> &space,
                     const Scene<dim> &scene,
                     const NodalVector &U)
 {
-  const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * U.linfty_norm() *
-                          std::sqrt(stiffness_unit(space, *scene.material));
-  return std::max(norm, rounding);
-}
-
-template <int dim>
-double energy_scale(const DisplacementSpace<dim> &space,
-                    const Scene<dim> &scene,
-                    const NodalVector &U)
-{
-  return energy_scale(energy_norm(space, scene, U), space, scene, U);
+  constexpr double rounding = 1e-7;
+  const std::optional<double> rigid = norm_of_rigid_motion(space, scene, U);
+  if (!rigid)
+    return norm;
+  return error <= rounding * *rigid ? *rigid : error;
 }
 
 template double energy_norm(const DisplacementSpace<2> &, const Scene<2> &, const NodalVector &);
 template double energy_norm(const DisplacementSpace<3> &, const Scene<3> &, const NodalVector &);
+template std::optional<double> norm_of_rigid_motion(const DisplacementSpace<2> &,
+                                                    const Scene<2> &,
+                                                    const NodalVector &);
+template std::optional<double> norm_of_rigid_motion(const DisplacementSpace<3> &,
+                                                    const Scene<3> &,
+                                                    const NodalVector &);
 template double
-energy_scale(double, const DisplacementSpace<2> &, const Scene<2> &, const NodalVector &);
+energy_scale(double, double, const DisplacementSpace<2> &, const Scene<2> &, const NodalVector &);
 template double
-energy_scale(double, const DisplacementSpace<3> &, const Scene<3> &, const NodalVector &);
-template double energy_scale(const DisplacementSpace<2> &, const Scene<2> &, const NodalVector &);
-template double energy_scale(const DisplacementSpace<3> &, const Scene<3> &, const NodalVector &);
+energy_scale(double, double, const DisplacementSpace<3> &, const Scene<3> &, const NodalVector &);
 } // namespace Signorini

@@ -22,8 +22,7 @@ double relative(const double value, const double scale)
 template <int dim>
 double stationarity(const DisplacementSpace<dim> &space, const NodalForces &forces)
 {
-  return relative(space.condense(forces.residual).l2_norm(),
-                  forces.vanish() ? forces.magnitude : forces.largest());
+  return relative(space.condense(forces.residual).l2_norm(), forces.scale());
 }
 
 /** The nodes whose degrees of freedom hold the body: number, position, component. */
@@ -75,7 +74,7 @@ void balance(const DisplacementSpace<dim> &space,
   const dealii::Point<dim> centre =
     scene.geometry.lower + 0.5 * (scene.geometry.upper - scene.geometry.lower);
   const double largest = std::max({sum_of_sizes, applied.force.norm(), size_of_contact});
-  const double scale = forces.vanish() ? forces.magnitude : largest;
+  const double scale = forces.rigid ? std::max(forces.magnitude, largest) : largest;
   certificate.force_balance = relative(sum.force.norm(), scale);
   certificate.moment_balance =
     relative(sum.moment_about(centre).norm(), scale * (scene.geometry.diameter() + centre.norm()));
@@ -288,7 +287,8 @@ Certificate certify(const DisplacementSpace<dim> &space,
     std::max({strain_energy,
               std::abs(work_of_loads),
               std::abs(work_of_gap),
-              least_share_of_free_state * std::abs(solution.P * solution.F)});
+              least_share_of_free_state * std::abs(solution.P * solution.F),
+              forces.rigid_energy()});
   check_contact(multipliers, solution, W, energy_scale, certificate);
   // J of (22); [p, Bu - g] is P^T W.
   certificate.energy = strain_energy - work_of_loads - solution.P * W;
@@ -296,13 +296,8 @@ Certificate certify(const DisplacementSpace<dim> &space,
   if (solution.C_P.size() > 0)
     certificate.duality_gap = duality_gap(solution, forces, energy_scale);
   const double unit_roundoff = std::numeric_limits<double>::epsilon();
-  // Forces that are nothing but rounding are harmless if the strains behind them are negligible:
-  // then the body moves as a whole. If it moves far, nothing is known about its strains.
-  constexpr double negligible_strain = 1e-12;
   const double noise = unit_roundoff * forces.magnitude;
-  const bool is_rigid = forces.vanish() && unit_roundoff * solution.U.linfty_norm() <=
-                                             negligible_strain * space.mesh().size();
-  certificate.rounding = is_rigid     ? unit_roundoff
+  certificate.rounding = forces.rigid ? unit_roundoff
                          : noise > 0. ? noise / std::max(noise, forces.largest())
                                       : 0.;
   return certificate;

@@ -121,7 +121,8 @@ template <int dim>
 ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
                              const Scene<dim> &scene,
                              const NodalVector &U,
-                             const PressureCorrection &correction)
+                             const PressureCorrection &correction,
+                             const OtherErrors &others)
 {
   const Material<dim> *const material = scene.material.get();
   const Squares of_U = integrate(space, material, U, 1);
@@ -136,9 +137,14 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
   estimate.h1 = norm_1(of_U, 1.);
   estimate.mesh = std::sqrt(mesh_square);
   estimate.pressure = correction.energy_norm;
+  estimate.algebra = others.algebra;
+  estimate.contact = others.contact;
   estimate.energy = std::hypot(std::sqrt(mesh_square), correction.energy_norm);
+  estimate.energy = std::hypot(estimate.energy, others.algebra, others.contact);
   if (estimate.energy > 0.)
-    estimate.relative = estimate.energy / energy_scale(space, scene, U);
+    estimate.relative =
+      estimate.energy /
+      energy_scale(energy_norm(space, scene, U), estimate.energy, space, scene, U);
   return estimate;
 }
 
@@ -159,17 +165,21 @@ Columns<ErrorEstimate> ErrorEstimate::columns()
           {"estimated_energy", &ErrorEstimate::energy},
           {"estimated_relative", &ErrorEstimate::relative},
           {"estimated_mesh", &ErrorEstimate::mesh},
-          {"estimated_pressure", &ErrorEstimate::pressure}};
+          {"estimated_pressure", &ErrorEstimate::pressure},
+          {"estimated_algebra", &ErrorEstimate::algebra},
+          {"estimated_contact", &ErrorEstimate::contact}};
 }
 
 template ErrorEstimate estimate_error(const DisplacementSpace<2> &,
                                       const Scene<2> &,
                                       const NodalVector &,
-                                      const PressureCorrection &);
+                                      const PressureCorrection &,
+                                      const OtherErrors &);
 template ErrorEstimate estimate_error(const DisplacementSpace<3> &,
                                       const Scene<3> &,
                                       const NodalVector &,
-                                      const PressureCorrection &);
+                                      const PressureCorrection &,
+                                      const OtherErrors &);
 template unsigned int best_interpolation(const DisplacementSpace<2> &, const NodalVector &);
 template unsigned int best_interpolation(const DisplacementSpace<3> &, const NodalVector &);
 } // namespace Signorini

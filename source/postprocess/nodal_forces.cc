@@ -2,21 +2,16 @@
 // The balance of forces, node by node, and the resultants of the contact pressure.
 
 #include <signorini/elasticity/cell_stiffness.h>
+#include <signorini/elasticity/energy_norm.h>
 #include <signorini/postprocess/nodal_forces.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace Signorini
 {
 double NodalForces::largest() const
 {
   return std::max({internal.l2_norm(), loads.l2_norm(), contact.l2_norm()});
-}
-
-bool NodalForces::vanish() const
-{
-  return largest() <= 1e3 * std::numeric_limits<double>::epsilon() * magnitude;
 }
 
 template <int dim>
@@ -40,6 +35,7 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
   forces.residual -= forces.contact;
   space.carry_to_masters(forces.residual);
   forces.magnitude = internal.magnitudes.l2_norm();
+  forces.rigid = norm_of_rigid_motion(space, scene, U);
   return forces;
 }
 

@@ -163,7 +163,7 @@ private:
     findings.brackets = contact_brackets(multipliers, solution.P);
     findings.unseen_contact = unseen_contact(space, multipliers, solution.U, solution.P);
     const double norm = energy_norm(space, scene, solution.U);
-    const double scale = energy_scale(norm, space, scene, solution.U);
+    const double scale = energy_scale(norm, total(findings.indicators), space, scene, solution.U);
     findings.target = context_.judge.target_error() * scale;
     if (!findings.unseen_contact.empty())
     {
@@ -183,6 +183,7 @@ private:
     constexpr double noticeable = 1e-3;
     if (history_.stagnates() && findings.error > noticeable * scale)
       findings.error = std::max(findings.error, scale);
+    findings.error = std::hypot(findings.error, solution.algebraic_error);
     // Nothing has an error where nothing deforms the body: all that is left is rounding.
     if (norm == 0. || norm < scale)
       findings.error = 0.;

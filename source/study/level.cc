@@ -83,6 +83,7 @@ Pressure find_contact(const Parameters &parameters,
                      [&]() { return recover(discretization, inverse, modes, f, solution); });
   correct_rounding(parameters, discretization, inverse, modes, f, pressure, solution);
   solution.P = pressure.P;
+  solution.algebraic_error = algebraic_error(parameters, discretization, *pressure.C, solution);
   return pressure;
 }
 

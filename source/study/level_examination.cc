@@ -7,6 +7,7 @@
 #include <signorini/bound/error_bound.h>
 #include <signorini/compliance/compliance.h>
 #include <signorini/postprocess/inf_sup.h>
+#include <signorini/postprocess/missed_contact.h>
 #include <signorini/postprocess/plate_forces.h>
 #include <signorini/qp/dual_solver.h>
 
@@ -79,7 +80,7 @@ double motion_balance(const std::vector<Plate> &plates,
   for (unsigned int j = 0; j < modes.size(); ++j)
   {
     const double work = modes.motions[j].work_of_plates(plates);
-    const double scale = std::max(std::abs(work), forces.largest() * modes.Z[j].linfty_norm());
+    const double scale = std::max(std::abs(work), forces.scale() * modes.Z[j].linfty_norm());
     if (scale > 0.)
       largest = std::max(largest, std::abs(modes.Z[j] * forces.residual - work) / scale);
   }
@@ -111,7 +112,8 @@ double gap_of_cycles(const Discretization<dim> &discretization,
   W -= discretization.G;
   const double scale = std::max({0.5 * std::abs(solution.U * forces.internal),
                                  std::abs(solution.U * forces.loads),
-                                 std::abs(solution.P * discretization.G)});
+                                 std::abs(solution.P * discretization.G),
+                                 forces.rigid_energy()});
   const double gap = std::abs(solution.P * W + solution.energy_of_residual);
   return scale > 0. ? gap / scale : gap;
 }
@@ -196,7 +198,13 @@ void add_estimate(const Discretization<dim> &discretization,
                                                                solved.inverse,
                                                                discretization.n_points,
                                                                dual_problem(solved, solution)});
-  solution.record.estimate = estimate_error(discretization.space, scene, solution.U, correction);
+  OtherErrors others;
+  others.algebra = solution.algebraic_error;
+  if constexpr (dim == 3)
+    others.contact = energy_of_missed_contact(
+      discretization.space, discretization.multipliers, scene, solution.U, solution.P);
+  solution.record.estimate =
+    estimate_error(discretization.space, scene, solution.U, correction, others);
 }
 
 /** The bound of the error of U and P, and where it comes from. */

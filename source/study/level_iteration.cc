@@ -146,14 +146,19 @@ Pressure iterate_contact(const Parameters &parameters,
   solution.contact_scale = result.scale;
   solution.energy_of_residual = result.energy_of_residual;
   DualSolve &dual = solution.record.dual;
+  dual.method = ContactSolver::multigrid;
   dual.iterations = result.cycles + result.cycles_for_scale;
   dual.kkt = result.kkt_residual;
   dual.converged = result.converged;
   dual.stalled = result.stalled;
   dual.energy_tolerance = options.energy_tolerance;
-  dealii::Vector<double> diagonal_P(result.P);
-  diagonal_P.scale(model->diagonal());
-  diagonal_P *= result.scale;
+  dealii::Vector<double> diagonal = model->diagonal(), diagonal_P(result.P);
+  diagonal *= result.scale;
+  diagonal_P.scale(diagonal);
+  dealii::Vector<double> W = discretization.D.transpose_product(solution.U);
+  W -= discretization.G;
+  solution.algebraic_error = std::hypot(algebraic_error(result.P, W, diagonal),
+                                        std::sqrt(2. * std::abs(result.energy_of_residual)));
   return {result.P, {}, diagonal_P, nullptr, {}};
 }
 

@@ -13,6 +13,7 @@
 #include <signorini/recovery/recovery.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "escape_message.h"
 
@@ -23,6 +24,7 @@ namespace
 DualSolve summary_of(const QPResult &result, const ContactSolver method)
 {
   DualSolve summary;
+  summary.method = method;
   summary.iterations = result.iterations;
   if (method == ContactSolver::psor)
     summary.increment_iterations = result.increment_iterations;
@@ -127,6 +129,36 @@ QPResult solve_contact(const Parameters &parameters,
 }
 } // namespace
 
+double algebraic_error(const dealii::Vector<double> &P,
+                       const dealii::Vector<double> &W,
+                       const dealii::Vector<double> &diagonal)
+{
+  constexpr double diagonal_over_eigenvalue = 6.;
+  double energy = 0.;
+  for (unsigned int k = 0; k < P.size(); ++k)
+    if (diagonal[k] > 0.)
+      energy += diagonal[k] * std::pow(P[k] - std::min(0., P[k] - W[k] / diagonal[k]), 2);
+  return std::sqrt(diagonal_over_eigenvalue * energy);
+}
+
+template <int dim>
+double algebraic_error(const Parameters &parameters,
+                       const Discretization<dim> &discretization,
+                       const ComplianceOperator &C,
+                       const LevelSolution<dim> &solution)
+{
+  const dealii::Vector<double> &P = solution.P;
+  dealii::Vector<double> W = discretization.D.transpose_product(solution.U);
+  W -= discretization.G;
+  if (parameters.solver.contact_solver == ContactSolver::mprgp)
+    return algebraic_error(P, W, C.diagonal());
+  // Where nothing presses nor penetrates, a column of C may cost a solve.
+  dealii::Vector<double> counted(P.size());
+  for (unsigned int k = 0; k < P.size(); ++k)
+    counted[k] = P[k] != 0. || W[k] > 0. ? 1. : 0.;
+  return algebraic_error(P, W, diagonal_times(C, counted));
+}
+
 template <int dim>
 Pressure find_pressure(const Parameters &parameters,
                        const Discretization<dim> &discretization,
@@ -197,6 +229,14 @@ void correct_rounding(const Parameters &parameters,
   }
 }
 
+template double algebraic_error(const Parameters &,
+                                const Discretization<2> &,
+                                const ComplianceOperator &,
+                                const LevelSolution<2> &);
+template double algebraic_error(const Parameters &,
+                                const Discretization<3> &,
+                                const ComplianceOperator &,
+                                const LevelSolution<3> &);
 template Pressure find_pressure(const Parameters &,
                                 const Discretization<2> &,
                                 const StiffnessInverse &,

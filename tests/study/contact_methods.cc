@@ -2,6 +2,7 @@
 // All contact solvers give the same answer; V-cycles need no more of them on finer levels.
 
 #include <signorini/base/exceptions.h>
+#include <signorini/elasticity/energy_norm.h>
 #include <signorini/record/level_record.h>
 
 #include <algorithm>
@@ -94,6 +95,33 @@ void compare(Checks &checks, const SceneText &scene)
   check("MPRGP by products",
         entry("Solver", "Contact solver", "mprgp") + entry("Solver", "Linear solver", "multigrid"));
   check("V-cycles", entry("Solver", "Contact solver", "multigrid"));
+}
+
+/** A solver that stops at 1 % says how far it is from the discrete solution (energy norm). */
+void stop_early(Checks &checks)
+{
+  const SceneText scene = {"block", scenes()[0].text, 4};
+  const OneLevel level(scene.text + entry("Solver", "Tolerance", "1e-12"), scene.level);
+  const LevelSolution<2> exact = level.solve();
+  checks.between("exact: algebraic error",
+                 *exact.record.estimate->algebra / exact.record.estimate->energy,
+                 0.,
+                 1e-8);
+  for (const char *method : {"psor", "mprgp", "multigrid"})
+  {
+    const LevelSolution<2> found = OneLevel(scene.text + entry("Solver", "Tolerance", "1e-2") +
+                                              entry("Solver", "Contact solver", method),
+                                            scene.level)
+                                     .solve();
+    NodalVector difference(found.U);
+    difference -= exact.U;
+    const double error = energy_norm(level.space(), level.scene, difference);
+    checks.that(std::string(method) + ": stops early", error > 1e-8 * exact.U.linfty_norm());
+    checks.between(std::string(method) + ": algebraic error over the true one",
+                   *found.record.estimate->algebra / error,
+                   1.,
+                   30.);
+  }
 }
 
 /** Studies on nested levels: certified, and as many V-cycles on every level. */
@@ -201,6 +229,7 @@ int main(int argc, char **argv)
   Checks checks;
   for (const SceneText &scene : scenes())
     compare(checks, scene);
+  stop_early(checks);
   nested(checks);
   in_space(checks);
   refusals(checks);

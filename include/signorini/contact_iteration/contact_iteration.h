@@ -66,8 +66,8 @@ struct ContactIterationResult
   double rounding_of_stationarity = 0., rounding_of_complementarity = 0.;
   /** The unit roundoff times about |A|. */
   double rounding_of_A = 0.;
-  /** r.V r/2 before the last step, which bounds the part of the duality gap that the stationarity
-   * leaves (energy). */
+  /** r.V r/2, from that before the last step: about the part of the duality gap that the
+   * stationarity leaves (energy). */
   double energy_of_residual = 0.;
   bool converged = false;
   /** Why MINRES had to take over; empty if it had not. */

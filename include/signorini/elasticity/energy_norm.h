@@ -3,6 +3,8 @@
 
 #include <signorini/elasticity/displacement_space.h>
 
+#include <optional>
+
 namespace Signorini
 {
 /**
@@ -16,20 +18,27 @@ double energy_norm(const DisplacementSpace<dim> &space,
                    const NodalVector &U);
 
 /**
- * What errors in the energy norm are compared with: |||u_h|||, or what rounding makes of it where
- * that is larger. Where a body moves as a whole, |||u_h||| and its error are nothing but rounding.
+ * Where the body moves as a whole, the energy norm that such a displacement has if it strains the
+ * body: max|u_h| E_0^{1/2} l^{(dim-2)/2} with the unit of stiffness_unit(). |||u_h|||, forces and
+ * their errors are nothing but rounding then, or what the linear solver leaves. None where the body
+ * is strained. Collective.
+ */
+template <int dim>
+std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
+                                           const Scene<dim> &scene,
+                                           const NodalVector &U);
+
+/**
+ * What an error in the energy norm is compared with: |||u_h|||. Where the body moves rigidly,
+ * |||u_h||| is rounding; an error that is rounding, too, is compared with norm_of_rigid_motion(),
+ * and a larger one is all of |||u|||. Collective.
  *
  * @param norm |||u_h|||
  */
 template <int dim>
 double energy_scale(double norm,
+                    double error,
                     const DisplacementSpace<dim> &space,
-                    const Scene<dim> &scene,
-                    const NodalVector &U);
-
-/** The same, with the norm computed. Collective. */
-template <int dim>
-double energy_scale(const DisplacementSpace<dim> &space,
                     const Scene<dim> &scene,
                     const NodalVector &U);
 } // namespace Signorini

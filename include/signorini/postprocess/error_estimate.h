@@ -9,6 +9,15 @@
 
 namespace Signorini
 {
+/** Parts of an error that neither pi^{2h} nor a recovered pressure show (energy norms). */
+struct OtherErrors
+{
+  /** What the contact solver leaves, see algebraic_error(). */
+  double algebra = 0.;
+  /** energy_of_missed_contact(). */
+  double contact = 0.;
+};
+
 /**
  * A posteriori estimates of the error. Let p be a better pressure than p_H, and z_h in V^h what it
  * adds to u_h (PressureCorrection). With the exact pressure u_h + z_h is the best approximation of
@@ -16,16 +25,16 @@ namespace Signorini
  *
  *     |||u - u_h|||² = |||u - (u_h + z_h)|||² + |||z_h|||².
  *
- * The first part is estimated by the distance to pi^{2h}. Energy norms are roots of force x
- * length^{dim-1}. An
- * estimate that comes from elsewhere has no parts.
+ * The first part is estimated by the distance to pi^{2h}. What u_h and p_H lack of the solution on
+ * this mesh, and what no recovered pressure shows, comes on top (OtherErrors). Energy norms are
+ * roots of force x length^{dim-1}. An estimate that comes from elsewhere has no parts.
  */
 struct ErrorEstimate
 {
   /** ‖pi^{2h} u_h - u_h‖_{1,Omega}, of ‖u - u_h‖_1; asymptotically exact where pi^{2h} u_h
    * superconverges and |||z_h||| is small. */
   std::optional<double> h1;
-  /** Of |||u - u_h|||: (mesh² + pressure²)^{1/2}. */
+  /** Of |||u - u_h|||: the root of the sum of the squares of all parts. */
   double energy = 0.;
   /** The same divided by energy_scale(): it depends neither on units nor on translations. */
   double relative = 0.;
@@ -33,6 +42,8 @@ struct ErrorEstimate
   std::optional<double> mesh;
   /** |||z_h|||. */
   std::optional<double> pressure;
+  /** Those of OtherErrors. */
+  std::optional<double> algebra = {}, contact = {};
 
   static Columns<ErrorEstimate> columns();
 };
@@ -45,7 +56,8 @@ template <int dim>
 ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
                              const Scene<dim> &scene,
                              const NodalVector &U,
-                             const PressureCorrection &correction = {});
+                             const PressureCorrection &correction = {},
+                             const OtherErrors &others = {});
 
 /**
  * The number of generations with which PatchInterpolation comes closest to u: 2 (degree four) where

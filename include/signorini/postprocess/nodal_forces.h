@@ -5,6 +5,9 @@
 #include <signorini/multiplier/coupling.h>
 #include <signorini/multiplier/multiplier_space.h>
 
+#include <algorithm>
+#include <optional>
+
 namespace Signorini
 {
 /** The forces at all degrees of freedom j (force per thickness), known to all ranks. They come from
@@ -22,11 +25,22 @@ struct NodalForces
   /** |A| |U|: the size of the terms that make up the internal forces. */
   double magnitude = 0.;
 
+  /** norm_of_rigid_motion(); if there is one, all forces are rounding. */
+  std::optional<double> rigid;
+
   /** The norm of the largest of the forces. */
   double largest() const;
-  /** Whether all forces are zero within rounding: a rigid motion. Then there is nothing but the
-   * magnitude that residuals could be compared with. */
-  bool vanish() const;
+  /** What residuals are compared with: the largest of the forces, or, where the body moves rigidly,
+   * the size of the terms that cancel. */
+  double scale() const
+  {
+    return rigid ? std::max(magnitude, largest()) : largest();
+  }
+  /** What energies are compared with at least: zero where the body is strained. */
+  double rigid_energy() const
+  {
+    return rigid.value_or(0.) * rigid.value_or(0.);
+  }
 };
 
 /** @param loads LinearSystem::loads. Collective. */

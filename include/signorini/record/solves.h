@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/columns.h>
+#include <signorini/parameters/options.h>
 
 #include <optional>
 #include <string>
@@ -11,6 +12,8 @@ namespace Signorini
 /** How contact on one level was found; the defaults hold where nothing touches. */
 struct DualSolve
 {
+  /** The one that was asked for, never automatic. */
+  ContactSolver method = ContactSolver::active_set;
   /** Sweeps of projected SOR, linear solves of the active set method, products of MPRGP, or
    * V-cycles.
    */

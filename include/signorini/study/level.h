@@ -42,6 +42,8 @@ struct LevelSolution
   double contact_scale = 0.;
   /** About the part of the duality gap that V-cycles leave in A U = f + D P (energy). */
   double energy_of_residual = 0.;
+  /** See algebraic_error() (energy norm). */
+  double algebraic_error = 0.;
   /** Only with Output/Compliance, and empty if nothing touches. */
   dealii::FullMatrix<double> C;
   /** B, K and b of free motions, and q; empty without. */
