@@ -333,8 +333,8 @@ void Declarations::declare_solver(SolverParameters &solver)
   add(
     "Tolerated error",
     solver.tolerated_error,
-    "Relative error in the energy norm up to which an answer is certified: the guaranteed bound on "
-    "the finest level must not be larger.",
+    "Relative error in the energy norm up to which an answer is certified: the bound on the finest "
+    "level, or its estimate where there is no bound, must not be larger.",
     Patterns::Double(0., 10.),
     "a number from 0 to 10");
   add("Require stability",

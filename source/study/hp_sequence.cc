@@ -185,7 +185,8 @@ private:
       findings.error = std::max(findings.error, scale);
     findings.error = std::hypot(findings.error, solution.algebraic_error);
     // Nothing has an error where nothing deforms the body: all that is left is rounding.
-    if (norm == 0. || norm < scale)
+    constexpr double rounding_of_rigid_motions = 1e-7;
+    if (norm < scale && findings.error <= rounding_of_rigid_motions * scale)
       findings.error = 0.;
     solution.record.estimate =
       ErrorEstimate{{}, findings.error, findings.error > 0. ? findings.error / scale : 0., {}, {}};

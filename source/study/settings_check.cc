@@ -33,9 +33,10 @@ void require_one_rank(const Given<Option> &solver,
                    std::to_string(n_ranks) + " processes, allowed on several: " + allowed + ".");
 }
 
+template <int dim>
 void check_strategy(const Given<Strategy> &strategy, const unsigned int n_ranks)
 {
-  if (strategy == Strategy::hp && n_ranks > 1)
+  if (strategy == Strategy::hp && !can_be_graded<dim>(n_ranks))
     throw InputError(strategy.where() + ": found '" + to_text(strategy.value) + "' on " +
                      std::to_string(n_ranks) +
                      " processes, allowed on several: " + to_text(Strategy::nested) + ".");
@@ -99,7 +100,7 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_C
   require_one_rank(
     parameters.solver.linear_solver, {LinearSolver::condensed, LinearSolver::multigrid}, n_ranks);
   require_one_rank(parameters.solver.contact_solver, {ContactSolver::multigrid}, n_ranks);
-  check_strategy(parameters.discretization.strategy, n_ranks);
+  check_strategy<dim>(parameters.discretization.strategy, n_ranks);
   check_contact_solver(parameters, scene);
   check_multigrid(
     parameters.solver.linear_solver, "Linear solver", "automatic, condensed", parameters);

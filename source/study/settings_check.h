@@ -8,6 +8,13 @@
 
 namespace Signorini
 {
+/** Whether Strategy = hp solves such scenes: bodies in the plane, on one process. */
+template <int dim>
+bool can_be_graded(const unsigned int n_ranks)
+{
+  return dim == 2 && n_ranks == 1;
+}
+
 /**
  * Refuses settings that contradict the scene or the number of ranks: a linear solver that does not
  * work on several, and a coarsest level with sides that end inside faces.

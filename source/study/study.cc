@@ -37,7 +37,10 @@ StudyResult<dim> run_study(const Parameters &parameters,
 {
   const Judge judge({parameters.solver.tolerance,
                      parameters.solver.tolerated_error,
-                     target_error(parameters.discretization)});
+                     target_error(parameters.discretization),
+                     parameters.discretization.target_error > 0.,
+                     can_be_graded<dim>(dealii::Utilities::MPI::n_mpi_processes(communicator)),
+                     dim == 2});
   const LibraryThreads one_thread_in_libraries(1);
   check_settings(parameters, scene, communicator);
   const std::unique_ptr<Sequence<dim>> sequence =

@@ -27,12 +27,13 @@ std::string check_finest_level(const std::vector<LevelRecord> &levels, const Jud
 std::string check_brackets(const std::vector<LevelRecord> &levels, const Judge &judge);
 /** On the finest level other pressures solve the dual problem, too. */
 std::string check_uniqueness(const std::vector<LevelRecord> &levels, const Judge &judge);
-/** The guaranteed bound on the finest level is larger than what is tolerated. */
-std::string check_bound(const std::vector<LevelRecord> &levels, const Judge &judge);
-/** A target error was set, and the finest level does not reach it. */
+/** The bound of the error on the finest level, or without one its estimate, is larger than what is
+ * tolerated, or nothing is known about the error. */
+std::string check_error(const std::vector<LevelRecord> &levels, const Judge &judge);
+/** The user has set a target error, and the finest level does not reach it. */
 std::string check_target(const std::vector<LevelRecord> &levels, const Judge &judge);
-/** Without a bound: on the finest level bilinear elements are too stiff for a nearly incompressible
- * body. */
+/** On the finest level bilinear elements are too stiff for a nearly incompressible body, and what
+ * is known about the error does not exclude that. */
 std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &judge);
 /** The bracket of the energy is too wide: strain energy and work of loads nearly cancel. */
 std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &judge);

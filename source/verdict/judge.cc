@@ -25,9 +25,9 @@ constexpr Check<LevelRecord> level_checks[] = {check_overflow,
 constexpr Check<std::vector<LevelRecord>> equation_checks[] = {check_finest_level,
                                                                check_uniqueness,
                                                                check_brackets};
-constexpr Check<std::vector<LevelRecord>> accuracy_checks[] = {check_bound,
+constexpr Check<std::vector<LevelRecord>> accuracy_checks[] = {check_locking,
+                                                               check_error,
                                                                check_energy,
-                                                               check_locking,
                                                                check_estimate,
                                                                check_target};
 
@@ -79,10 +79,12 @@ double Judge::residual_bound(const LevelRecord &level) const
   // A residual is a difference of terms that are larger than itself; five digits are asked for.
   constexpr double largest_bound = 1e-5;
   const double of_rounding = std::min(100. * rounding(level), largest_bound);
-  // Direct solves and sums over all cells lose some digits of their own.
+  // Direct solves and sums over all cells lose some digits of their own, and so do other measures
+  // of contact than the KKT residual. No tolerance makes an imbalance of one per cent a balance.
+  const double of_tolerance = std::min(100. * demands_.tolerance, 0.01);
   // V-cycles that end at the error of the discretisation leave that much in the forces of nodes.
   const double of_cycles = 10. * level.dual.energy_tolerance;
-  return std::max({1e-8, 100. * demands_.tolerance, of_rounding, of_cycles});
+  return std::max({1e-8, of_tolerance, of_rounding, of_cycles});
 }
 
 double Judge::largest_residual_bound(const std::vector<LevelRecord> &levels) const
@@ -105,7 +107,9 @@ StudyVerdict Judge::verdict(const std::vector<LevelRecord> &levels) const
   const std::string objection = first_objection(equation_checks, levels, *this);
   if (!objection.empty())
     return failed(levels, objection);
-  const std::string doubt = first_objection(accuracy_checks, levels, *this);
+  std::string doubt = first_objection(accuracy_checks, levels, *this);
+  if (!doubt.empty() && demands_.can_be_graded && !levels.back().sizes.is_graded())
+    doubt += " Or set Discretization/Strategy = hp, which finds a mesh by itself.";
   const Outcome outcome = !doubt.empty()                    ? Outcome::not_resolved
                           : is_guaranteed(levels.back())    ? Outcome::certified
                           : levels.back().sizes.is_graded() ? Outcome::accuracy_estimated

@@ -32,6 +32,61 @@ std::string causes_of_rounding(const LevelRecord &level)
   return text.str();
 }
 
+/** What has searched for contact. */
+std::string name_of_method(const DualSolve &dual)
+{
+  if (dual.active_set_failure)
+    return "projected SOR, which replaced the active set method,";
+  if (dual.stalled)
+    return "MINRES, which replaced V-cycles,";
+  switch (dual.method)
+  {
+  case ContactSolver::psor:
+    return "projected SOR";
+  case ContactSolver::mprgp:
+    return "MPRGP";
+  case ContactSolver::multigrid:
+    return "the V-cycles";
+  default:
+    return "the active set method";
+  }
+}
+
+/** What else may find contact where that method does not. */
+std::string other_method(const DualSolve &dual)
+{
+  if (dual.active_set_failure)
+    return ", or take a larger Patch ratio";
+  switch (dual.method)
+  {
+  case ContactSolver::psor:
+    return ", take a Relaxation between 1 and 1.2, or Contact solver = active set";
+  case ContactSolver::mprgp:
+  case ContactSolver::multigrid:
+    return ", or take Contact solver = active set";
+  default:
+    return ", or take Contact solver = psor";
+  }
+}
+
+/** Why a residual is large that rounding does not explain. */
+std::string cause_and_remedy(const Residual::Origin origin, const DualSolve &dual)
+{
+  const bool cycles = dual.method == ContactSolver::multigrid;
+  switch (origin)
+  {
+  case Residual::Origin::supports:
+    return "sides that meet prescribe different displacements: make them agree.";
+  case Residual::Origin::contact:
+    break;
+  default:
+    if (!cycles)
+      return "the linear system is not solved well enough: take another Linear solver.";
+  }
+  return name_of_method(dual) + (cycles ? " end" : " ends") +
+         " too early for it: take a smaller Tolerance" + other_method(dual) + ".";
+}
+
 /** With less than six digits of U left, nothing that is computed from it can be trusted. */
 constexpr double largest_rounding = 1e-6;
 
@@ -41,7 +96,7 @@ constexpr double noticeable_rounding = 1e-10;
 
 std::string check_overflow(const LevelRecord &level, const Judge &)
 {
-  if (std::isfinite(largest_residual(level.certificate)) && std::isfinite(level.dual.kkt))
+  if (std::isfinite(largest_residual(level.certificate).value) && std::isfinite(level.dual.kkt))
     return "";
   return "numbers overflow: choose units in which moduli, lengths and loads are of size one.";
 }
@@ -62,10 +117,9 @@ std::string check_dual_problem(const LevelRecord &level, const Judge &judge)
   if (level.dual.converged && level.dual.kkt <= tolerance)
     return "";
   std::ostringstream text;
-  text << "the contact solver stopped after " << level.dual.iterations
+  text << name_of_method(level.dual) << " stopped after " << level.dual.iterations
        << " iterations with the KKT residual " << level.dual.kkt << ", above the tolerance "
-       << judge.tolerance()
-       << ": raise Maximum iterations, take a Relaxation between 1 and 1.2, or the active set.";
+       << tolerance << ": raise Tolerance or Maximum iterations" << other_method(level.dual) << ".";
   return text.str();
 }
 
@@ -75,21 +129,22 @@ std::string check_load_cases(const LevelRecord &level, const Judge &)
     return "";
   return "the contact solver stopped early in load case " +
          std::to_string(level.load_cases->first_failure) +
-         " (cases.csv): raise Maximum iterations, or take the active set.";
+         " (cases.csv): raise Tolerance or Maximum iterations" + other_method(level.dual) + ".";
 }
 
 std::string check_residuals(const LevelRecord &level, const Judge &judge)
 {
-  const double residual = largest_residual(level.certificate);
+  const Residual residual = largest_residual(level.certificate);
   const double bound = judge.residual_bound(level);
-  if (residual <= bound)
+  if (residual.value <= bound)
     return "";
   std::ostringstream text;
-  text << "the largest residual of the certificate is " << residual << ", above " << bound;
-  if (rounding(level) > noticeable_rounding)
-    text << "; rounding leaves no more, because " << causes_of_rounding(level);
+  text << "the residual " << residual.name << " of the certificate is " << residual.value
+       << ", above " << bound << "; ";
+  if (rounding(level) > noticeable_rounding && level.dual.method != ContactSolver::multigrid)
+    text << "rounding leaves no more, because " << causes_of_rounding(level);
   else
-    text << ".";
+    text << cause_and_remedy(residual.origin, level.dual);
   return text.str();
 }
 } // namespace Signorini

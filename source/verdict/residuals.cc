@@ -8,23 +8,27 @@
 
 namespace Signorini
 {
-double largest_residual(const Certificate &certificate)
+Residual largest_residual(const Certificate &certificate)
 {
-  double largest = 0.;
-  for (const double residual : {certificate.stationarity,
-                                certificate.penetration,
-                                certificate.sign,
-                                certificate.support,
-                                certificate.complementarity,
-                                certificate.duality_gap,
-                                certificate.force_balance,
-                                certificate.motion_balance,
-                                certificate.moments_are_exact ? certificate.moment_balance : 0.})
+  using Origin = Residual::Origin;
+  const Certificate &c = certificate;
+  Residual largest;
+  for (const Residual &residual :
+       {Residual{c.stationarity, "stationarity", Origin::equilibrium},
+        Residual{c.penetration, "penetration", Origin::contact},
+        Residual{c.sign, "sign", Origin::contact},
+        Residual{c.support, "support", Origin::supports},
+        Residual{c.complementarity, "complementarity", Origin::contact},
+        Residual{c.duality_gap, "duality_gap", Origin::contact},
+        Residual{c.force_balance, "force_balance", Origin::equilibrium},
+        Residual{c.motion_balance, "motion_balance", Origin::equilibrium},
+        Residual{
+          c.moments_are_exact ? c.moment_balance : 0., "moment_balance", Origin::equilibrium}})
   {
-    // For std::max a residual that is not a number would be a small one.
-    if (std::isnan(residual))
+    if (std::isnan(residual.value))
       return residual;
-    largest = std::max(largest, residual);
+    if (residual.value > largest.value)
+      largest = residual;
   }
   return largest;
 }

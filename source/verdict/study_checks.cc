@@ -19,14 +19,26 @@ constexpr double largest_locking_number = 0.25;
 /** So many levels with the same estimate show that refinement does not help. */
 constexpr std::size_t n_stagnant_levels = 3;
 
-bool locks(const LevelRecord &level)
-{
-  return level.locking_number.value_or(0.) > largest_locking_number;
-}
-
-/** Where the bound is largest, and what makes it smaller. */
+/** Where the error is largest, and what makes it smaller. */
 std::string remedy_for(const LevelRecord &level)
 {
+  if (level.sizes.is_graded())
+    return "take a Target error below Tolerated error, raise Maximum unknowns, or see where the "
+           "mesh is finest (mesh-LL.svg): data that contradict each other there have no solution.";
+  constexpr const char *usual = "refine, or take cells that are as wide as high (long cells are "
+                                "too stiff in bending).";
+  if (!bound_of(level))
+  {
+    const ErrorEstimate estimate = level.estimate.value_or(ErrorEstimate());
+    const double algebra = estimate.algebra.value_or(0.), contact = estimate.contact.value_or(0.);
+    const double largest =
+      std::max({algebra, contact, estimate.mesh.value_or(0.), estimate.pressure.value_or(0.)});
+    if (largest == 0. || largest > std::max(algebra, contact))
+      return usual;
+    return largest == algebra ? "the contact solver stops too early: take a smaller Tolerance."
+                              : "the body penetrates where no patch presses: refine, or take a "
+                                "smaller Patch ratio.";
+  }
   const ErrorBound &bound = *level.bound;
   switch (bound.largest_part())
   {
@@ -36,11 +48,7 @@ std::string remedy_for(const LevelRecord &level)
   case ErrorBound::Part::oscillation:
     return "loads vary too much within cells, most in " + bound.largest_cell + ": refine.";
   default:
-    return "the mesh is too coarse, most in " + bound.largest_cell +
-           (locks(level) ? ": the body is nearly incompressible, and bilinear elements lock; set "
-                           "Discretization/Element = Q1 B-bar, or refine."
-                         : ": refine, or take cells that are as wide as high (long cells are too "
-                           "stiff in bending).");
+    return "the mesh is too coarse, most in " + bound.largest_cell + ": " + usual;
   }
 }
 } // namespace
@@ -52,17 +60,27 @@ std::string check_finest_level(const std::vector<LevelRecord> &levels, const Jud
   return doubt.empty() ? "" : "Level " + std::to_string(finest.sizes.level) + ": " + doubt;
 }
 
-std::string check_bound(const std::vector<LevelRecord> &levels, const Judge &judge)
+std::string check_error(const std::vector<LevelRecord> &levels, const Judge &judge)
 {
   const LevelRecord &finest = levels.back();
-  const std::optional<double> error = bound_of(finest);
-  if (!error || *error <= judge.tolerated_error())
+  const std::optional<double> error = relative_error(finest);
+  if (error && *error <= judge.tolerated_error())
     return "";
   std::ostringstream text;
-  text << "The error of level " << finest.sizes.level << " may be as large as " << 100. * *error
-       << " % (energy norm, " << (is_guaranteed(finest) ? "guaranteed" : "estimated")
-       << " bound; Tolerated error: " << 100. * judge.tolerated_error() << " %); "
-       << remedy_for(finest);
+  text << "The error of " << finest.sizes.word() << " " << finest.sizes.level;
+  if (!error)
+    text << " is not known";
+  else if (bound_of(finest))
+    text << " may be as large as " << 100. * *error << " % (energy norm, "
+         << (is_guaranteed(finest) ? "guaranteed" : "estimated")
+         << " bound; Tolerated error: " << 100. * judge.tolerated_error() << " %)";
+  else
+    text << " is about " << 100. * *error
+         << " % (energy norm, estimated; Tolerated error: " << 100. * judge.tolerated_error()
+         << " %)";
+  if (finest.bound && !finest.bound->missing.empty())
+    text << ", and there is no bound: " << finest.bound->missing;
+  text << "; " << remedy_for(finest);
   return text.str();
 }
 
@@ -92,7 +110,7 @@ std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &ju
 std::string check_target(const std::vector<LevelRecord> &levels, const Judge &judge)
 {
   const LevelRecord &finest = levels.back();
-  if (!judge.has_target() || judge.reaches_target(finest))
+  if (!judge.requires_target() || judge.reaches_target(finest))
     return "";
   std::ostringstream text;
   text << "The target error is not reached on " << finest.sizes.word() << " " << finest.sizes.level
@@ -152,18 +170,20 @@ std::string check_brackets(const std::vector<LevelRecord> &levels, const Judge &
   return text.str();
 }
 
-std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &)
+std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &judge)
 {
   const LevelRecord &finest = levels.back();
-  // A bound sees more.
-  if (bound_of(finest) || finest.sizes.is_graded() || !locks(finest))
+  const double number = finest.locking_number.value_or(0.);
+  // A guaranteed bound excludes large errors; solutions in V^h, such as rigid motions, do not lock.
+  const double excluded = is_guaranteed(finest) ? 0.1 * largest_locking_number : 1e-6;
+  if (number <= largest_locking_number || relative_error(finest).value_or(1.) <= excluded)
     return "";
   std::ostringstream text;
   text << "The body is nearly incompressible, and bilinear elements lock on a mesh as coarse as "
           "level "
-       << finest.sizes.level << ": K/mu (h/l)^2 = " << *finest.locking_number
-       << ", allowed: at most " << largest_locking_number
-       << "; set Discretization/Element = Q1 B-bar, or refine.";
+       << finest.sizes.level << ": K/mu (h/l)^2 = " << number << ", allowed: at most "
+       << largest_locking_number << "; "
+       << (judge.has_b_bar() ? "set Discretization/Element = Q1 B-bar, or refine." : "refine.");
   return text.str();
 }
 

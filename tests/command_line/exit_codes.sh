@@ -190,11 +190,61 @@ PRM
   check "  and the certificate, too" grep -q '"contact_solver_replaced": true' factors/certificate.json
 }
 
+# described TOP GAP [DIMENSION]: a block whose top is displaced.
+described() {
+  printf 'set Dimension = %s\nsubsection Boundary\n  set Contact = bottom\n  set Rollers = left\n' "${3:-2}"
+  printf '  set Displacement = top: %s\nend\nsubsection Contact\n  set Gap = %s\nend\n' "$1" "$2"
+  printf 'subsection Discretization\n  set Coarsest level = 2\n  set Finest level = 3\nend\n'
+}
+
+# Whatever number is known of the error decides.
+test_accuracy() {
+  described '0; -0.1*x' -0.05 >jump.prm
+  sed -i 's/Rollers/Clamped/' jump.prm
+  run 2 jump.prm --set 'Solver/Tolerated error=0.1'
+  check "  an estimate is above Tolerated error" grep -q 'estimated; Tolerated error: 10 %' stderr
+  check "  graded meshes are named" grep -q 'Strategy = hp' stderr
+  run 0 jump.prm --set 'Solver/Tolerated error=0.3'
+  run 2 jump.prm --set 'Solver/Tolerated error=0.001' --set Discretization/Strategy=hp \
+    --set 'Discretization/Maximum unknowns=400'
+  check "  on graded meshes, too" grep -q 'Tolerated error' stderr
+
+  described '0; 0; -0.02' '(x^2 + y^2)/2' 3 >missed.prm
+  run 2 missed.prm
+  check "  contact that is missed in space" grep -q 'penetrates where no patch presses' stderr
+  described '0; -0.001' '0.02*sin(20*x)^2' >moved.prm
+  sed -i 's/top: 0/top: 0.5/; s/Rollers = left/Rollers =/' moved.prm
+  run 2 moved.prm
+  check "  contact that a body misses which moves as a whole" grep -q 'contact is not resolved' stderr
+
+  for top in '0; 0.01' '0; 0' '0; -0.03' '1; -0.03'; do
+    described "$top" 0.1 >rigid.prm
+    sed -i '/Rollers/d' rigid.prm
+    run 0 rigid.prm
+    check "  nothing touches" says 'nothing touches'
+    check "  the error is rounding" says 'at most 0.000001 %'
+  done
+  described '0; 0; 0.01' 0.1 3 >rigid.prm
+  run 0 rigid.prm --set 'Solver/Contact solver=multigrid' --set Solver/Tolerance=1e-3
+  printf 'subsection Boundary\nset Contact = bottom\nset Rollers = left\nset Plates = top: 0, -1 turning\nend\n' >plate.prm
+  printf 'subsection Load\nset Plate travel = top: 0.04\nend\nsubsection Contact\nset Gap = 0.1\nend\n' >>plate.prm
+  printf 'subsection Discretization\nset Coarsest level = 2\nset Finest level = 3\nend\n' >>plate.prm
+  run 0 plate.prm
+  run 0 plate.prm --sweep 'Load/Plate travel=top: 0, top: 0.1, top: 0.15' --set 'Load cases/Cases=travel 0 | travel 1'
+
+  # The last V-cycle takes nearly all of the residual.
+  described '0; -0.02*x' 0.01 >cycles.prm
+  sed -i 's/Rollers/Clamped/' cycles.prm
+  run 0 cycles.prm --set 'Geometry/Cells=2, 1' --set 'Discretization/Coarsest level=0' \
+    --set 'Solver/Contact solver=multigrid' --set Solver/Tolerance=1e-8
+}
+
 write_inputs
 test_answers
 test_refusals
 test_run
 test_exhausted
 test_replaced
+test_accuracy
 echo "$failures failures"
 [ "$failures" -eq 0 ]

@@ -36,15 +36,15 @@ void residuals(Checks &checks)
   {
     Certificate certificate;
     certificate.*member = std::nan("");
-    noticed = noticed && std::isnan(largest_residual(certificate));
+    noticed = noticed && std::isnan(largest_residual(certificate).value);
     certificate.*member = 0.5;
-    noticed = noticed && largest_residual(certificate) == 0.5;
+    noticed = noticed && largest_residual(certificate).value == 0.5;
   }
   checks.that("the largest residual, and what is not a number", noticed);
   Certificate curved;
   curved.moment_balance = 0.5;
   curved.moments_are_exact = false;
-  checks.near("moments of curved cells do not count", largest_residual(curved), 0., 0.);
+  checks.near("moments of curved cells do not count", largest_residual(curved).value, 0., 0.);
 }
 
 void bounds(Checks &checks)
@@ -52,6 +52,7 @@ void bounds(Checks &checks)
   LevelRecord level;
   checks.near("without rounding", judge.residual_bound(level), 1e-8, 1e-22);
   checks.near("of a large tolerance", Judge({1e-6, 0.2, 0.}).residual_bound(level), 1e-4, 1e-18);
+  checks.near("one per cent is no balance", Judge({1e-2, 0.2, 0.}).residual_bound(level), 0.01, 0.);
   level.linear.rounding_error = 1e-9;
   checks.near("of rounding in U", judge.residual_bound(level), 1e-7, 1e-21);
   level.certificate.rounding = 1e-8;
@@ -73,21 +74,32 @@ void doubts(Checks &checks)
   level.certificate.force_balance = 1e-3;
   checks.that("a large residual",
               judge.doubt(level) ==
-                "the largest residual of the certificate is 0.001, above 1e-08.");
+                "the residual force_balance of the certificate is 0.001, above 1e-08; the linear "
+                "system is not solved well enough: take another Linear solver.");
   level.linear.rounding_error = 1e-9;
-  checks.that("a large residual with rounding",
-              begins_with(judge.doubt(level),
-                          "the largest residual of the certificate is 0.001, above 1e-07; rounding "
-                          "leaves no more, because the stiffness matrix is ill-conditioned"));
+  checks.that(
+    "a large residual with rounding",
+    begins_with(judge.doubt(level),
+                "the residual force_balance of the certificate is 0.001, above 1e-07; "
+                "rounding leaves no more, because the stiffness matrix is ill-conditioned"));
   level.dual.kkt = 1e-9;
   level.dual.iterations = 7;
   checks.that("a KKT residual above the tolerance",
               begins_with(judge.doubt(level),
-                          "the contact solver stopped after 7 iterations with the KKT residual "
-                          "1e-09, above the tolerance 1e-10: raise Maximum iterations"));
+                          "the active set method stopped after 7 iterations with the KKT residual "
+                          "1e-09, above the tolerance 1e-10: raise Tolerance or Maximum "
+                          "iterations, or take Contact solver = psor."));
+  level.dual.method = ContactSolver::psor;
+  checks.that("projected SOR",
+              begins_with(judge.doubt(level), "projected SOR stopped after 7") &&
+                judge.doubt(level).find("Relaxation") != std::string::npos);
+  level.dual.method = ContactSolver::multigrid;
+  checks.that("V-cycles",
+              begins_with(judge.doubt(level), "the V-cycles stopped after 7") &&
+                judge.doubt(level).find("Relaxation") == std::string::npos);
   level.dual = DualSolve();
   level.dual.converged = false;
-  checks.that("no convergence", begins_with(judge.doubt(level), "the contact solver stopped"));
+  checks.that("no convergence", begins_with(judge.doubt(level), "the active set method stopped"));
   level.linear.rounding_error = 1e-5;
   checks.that("rounding",
               begins_with(judge.doubt(level),
@@ -141,7 +153,8 @@ void studies(Checks &checks)
     begins_with(judge.verdict(levels).reason, "Level 4: the contact pressure is not unique"));
   levels[2].dual.converged = false;
   const StudyVerdict bad = judge.verdict(levels);
-  checks.that("a level in doubt", begins_with(bad.reason, "Level 4: the contact solver stopped"));
+  checks.that("a level in doubt",
+              begins_with(bad.reason, "Level 4: the active set method stopped"));
   checks.that("not certified", bad.outcome == Outcome::not_certified && !bad.is_certified());
   levels = three_levels();
   levels[1].dual.converged = false;
@@ -196,6 +209,63 @@ void errors(Checks &checks)
   checks.that("one that is", Judge({1e-10, 0.2, 0.06}).reaches_target(levels[2]));
 }
 
+/** Whatever number judges: above Tolerated error nothing is resolved, and below it an aim that the
+ * user has not set condemns nothing. */
+void estimates(Checks &checks)
+{
+  Demands demands;
+  demands.tolerated_error = 0.02;
+  demands.target_error = 1e-4;
+  demands.target_is_given = false;
+  demands.can_be_graded = true;
+  const Judge judge(demands);
+  std::vector<LevelRecord> levels = three_levels();
+  levels[2].estimate->relative = 0.03;
+  const StudyVerdict large = judge.verdict(levels);
+  checks.that("an estimate that is too large",
+              large.outcome == Outcome::not_resolved &&
+                begins_with(large.reason,
+                            "The error of level 4 is about 3 % (energy norm, "
+                            "estimated; Tolerated error: 2 %); refine"));
+  checks.that("graded meshes are named", large.reason.find("Strategy = hp") != std::string::npos);
+  levels[2].estimate->mesh = 0.1;
+  levels[2].estimate->algebra = 0.2;
+  checks.that("the solver's part is named",
+              judge.verdict(levels).reason.find("take a smaller Tolerance") != std::string::npos);
+  levels[2].estimate->contact = 0.3;
+  levels[2].estimate->algebra = 0.;
+  checks.that("missed contact is named",
+              judge.verdict(levels).reason.find("penetrates where no patch presses") !=
+                std::string::npos);
+  levels[2].estimate->relative = 0.019;
+  checks.that("one that is tolerated",
+              judge.verdict(levels).outcome == Outcome::equations_certified);
+  levels[2].sizes.max_degree = 4;
+  checks.that("on a graded mesh, above its usual aim",
+              judge.verdict(levels).outcome == Outcome::accuracy_estimated);
+  levels[2].estimate->relative = 0.03;
+  checks.that("too large on a graded mesh",
+              begins_with(judge.verdict(levels).reason, "The error of step 4 is about 3 %") &&
+                judge.verdict(levels).reason.find("Strategy = hp") == std::string::npos);
+  levels[2].estimate.reset();
+  checks.that("nothing is known",
+              begins_with(judge.verdict(levels).reason, "The error of step 4 is not known"));
+}
+
+/** Locking is judged beside a bound, unless the bound excludes it. */
+void locking(Checks &checks)
+{
+  std::vector<LevelRecord> levels = three_levels();
+  levels[2].locking_number = 0.3;
+  ErrorBound bound;
+  bound.relative = bound.absolute = 0.19;
+  levels[2].bound = bound;
+  checks.that("a bound of 19 % does not exclude locking",
+              begins_with(judge.verdict(levels).reason, "The body is nearly incompressible"));
+  levels[2].bound->relative = 0.02;
+  checks.that("one of 2 % does", judge.verdict(levels).outcome == Outcome::certified);
+}
+
 /** The energy must be known to 2.5 times the square of the tolerated error: 10 % of |J|. */
 void energies(Checks &checks)
 {
@@ -247,6 +317,8 @@ int main()
   doubts(checks);
   studies(checks);
   errors(checks);
+  estimates(checks);
+  locking(checks);
   energies(checks);
   endings(checks);
   return checks.exit_code();

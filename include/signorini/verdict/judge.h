@@ -14,9 +14,10 @@ enum class Outcome
   unfinished,
   /** The equations are solved, and the guaranteed bound of the error is tolerated. */
   certified,
-  /** The equations are solved; there is no guaranteed bound for such a scene. */
+  /** The equations are solved, and what is estimated of the error is tolerated; there is no
+   * guaranteed bound for such a scene. */
   equations_certified,
-  /** The equations are solved on a graded mesh, and the estimated error is below the target. */
+  /** The same on a graded mesh. */
   accuracy_estimated,
   /** The equations are solved, but the error may be larger than what is tolerated. */
   not_resolved,
@@ -31,7 +32,7 @@ const char *word_for(Outcome outcome);
 struct StudyVerdict
 {
   Outcome outcome = Outcome::unfinished;
-  /** One sentence that says why the study is not certified; otherwise empty. */
+  /** Says why the study is not certified, and what helps; otherwise empty. */
   std::string reason;
   /** What is known about the error of the finest level, half a sentence; empty if nothing is. */
   std::string accuracy;
@@ -56,10 +57,16 @@ struct Demands
 {
   /** On the KKT residual of the dual problem. */
   double tolerance = 1e-10;
-  /** On the relative bound of the error in the energy norm. */
+  /** On the relative error in the energy norm: its bound, or else its estimate. */
   double tolerated_error = 0.2;
   /** The same for a study that refines until it is reached; 0: none. */
   double target_error = 0.;
+  /** Whether the user has set the target. The usual one of graded meshes is only aimed at. */
+  bool target_is_given = true;
+  /** Whether graded meshes can solve the scene, too. */
+  bool can_be_graded = false;
+  /** Whether there is Element = Q1 B-bar. */
+  bool has_b_bar = true;
 };
 
 /** Decides what can be trusted: single levels, and a study. */
@@ -72,7 +79,7 @@ public:
   {
     return demands_.tolerance;
   }
-  /** The largest relative bound of the error that is certified. */
+  /** The largest relative error that is certified. */
   double tolerated_error() const
   {
     return demands_.tolerated_error;
@@ -81,13 +88,19 @@ public:
   {
     return demands_.target_error;
   }
-  bool has_target() const
+  /** Whether the target error has to be reached. */
+  bool requires_target() const
   {
-    return demands_.target_error > 0.;
+    return demands_.target_error > 0. && demands_.target_is_given;
+  }
+  bool has_b_bar() const
+  {
+    return demands_.has_b_bar;
   }
   /** Whether refinement may stop at this level because it reaches the target error. */
   bool reaches_target(const LevelRecord &level) const;
-  /** The bound on the certificate's residuals: a hundred times the tolerance or the rounding. */
+  /** The bound on the certificate's residuals: a hundred times the tolerance, but at most one per
+   * cent, or a hundred times the rounding. */
   double residual_bound(const LevelRecord &level) const;
   /** One sentence that says why the answer of this level does not solve its equations; empty if it
    * does. */

@@ -5,8 +5,24 @@
 
 namespace Signorini
 {
-/** The largest of the residuals that must vanish; not a number if one of them is not. */
-double largest_residual(const Certificate &certificate);
+/** A residual of the certificate that must vanish. */
+struct Residual
+{
+  double value = 0.;
+  /** As certificate.json calls it. */
+  const char *name = "";
+  /** What makes it large. */
+  enum class Origin
+  {
+    equilibrium,
+    contact,
+    supports
+  };
+  Origin origin = Origin::equilibrium;
+};
+
+/** The largest of the residuals that must vanish; one that is not a number is the largest. */
+Residual largest_residual(const Certificate &certificate);
 
 /** The relative change of U or of its forces by rounding, the larger of both. */
 double rounding(const LevelRecord &level);
