@@ -97,10 +97,7 @@ public:
   /** Why the second side contradicts the first one, or nothing. */
   std::string judge(const dealii::Point<dim> &x, const unsigned int i, const unsigned int j) const
   {
-    const Role role = scene_.boundary[j].role;
-    if (role == Role::contact && (prescribes_all(i) || scene_.boundary[i].role == Role::roller))
-      return judge_gap(x, i, j);
-    if (!prescribes_all(i) || !(prescribes_all(j) || role == Role::roller))
+    if (!prescribes_all(i) || !(prescribes_all(j) || scene_.boundary[j].role == Role::roller))
       return "";
     for (const auto &[mover, holder] : {std::pair{i, j}, std::pair{j, i}})
       for (const auto &[motion, name] : motions(mover, x))
@@ -165,28 +162,6 @@ private:
         }
     return found;
   }
-  /** n.u <= g, where the first side says what n.u is. */
-  std::string judge_gap(const dealii::Point<dim> &x,
-                        const unsigned int i,
-                        const unsigned int j) const
-  {
-    const Vector n = normal(j, x);
-    if (!prescribes_all(i) && (restricted(n, x, i) - n).norm() > rounding)
-      return "";
-    for (const auto &[motion, name] : motions(i, x))
-      if (std::abs(motion * n) > rounding * motion.norm())
-        return "";
-    const double u_n = displacement(i, x) * n, gap = scene_.boundary[j].data->value(x);
-    const double places = 1e-12 * scene_.geometry.diameter();
-    if (u_n - gap <= places + rounding * size_)
-      return "";
-    return "the side " + name_of(i) + " prescribes u.n = " + number_text(u_n) + " at " +
-           text_of(x) + ", where the contact side " + name_of(j) + " has the gap " +
-           number_text(gap) +
-           ", and no displacement of finite energy jumps; allowed: u.n up to the gap where sides "
-           "meet";
-  }
-
   const Scene<dim> &scene_;
   /** The largest prescribed displacement. */
   double size_;

@@ -4,7 +4,6 @@
 #include <signorini/base/exceptions.h>
 #include <signorini/base/text.h>
 #include <signorini/catalogue/catalogue.h>
-#include <signorini/scene/case_scenes.h>
 #include <signorini/scene/contradictions.h>
 #include <signorini/scene/rigid_motions.h>
 #include <signorini/scene_input/described.h>
@@ -171,9 +170,6 @@ Scene<2> make_scene(const Parameters &parameters)
   for (const unsigned int side : scene.contact_sides())
     scene.kinks.add_ends_on(scene.geometry.sides[side]);
   scene.load_cases = read_load_cases(parameters.load_cases, scene);
-  for (std::size_t i = 0; i < scene.load_cases.size(); ++i)
-    refuse_contradiction(scene_of_case(scene, scene.load_cases[i]),
-                         parameters.load_cases.cases.where() + ": case " + std::to_string(i + 1));
   return scene;
 }
 

@@ -67,7 +67,7 @@ void in_the_plane(Checks &checks)
   compare(checks,
           "prescribed top, rollers",
           body(square,
-               " set Rollers = left\n set Displacement = top: 0.01; -0.05\n set Contact = bottom",
+               " set Rollers = left\n set Displacement = top: 0.01*x; -0.05\n set Contact = bottom",
                "0.1*x^2"),
           5,
           18);

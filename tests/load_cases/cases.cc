@@ -14,15 +14,15 @@ using namespace Signorini;
 
 namespace
 {
-/** A block on two rollers: pressed by a plate, pulled by a traction and its weight; the right side
+/** A block on two rollers: a plate on the left, a traction and its weight press it; the right side
  * is moved. All numbers are constants that a case changes. */
 const std::string block =
   "subsection Constants\nset Values = T=0.02, w=0.03, u=0.01, X=0, Y=0, G=1\nend\n"
   "subsection Geometry\nset Upper right = 2, 1\nset Cells = 2, 1\nend\n"
-  "subsection Boundary\nset Contact = bottom\nset Plates = top: 0, -1 turning\n"
-  "set Traction = left: T; 0.5*T\nset Displacement = right: -u; 0\nend\n"
-  "subsection Load\nset Body force = 0; -w\nset Plate force = top: 0.08\n"
-  "set Plate moment = top: -0.01\nend\n";
+  "subsection Boundary\nset Contact = bottom\nset Plates = left: 0, -1 turning\n"
+  "set Traction = top: 0.5*T; -T\nset Displacement = right: -u; 0\nend\n"
+  "subsection Load\nset Body force = 0; -w\nset Plate force = left: 0.08\n"
+  "set Plate moment = left: -0.01\nend\n";
 const std::string on_rollers =
   "subsection Contact\nset Foundation = circle 0.5+X,-0.5+Y radius 0.5 | circle 1.6+X,-0.52+Y "
   "radius 0.5\nend\n";
@@ -69,8 +69,8 @@ LevelSolution<2> run_of_its_own(const std::string &text, const LoadCase &load_ca
     const auto at = changed.find(from);
     changed.replace(at, from.size(), from.substr(0, from.rfind(' ') + 1) + value_text(number));
   };
-  replace("force = top: 0.08", 0.08 * load_case.force);
-  replace("moment = top: -0.01", -0.01 * load_case.force);
+  replace("force = left: 0.08", 0.08 * load_case.force);
+  replace("moment = left: -0.01", -0.01 * load_case.force);
   return OneLevel(changed, 4).solve();
 }
 

@@ -40,7 +40,7 @@ std::vector<SceneText> scenes()
     {"nothing touches", described(square, held, "1"), 4},
     {"prescribed, rollers",
      described(square,
-               " set Rollers = left\n set Displacement = top: 0.01; -0.05\n set Contact = bottom",
+               " set Rollers = left\n set Displacement = top: 0.01*x; -0.05\n set Contact = bottom",
                "0.1*x^2"),
      5},
     {"traction, two sides",

@@ -42,7 +42,7 @@ void scenes(Checks &checks)
   for (const char *const name : {"A1", "C4", "E1", "E3", "O1", "V1", "B1"})
     compare(checks, name, named_scene(name));
   compare(
-    checks, "prescribed", sides + "set Rollers = left\nset Displacement = top: 0.1*y; -0.1\nend\n");
+    checks, "prescribed", sides + "set Rollers = left\nset Displacement = top: 0.1*x; -0.1\nend\n");
   compare(checks,
           "B-bar",
           sides + "set Displacement = top: 0; -0.1\nend\n" +

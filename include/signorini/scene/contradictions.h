@@ -14,10 +14,10 @@ namespace Signorini
  *
  * At a common point x a clamped or prescribed side or a plate says u = a(x) + V q, with the unknown
  * motions q of the plate, and its neighbour says N u = N (b(x) + W r): N = 1 on sides of the same
- * kind and N = n^T on rollers, while a contact side says n.u <= g(x). Both hold for all q and r if
- * N a = N b, N V = 0 and N W = 0, and n.a <= g. (A contact side may stop a plate.) In the plane the
- * points are the corners, in space they are points of the common edges. What is below a millionth
- * of the prescribed displacements counts as rounding.
+ * kind and N = n^T on rollers. Both hold for all q and r if N a = N b, N V = 0 and N W = 0. In the
+ * plane the points are the corners, in space they are points of the common edges. What is below a
+ * millionth of the prescribed displacements counts as rounding. Contact sides are left out: how far
+ * they penetrate where a side holds the body is known to the bound of the error.
  */
 template <int dim>
 std::string find_contradiction(const Scene<dim> &scene);
