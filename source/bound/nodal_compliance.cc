@@ -17,8 +17,8 @@ namespace
 using Vector = dealii::Vector<double>;
 
 /** Of the energy of a step. w is a minimum: its own energy has twice as many digits. */
-constexpr double nodal_tolerance = 1e-16;
-constexpr unsigned int most_solves = 60;
+constexpr double nodal_tolerance = 1e-14;
+constexpr unsigned int most_solves = 30;
 
 bool is_zero(const Coupling::Column &column)
 {

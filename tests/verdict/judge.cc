@@ -286,6 +286,15 @@ void energies(Checks &checks)
   levels[2].bound->energy_lower = -2.01;
   levels[2].bound->energy_upper = -1.79;
   checks.that("on the other side", judge.verdict(levels).outcome == Outcome::not_resolved);
+  levels[1].bound = bound;
+  levels[1].bound->energy_lower = -2.2;
+  levels[1].bound->energy_upper = -2.01;
+  checks.that("brackets with a common end", judge.verdict(levels).outcome == Outcome::not_resolved);
+  levels[1].bound->energy_upper = -2.02;
+  checks.that("brackets that contradict",
+              judge.verdict(levels).outcome == Outcome::not_certified &&
+                begins_with(judge.verdict(levels).reason, "The energy is at least -2.01 by"));
+  levels[1].bound.reset();
   levels[2].certificate.energy = 0.;
   levels[2].bound->energy_lower = -1e-13;
   levels[2].bound->energy_upper = 1e-13;
