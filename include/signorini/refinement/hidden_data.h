@@ -15,8 +15,8 @@ namespace Signorini
  * along every boundary face, at up to a thousand equal distances, and ever closer towards both
  * ends, where a coating would be. Data hides in a cell where a sample lies outside of the values at
  * the Gauss points by more than half of their range and a hundredth of the tensor (for sides, 1e-4
- * of the largest value on the side). Smooth data does not. Faces on which a traction jumps are split
- * until the force that rules may miss is 1e-4 of that on the side.
+ * of the largest value on the side). Smooth data does not. Faces on which a traction jumps are
+ * split until the force that rules may miss is 1e-4 of that on the side.
  *
  * @return a point at which the material still hides after many splits; no solution would notice.
  */
