@@ -19,14 +19,8 @@ using Vector = dealii::Vector<double>;
 /** Of the energy of a step. w is a minimum: its own energy has twice as many digits. */
 constexpr double nodal_tolerance = 1e-14;
 constexpr unsigned int most_solves = 30;
-
-bool is_zero(const Coupling::Column &column)
-{
-  double square = 0.;
-  for (const auto &entry : column)
-    square += entry.second * entry.second;
-  return square < 1e-20;
-}
+/** A dense matrix of 70 MB, and its factors. */
+constexpr unsigned int most_nodes_of_kernel = 3000;
 
 /** The halves of faces beside each of the conditions: on one side, as condition and place are. */
 std::vector<Patch<2>> patches_around_nodes(const ContactTrace &trace,
@@ -67,21 +61,31 @@ NodalCompliance::NodalCompliance(const DisplacementSpace<2> &space,
                                  const StiffnessInverse &inverse)
   : E_(std::vector<Coupling::Column>())
 {
-  // Pins hold the body while A is solved.
-  const Coupling pinned = condense(trace.normals(), space.constraints());
+  // Pins hold the body while A is solved: what is left of two normals of a pinned node is
+  // dependent.
+  const auto is_pinned = [&](const Coupling::Column::value_type &entry) {
+    return space.constraints().is_constrained(entry.first);
+  };
   std::vector<Coupling::Column> columns;
-  for (unsigned int k = 0; k < pinned.n_columns(); ++k)
-    if (!is_zero(pinned.column(k)))
-    {
-      numbers_.push_back(k);
-      columns.push_back(pinned.column(k));
-    }
+  for (unsigned int k = 0; k < trace.conditions().size(); ++k)
+  {
+    const Coupling::Column &column = trace.normals().column(k);
+    if (trace.conditions()[k].held || std::any_of(column.begin(), column.end(), is_pinned))
+      continue;
+    numbers_.push_back(k);
+    columns.push_back(column);
+  }
   E_ = Coupling(std::move(columns));
   if (numbers_.empty())
     return;
   C_ = make_compliance(inverse, E_, seconds_);
   if (C_->is_explicit())
     return;
+  if (numbers_.size() > most_nodes_of_kernel)
+  {
+    numbers_.clear();
+    return;
+  }
   const std::vector<Patch<2>> patches = patches_around_nodes(trace, numbers_);
   model_ = make_kernel_model(trace.surface(), patches)->dense();
   // Forces in place of pressures.

@@ -9,7 +9,9 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace Signorini
 {
@@ -18,34 +20,83 @@ namespace
 using dealii::Tensor;
 using Vector = dealii::Vector<double>;
 
-/**
- * Moves w_n at contact nodes to (or, where it is below, up to) the targets, each time by the
- * shortest way; again and again for corners of two contact sides, whose conditions change each
- * other.
- */
+double product(const Coupling::Column &a, const NodalVector &w)
+{
+  double sum = 0.;
+  for (const auto &entry : a)
+    sum += entry.second * w[entry.first];
+  return sum;
+}
+
+double product(const Coupling::Column &a, const Coupling::Column &b)
+{
+  double sum = 0.;
+  for (const auto &entry : a)
+    for (const auto &other : b)
+      if (entry.first == other.first)
+        sum += entry.second * other.second;
+  return sum;
+}
+
+/** The conditions of each node that is not held: one, or two in a corner of contact sides. */
+std::vector<std::vector<unsigned int>> conditions_by_node(const Coupling &E)
+{
+  std::vector<std::vector<unsigned int>> nodes;
+  std::map<dealii::types::global_dof_index, std::size_t> node_of;
+  for (unsigned int k = 0; k < E.n_columns(); ++k)
+  {
+    if (E.column(k).empty())
+      continue;
+    std::size_t node = nodes.size();
+    for (const auto &entry : E.column(k))
+      if (const auto found = node_of.find(entry.first); found != node_of.end())
+        node = found->second;
+    if (node == nodes.size())
+      nodes.emplace_back();
+    nodes[node].push_back(k);
+    for (const auto &entry : E.column(k))
+      node_of[entry.first] = node;
+  }
+  return nodes;
+}
+
+/** l with lacking - G l = 0 (or, with only_raise, <= 0) for two conditions with G = (a c; c b),
+ * and |E l| as small as that allows. */
+std::array<double, 2> shortest_way(const double a,
+                                   const double b,
+                                   const double c,
+                                   const std::array<double, 2> &lacking,
+                                   const bool only_raise)
+{
+  if (only_raise)
+  {
+    const double first = std::max(0., lacking[0]) / a, second = std::max(0., lacking[1]) / b;
+    if (c * first >= lacking[1])
+      return {{first, 0.}};
+    if (c * second >= lacking[0])
+      return {{0., second}};
+  }
+  const double determinant = a * b - c * c;
+  return {{(b * lacking[0] - c * lacking[1]) / determinant,
+           (a * lacking[1] - c * lacking[0]) / determinant}};
+}
+
+/** Moves w_n at contact nodes to (or, where it is below, up to) the targets by the shortest way. */
 void impose(const Coupling &E, const Vector &targets, const bool only_raise, NodalVector &w)
 {
-  const double enough = 1e-14 * targets.linfty_norm();
-  for (unsigned int sweep = 0; sweep < 200; ++sweep)
+  for (const std::vector<unsigned int> &node : conditions_by_node(E))
   {
-    double largest = 0.;
-    for (unsigned int k = 0; k < E.n_columns(); ++k)
-    {
-      double value = 0., square = 0.;
-      for (const auto &entry : E.column(k))
-      {
-        value += entry.second * w[entry.first];
-        square += entry.second * entry.second;
-      }
-      const double missing = targets[k] - value;
-      if (square == 0. || (only_raise && missing <= 0.))
-        continue;
-      for (const auto &entry : E.column(k))
-        w[entry.first] += missing / square * entry.second;
-      largest = std::max(largest, std::abs(missing));
-    }
-    if (largest <= enough)
-      return;
+    const Coupling::Column &first = E.column(node[0]), &last = E.column(node.back());
+    const std::array<double, 2> lacking = {
+      {targets[node[0]] - product(first, w), targets[node.back()] - product(last, w)}};
+    const double a = product(first, first);
+    std::array<double, 2> l = {{(only_raise ? std::max(0., lacking[0]) : lacking[0]) / a, 0.}};
+    if (node.size() > 1)
+      l = shortest_way(a, product(last, last), product(first, last), lacking, only_raise);
+    for (const auto &entry : first)
+      w[entry.first] += l[0] * entry.second;
+    for (const auto &entry : last)
+      w[entry.first] += l[1] * entry.second;
   }
 }
 
@@ -169,6 +220,30 @@ Vector pushed_by(const Vector &P,
   return pushed;
 }
 
+/** The solution of the dual problem of dual_lift(). */
+NodalVector pressed_displacement(const DisplacementSpace<2> &space,
+                                 const ContactTrace &trace,
+                                 const Coupling &condensed_D,
+                                 const StiffnessInverse &inverse,
+                                 const Vector &P,
+                                 const Vector &required,
+                                 NodalCompliance &C)
+{
+  Vector F = pushed_by(P, condensed_D, C.columns(), inverse), start(F.size());
+  for (unsigned int i = 0; i < F.size(); ++i)
+  {
+    F[i] -= required[C.numbers()[i]];
+    if (trace.conditions()[C.numbers()[i]].presses)
+      start[i] = -P.linfty_norm() * trace.faces()[0].length;
+  }
+  Vector minus_Q = C.press(F, start);
+  minus_Q *= -1.;
+  DistributedVector forces = space.make_vector();
+  condensed_D.add_product(P, forces);
+  C.columns().add_product(minus_Q, forces);
+  return solve_homogeneous(inverse, space, forces);
+}
+
 } // namespace
 
 Vector required_values(const ContactTrace &trace)
@@ -217,21 +292,9 @@ NodalVector dual_lift(const DisplacementSpace<2> &space,
                       const dealii::Vector<double> &required)
 {
   NodalCompliance C(space, trace, inverse);
-  if (C.numbers().empty())
-    return NodalVector(space.dofs().n_dofs());
-  Vector F = pushed_by(P, condensed_D, C.columns(), inverse), start(F.size());
-  for (unsigned int i = 0; i < F.size(); ++i)
-  {
-    F[i] -= required[C.numbers()[i]];
-    if (trace.conditions()[C.numbers()[i]].presses)
-      start[i] = -P.linfty_norm() * trace.faces()[0].length;
-  }
-  Vector minus_Q = C.press(F, start);
-  minus_Q *= -1.;
-  DistributedVector forces = space.make_vector();
-  condensed_D.add_product(P, forces);
-  C.columns().add_product(minus_Q, forces);
-  NodalVector w = solve_homogeneous(inverse, space, forces);
+  NodalVector w(space.dofs().n_dofs());
+  if (!C.numbers().empty())
+    w = pressed_displacement(space, trace, condensed_D, inverse, P, required, C);
   // What the solver's tolerance leaves, and pins.
   impose(trace.normals(), required, true, w);
   space.distribute_without_pins(w);

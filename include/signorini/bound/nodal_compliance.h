@@ -26,7 +26,8 @@ public:
                   const ContactTrace &trace,
                   const StiffnessInverse &inverse);
 
-  /** Which of ContactTrace::conditions() the columns of E are. */
+  /** Which of ContactTrace::conditions() the columns of E are; none where C is not explicit and
+   * there are too many for a dense kernel. */
   const std::vector<unsigned int> &numbers() const
   {
     return numbers_;
