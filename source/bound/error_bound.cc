@@ -199,7 +199,7 @@ bool add_guaranteed(const BoundData &data,
   // Where u_h only interpolates what is prescribed, J(u_h) is not that of a function with the
   // boundary values of u.
   return of_stress.lift > 1e-10 * energy_norm ||
-         !contradicts(consequences, of_stress, lift, data.energy, energy_norm * energy_norm);
+         !contradicts(consequences, of_stress, lift, data.energy, scale * scale);
 }
 
 /** Where a force drives a plate, the stress has to carry that force. Changes around single vertices
