@@ -1,49 +1,79 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Data flows one way: a module includes only itself and modules above it.
+# Data flows one way through eight floors: a file includes only its own floor and floors before it, directly and through
+# other headers. Inside a floor, rooms include one another in one direction.
 #   cmake -D ROOT=<source tree> -P check_module_order.cmake
 
 cmake_minimum_required(VERSION 3.25)
 
-# Every module with what it may include. qp is algebra only and includes nothing of the others.
-set(order base parameters scene mesh_file catalogue scene_input mesh elasticity stiffness_inverse multigrid multiplier norms
-          qp compliance boundary_model contact_iteration recovery motions postprocess refinement bound answer load_cases errors record verdict output pictures study runs)
-set(allowed_qp base qp)
-set(allowed_stiffness_inverse base stiffness_inverse)
-set(allowed_scene base scene)
-set(allowed_mesh_file base scene mesh_file)
-set(above "")
-foreach(module ${order})
-  list(APPEND above ${module})
-  if(NOT DEFINED allowed_${module})
-    set(allowed_${module} ${above})
-  endif()
-endforeach()
-# Only the study, load cases and the bound, which solves a dual problem of its own, know both the finite elements and
-# the quadratic program.
-foreach(module recovery motions postprocess refinement answer errors record verdict output pictures)
-  list(REMOVE_ITEM allowed_${module} qp)
-endforeach()
-
+set(floors base problem discretization solvers postprocessing error_control results driver)
+# Solvers of linear systems and of quadratic programs are algebra: they know the names of choices, but no scene and no
+# finite element.
+set(algebra solvers/stiffness/stiffness_inverse solvers/contact/dual_problem solvers/contact/psor
+            solvers/contact/active_set solvers/contact/mprgp solvers/contact/dual_solver)
 set(violations "")
-foreach(module ${order})
-  file(GLOB files "${ROOT}/include/signorini/${module}/*.h" "${ROOT}/source/${module}/*")
+
+# rooms_of(NAME VARIABLE): "floor/room" of a header or source.
+function(room_of name variable)
+  string(REGEX REPLACE "/[^/]*$" "" room "${name}")
+  set(${variable} "${room}" PARENT_SCOPE)
+endfunction()
+
+set(arrows "")
+foreach(floor ${floors})
+  list(FIND floors ${floor} own)
+  file(GLOB_RECURSE files RELATIVE ${ROOT} "${ROOT}/include/signorini/${floor}/*.h" "${ROOT}/source/${floor}/*.h"
+       "${ROOT}/source/${floor}/*.cc")
   if(NOT files)
-    list(APPEND violations "module ${module} has no files")
+    list(APPEND violations "the floor ${floor} has no files")
   endif()
   foreach(file ${files})
-    file(STRINGS ${file} includes REGEX "#include <signorini/")
+    string(REGEX REPLACE "^(include/signorini|source)/" "" name "${file}")
+    string(REGEX REPLACE "\\.[a-z]+$" "" name "${name}")
+    room_of(${name} room)
+    file(STRINGS "${ROOT}/${file}" includes REGEX "#include <signorini/")
     foreach(line ${includes})
-      string(REGEX REPLACE ".*<signorini/([a-z_]+)/.*" "\\1" included "${line}")
-      if(NOT included IN_LIST allowed_${module})
-        file(RELATIVE_PATH name ${ROOT} ${file})
-        list(APPEND violations "${name} must not include module ${included}")
+      string(REGEX REPLACE ".*<signorini/(.*)\\.h>.*" "\\1" included "${line}")
+      string(REGEX REPLACE "/.*" "" included_floor "${included}")
+      list(FIND floors ${included_floor} place)
+      if(place EQUAL -1 OR place GREATER own)
+        list(APPEND violations "${file} must not include ${included}, which stands on a later floor")
+      endif()
+      room_of(${included} included_room)
+      if(NOT included_room STREQUAL room AND included_floor STREQUAL floor)
+        list(APPEND arrows "${room}>${included_room}")
+      endif()
+      if(name IN_LIST algebra AND NOT included_floor STREQUAL base AND NOT included_room STREQUAL room AND
+         NOT included STREQUAL "problem/parameters/options")
+        list(APPEND violations "${file} is algebra and must not include ${included}")
       endif()
     endforeach()
   endforeach()
 endforeach()
 
+# Rooms that nothing points to are taken away until none is left; what stays is a circle.
+list(REMOVE_DUPLICATES arrows)
+set(changed TRUE)
+while(arrows AND changed)
+  set(changed FALSE)
+  set(targets "")
+  foreach(arrow ${arrows})
+    string(REGEX REPLACE ".*>" "" target "${arrow}")
+    list(APPEND targets ${target})
+  endforeach()
+  foreach(arrow ${arrows})
+    string(REGEX REPLACE ">.*" "" source "${arrow}")
+    if(NOT source IN_LIST targets)
+      list(REMOVE_ITEM arrows "${arrow}")
+      set(changed TRUE)
+    endif()
+  endforeach()
+endwhile()
+if(arrows)
+  list(APPEND violations "these rooms include one another in a circle: ${arrows}")
+endif()
+
 if(violations)
   list(JOIN violations "\n  " text)
-  message(FATAL_ERROR "The order of modules is violated:\n  ${text}")
+  message(FATAL_ERROR "The order of floors is violated:\n  ${text}")
 endif()
-message(STATUS "The order of modules holds.")
+message(STATUS "The order of floors holds.")

@@ -3,11 +3,10 @@
 
 #include "command_line.h"
 
-#include <signorini/base/agreement.h>
-#include <signorini/base/exceptions.h>
+#include <signorini/base/errors.h>
 #include <signorini/base/text.h>
-#include <signorini/catalogue/catalogue.h>
-#include <signorini/parameters/parameters.h>
+#include <signorini/problem/catalogue/catalogue.h>
+#include <signorini/problem/parameters/parameters.h>
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // From the command line to an exit code: 0 certified, 1 wrong input, 2 not certified, 3 other.
 
-#include <signorini/base/exceptions.h>
-#include <signorini/output/interruption.h>
-#include <signorini/runs/run.h>
-#include <signorini/runs/sweep.h>
+#include <signorini/base/errors.h>
+#include <signorini/driver/runs/run.h>
+#include <signorini/driver/runs/sweep.h>
+#include <signorini/results/files/files.h>
 
 #include <deal.II/base/mpi.h>
 

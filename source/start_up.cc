@@ -3,7 +3,7 @@
 
 #include "start_up.h"
 
-#include <signorini/base/exceptions.h>
+#include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/elasticity/nodal_interpolation.h>
-#include <signorini/scene/field_function.h>
-#include <signorini/scene_input/make_scene.h>
-#include <signorini/study/level.h>
+#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/driver/level/level.h>
+#include <signorini/problem/input/make_scene.h>
+#include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/mpi.h>
 

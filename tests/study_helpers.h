@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/parameters/parameters.h>
-#include <signorini/scene_input/make_scene.h>
-#include <signorini/study/study.h>
+#include <signorini/driver/study/study.h>
+#include <signorini/problem/input/make_scene.h>
+#include <signorini/problem/parameters/parameters.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <mpi.h>
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace Signorini
+{
+/** A sentence on one line: what would break the line or steer a terminal becomes a question mark.
+ */
+std::string one_line(std::string sentence);
+
+/**
+ * The input is wrong and the user can mend it: exit code 1.
+ *
+ * The message is one sentence that names the place (file and line, or command line option), the
+ * parameter, what was found and what is allowed.
+ */
+class InputError : public std::runtime_error
+{
+public:
+  explicit InputError(const std::string &sentence)
+    : std::runtime_error(one_line(sentence))
+  {
+  }
+};
+
+/** The computation cannot reach what was asked for: exit code 2. The message names the cause. */
+class ComputationError : public std::runtime_error
+{
+public:
+  explicit ComputationError(const std::string &sentence)
+    : std::runtime_error(one_line(sentence))
+  {
+  }
+};
+
+/** Results cannot be written: exit code 3. The message names the file. */
+class WritingError : public ComputationError
+{
+  using ComputationError::ComputationError;
+};
+
+/**
+ * Runs @p work, which must not communicate, and lets all ranks leave together: if it throws on one
+ * of them, all throw. An InputError, ComputationError or WritingError keeps its type and its
+ * message (that of the lowest rank that threw one), and std::bad_alloc its type; others become
+ * std::runtime_error. Collective.
+ */
+void agree(MPI_Comm communicator, const std::function<void()> &work);
+
+/** "rank 1" or "the ranks 1, 3": those on which @p condition holds; empty if there are none. Every
+ * rank knows the answer. Collective. */
+std::string list_ranks(MPI_Comm communicator, bool condition);
+} // namespace Signorini

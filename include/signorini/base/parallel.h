@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <future>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/**
+ * How many threads this process may use: DEAL_II_NUM_THREADS if that is set; otherwise one if
+ * several ranks share the work, and all cores that this process may run on if not.
+ */
+unsigned int number_of_threads(MPI_Comm communicator);
+
+/**
+ * consume(produce(i)) for i = 0, ..., n - 1: @p produce on @p n_threads threads at once, @p consume
+ * on this one and in order, so that sums have the same digits for any number of threads.
+ * @throws what either throws. (dealii::WorkStream ends the program when a worker throws; here wrong
+ * data at a quadrature point must become a message.)
+ */
+template <typename Result>
+void produce_in_parallel(const unsigned int n_threads,
+                         const std::size_t n,
+                         const std::function<Result(std::size_t)> &produce,
+                         const std::function<void(const Result &)> &consume)
+{
+  const std::size_t n_ahead = n_threads > 1 ? n_threads : 0;
+  std::deque<std::future<Result>> under_way;
+  std::size_t started = 0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    if (n_ahead == 0)
+    {
+      consume(produce(i));
+      continue;
+    }
+    for (; started < n && started <= i + n_ahead; ++started)
+      under_way.push_back(std::async(std::launch::async, produce, started));
+    const Result result = under_way.front().get();
+    under_way.pop_front();
+    consume(result);
+  }
+}
+
+/**
+ * work(begin, end) for ranges that make up [0, n), with all threads given. The ranges are the same
+ * for any number of threads: if work writes to what belongs to its range, and nothing else, so are
+ * the digits. @throws what work throws.
+ */
+void work_on_ranges(unsigned int n_threads,
+                    std::size_t n,
+                    const std::function<void(std::size_t, std::size_t)> &work);
+
+/** All ranks' texts on rank 0, in order; nothing on the others. Collective. @throws
+ * ComputationError if one has 2 GiB or more. */
+std::vector<std::string> gather_texts(std::string text, MPI_Comm communicator);
+} // namespace Signorini

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/mesh/mesh.h>
+#include <signorini/problem/scene/scene.h>
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/hp/fe_collection.h>
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/lac/vector.h>
+
+namespace Signorini
+{
+/** A vector whose rows are distributed over the ranks like those of A. */
+using DistributedVector = dealii::TrilinosWrappers::MPI::Vector;
+
+/** Nodal values U that every rank knows as a whole. */
+using NodalVector = dealii::Vector<double>;
+
+/** How a(.,.) takes the strain of a function of V^h. */
+enum class StrainOperator
+{
+  /** eps(v) = (grad v + grad v^T)/2: the conforming element, which locks as Poisson's ratio tends
+   * to 1/2. */
+  symmetric_gradient,
+  /**
+   * B-bar: eps(v) + (m - tr eps(v))/dim I, where m is the mean of tr eps(v) over the cell. It keeps
+   * the order of V^h for all Poisson's ratios. (Hughes, Int. J. Numer. Methods Eng. 15 (1980)
+   * 1413-1418, with the dilatation in the plane.)
+   */
+  mean_dilatation
+};
+
+/** The strain with the trace @p dilatation instead of its own, the same deviator. */
+template <int dim>
+void replace_trace(dealii::SymmetricTensor<2, dim> &strain, const double dilatation)
+{
+  const double change = (dilatation - trace(strain)) / dim;
+  for (unsigned int d = 0; d < dim; ++d)
+    strain[d][d] += change;
+}
+
+/**
+ * V^h: FE_Q for each component, with the essential conditions of clamped, prescribed and roller
+ * sides. Cells may have different degrees, and hanging nodes; u_h is continuous all the same. (On
+ * an edge between two degrees it has the lower one.)
+ */
+template <int dim>
+class DisplacementSpace
+{
+public:
+  /** @param degree of the element per direction; the method of the paper and its orders are those
+   * of degree one. */
+  DisplacementSpace(const Mesh<dim> &mesh,
+                    const Scene<dim> &scene,
+                    StrainOperator strain_operator = StrainOperator::symmetric_gradient,
+                    unsigned int degree = 1);
+  /** @param degrees of the active cells, in their order; all from 2 to the largest have an element.
+   */
+  DisplacementSpace(const Mesh<dim> &mesh,
+                    const Scene<dim> &scene,
+                    const std::vector<unsigned int> &degrees);
+
+  const Mesh<dim> &mesh() const
+  {
+    return mesh_;
+  }
+  StrainOperator strain_operator() const
+  {
+    return strain_operator_;
+  }
+  using CellIterator = typename dealii::Triangulation<dim>::active_cell_iterator;
+
+  /** The elements that cells may have. */
+  const dealii::hp::FECollection<dim> &elements() const
+  {
+    return dofs_.get_fe_collection();
+  }
+  /** Whether cells have different elements. */
+  bool has_several_elements() const
+  {
+    return elements().size() > 1;
+  }
+  /** The number of the element of one of the mesh's cells. */
+  unsigned int element_number(const CellIterator &cell) const
+  {
+    return has_several_elements() ? dof_cell(cell)->active_fe_index() : 0;
+  }
+  const dealii::FiniteElement<dim> &element(const CellIterator &cell) const
+  {
+    return elements()[element_number(cell)];
+  }
+  /** The element of all cells. Where they have different ones, ask element(cell). */
+  const dealii::FiniteElement<dim> &element() const
+  {
+    Assert(!has_several_elements(), dealii::ExcInternalError());
+    return elements()[0];
+  }
+  /** The highest degree of an element. */
+  unsigned int largest_degree() const
+  {
+    return elements().max_degree();
+  }
+  const dealii::DoFHandler<dim> &dofs() const
+  {
+    return dofs_;
+  }
+  /** Constrained degrees of freedom: U = T U_free + k. */
+  const dealii::AffineConstraints<double> &constraints() const
+  {
+    return constraints_;
+  }
+  /** The degrees of freedom through which clamped, prescribed and roller sides hold the body: the
+   * only ones that carry reactions. (Other constraints keep u_h continuous.) */
+  const dealii::IndexSet &supports() const
+  {
+    return supports_;
+  }
+  /** A degree of freedom that holds a body, which contact alone stops, while the system is solved.
+   */
+  struct Pin
+  {
+    dealii::types::global_dof_index dof;
+    dealii::Point<dim> node;
+    unsigned int component;
+  };
+  /** One for each rigid motion that supports leave free, where Scene::is_held_by_contact. They are
+   * no supports: the solution leaves no reaction there. */
+  const std::vector<Pin> &pins() const
+  {
+    return pins_;
+  }
+  /** What a scene with the same roles prescribes: k at constrained degrees of freedom (those on
+   * pins are zero), zero at all others. */
+  NodalVector prescribed(const Scene<dim> &scene) const;
+  const dealii::IndexSet &locally_owned() const
+  {
+    return dofs_.locally_owned_dofs();
+  }
+  /** Zero vector with the distribution of the rows of A. */
+  DistributedVector make_vector() const;
+  /** All nodal values on every rank, the constrained ones filled in from the others. */
+  NodalVector complete(const DistributedVector &free_values) const;
+  /** Constrained values of a difference of two displacements: T w_free, zero where displacements
+   * are prescribed. */
+  void distribute_homogeneous(NodalVector &w) const;
+  /** The same where pins let go: the body may move as a whole. */
+  void distribute_without_pins(NodalVector &w) const;
+  /** constraints() without pins. */
+  const dealii::AffineConstraints<double> &constraints_without_pins() const
+  {
+    return pins_.empty() ? constraints_ : constraints_without_pins_;
+  }
+  /**
+   * The functional restricted to V^h: T^T r, where v = T v_free for v in V^h. r_j = r(phi_j) for
+   * all j; zero at constrained degrees of freedom, whatever is prescribed there.
+   */
+  NodalVector condense(const NodalVector &functional) const;
+  /**
+   * Carries r_j of degrees of freedom that only keep u_h continuous over to those that they follow:
+   * the same functional on continuous functions. Reactions are then at supports and nowhere else.
+   */
+  void carry_to_masters(NodalVector &functional) const;
+  /** One of the mesh's cells with its degrees of freedom. */
+  typename dealii::DoFHandler<dim>::active_cell_iterator dof_cell(const CellIterator &cell) const;
+  /** The degrees of freedom of one of the mesh's cells. */
+  std::vector<dealii::types::global_dof_index> cell_dofs(const CellIterator &cell) const;
+
+private:
+  /** After the elements are chosen. */
+  void distribute(const Scene<dim> &scene, const dealii::hp::FECollection<dim> &elements);
+
+  const Mesh<dim> &mesh_;
+  StrainOperator strain_operator_;
+  dealii::DoFHandler<dim> dofs_;
+  dealii::AffineConstraints<double> constraints_;
+  /** Only where there are pins. */
+  dealii::AffineConstraints<double> constraints_without_pins_;
+  /** Those that keep u_h continuous; empty where no node hangs and all degrees are equal. */
+  dealii::AffineConstraints<double> continuity_;
+  dealii::IndexSet supports_;
+  std::vector<Pin> pins_;
+};
+} // namespace Signorini

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/parallel.h>
+#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/mesh/cut_quadrature.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace Signorini
+{
+template <int dim>
+using Cells = std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator>;
+
+/** The cells of this rank, in their order, in chunks that one thread works on at a time. */
+template <int dim>
+std::vector<Cells<dim>> chunks_of_owned_cells(const DisplacementSpace<dim> &space)
+{
+  constexpr std::size_t chunk_size = 512;
+  std::vector<Cells<dim>> chunks;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      if (chunks.empty() || chunks.back().size() == chunk_size)
+        chunks.emplace_back().reserve(chunk_size);
+      chunks.back().push_back(cell);
+    }
+  return chunks;
+}
+
+/**
+ * consume(integrate(chunk)) for the cells of this rank, with all threads given. The chunks are the
+ * same for any number of threads, none depends on another (FEValues looks back to the cell before),
+ * and they are consumed in order: so the digits are the same, too.
+ */
+template <typename Result, int dim>
+void integrate_by_chunks(const DisplacementSpace<dim> &space,
+                         const std::function<Result(const Cells<dim> &)> &integrate,
+                         const std::function<void(const Result &)> &consume)
+{
+  const std::vector<Cells<dim>> chunks = chunks_of_owned_cells(space);
+  produce_in_parallel<Result>(
+    number_of_threads(space.mesh().communicator()),
+    chunks.size(),
+    [&](const std::size_t i) { return integrate(chunks[i]); },
+    consume);
+}
+
+/** FEValues or FEFaceValues with Gauss' rules, one object for every element of a space. Cells of
+ * degree p have p - 1 points per direction more than those of degree one. */
+template <int dim, int rule_dim, typename Values>
+class ValuesByElement
+{
+public:
+  /** @param n_points per direction, for degree one. */
+  ValuesByElement(const dealii::Mapping<dim> &mapping,
+                  const DisplacementSpace<dim> &space,
+                  const Kinks<dim> &kinks,
+                  const unsigned int n_points,
+                  const dealii::UpdateFlags flags)
+    : kinks_(kinks)
+    , mapping_(mapping)
+    , space_(space)
+    , n_points_(n_points)
+    , flags_(flags)
+    , plain_(space.elements().size())
+  {
+  }
+
+protected:
+  template <typename CellIterator>
+  unsigned int n_points(const CellIterator &cell) const
+  {
+    return n_points_ + space_.element(cell).degree - 1;
+  }
+  /** With Gauss' rule. */
+  template <typename CellIterator>
+  Values &plain(const CellIterator &cell)
+  {
+    std::unique_ptr<Values> &values = plain_[space_.element_number(cell)];
+    if (values == nullptr)
+      values = make(cell, dealii::QGauss<rule_dim>(n_points(cell)));
+    return *values;
+  }
+  /** With another rule; valid until the next one. */
+  template <typename CellIterator>
+  Values &cut(const CellIterator &cell, const dealii::Quadrature<rule_dim> &rule)
+  {
+    cut_ = make(cell, rule);
+    return *cut_;
+  }
+
+  const Kinks<dim> &kinks_;
+
+private:
+  template <typename CellIterator>
+  std::unique_ptr<Values> make(const CellIterator &cell, const dealii::Quadrature<rule_dim> &rule)
+  {
+    return std::make_unique<Values>(mapping_, space_.element(cell), rule, flags_);
+  }
+
+  const dealii::Mapping<dim> &mapping_;
+  const DisplacementSpace<dim> &space_;
+  unsigned int n_points_;
+  dealii::UpdateFlags flags_;
+  std::vector<std::unique_ptr<Values>> plain_;
+  std::unique_ptr<Values> cut_;
+};
+
+/** Shape functions at the Gauss points of a cell; on the pieces of a cell that a kink crosses, at
+ * the Gauss points of each piece. */
+template <int dim>
+class CellValues : public ValuesByElement<dim, dim, dealii::FEValues<dim>>
+{
+public:
+  using ValuesByElement<dim, dim, dealii::FEValues<dim>>::ValuesByElement;
+
+  /** @param cell of the mesh, or of a DoFHandler where functions shall be evaluated. */
+  template <typename CellIterator>
+  const dealii::FEValues<dim> &reinit(const CellIterator &cell)
+  {
+    dealii::FEValues<dim> &values =
+      needs_cuts<dim>(this->kinks_, cell)
+        ? this->cut(cell, cut_quadrature<dim>(this->kinks_, cell, this->n_points(cell)))
+        : this->plain(cell);
+    values.reinit(cell);
+    return values;
+  }
+};
+
+/** Shape functions at the Gauss points of a face; where a kink cuts the face, at the Gauss points
+ * of its parts. */
+template <int dim>
+class FaceValues : public ValuesByElement<dim, dim - 1, dealii::FEFaceValues<dim>>
+{
+public:
+  using CellIterator = typename dealii::Triangulation<dim>::active_cell_iterator;
+  using ValuesByElement<dim, dim - 1, dealii::FEFaceValues<dim>>::ValuesByElement;
+
+  const dealii::FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no)
+  {
+    dealii::FEFaceValues<dim> *values = nullptr;
+    // In space, planes do not cut faces yet.
+    if constexpr (dim == 2)
+    {
+      const auto face = cell->face(face_no);
+      const std::vector<double> cuts = this->kinks_.cut(face->vertex(0), face->vertex(1));
+      if (cuts.size() > 2)
+        values =
+          &this->cut(cell, split_quadrature(dealii::QGauss<dim - 1>(this->n_points(cell)), cuts));
+    }
+    if (values == nullptr)
+      values = &this->plain(cell);
+    values->reinit(cell, face_no);
+    return *values;
+  }
+};
+
+/**
+ * |||u_h||| = a(u_h, u_h)^{1/2} with the strain of the element (root of force x length^{dim-1}),
+ * from displacements relative to a corner of each cell: a rigid translation, however large, has no
+ * energy. Collective.
+ */
+template <int dim>
+double energy_norm(const DisplacementSpace<dim> &space,
+                   const Scene<dim> &scene,
+                   const NodalVector &U);
+
+/**
+ * Where the body moves as a whole, the energy norm that such a displacement has if it strains the
+ * body: max|u_h| E_0^{1/2} l^{(dim-2)/2} with the unit of stiffness_unit(). |||u_h|||, forces and
+ * their errors are nothing but rounding then, or what the linear solver leaves. None where the body
+ * is strained. Collective.
+ */
+template <int dim>
+std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
+                                           const Scene<dim> &scene,
+                                           const NodalVector &U);
+
+/**
+ * What an error in the energy norm is compared with: |||u_h|||. Where the body moves rigidly,
+ * |||u_h||| is rounding; an error that is rounding, too, is compared with norm_of_rigid_motion(),
+ * and a larger one is all of |||u|||. Collective.
+ *
+ * @param norm |||u_h|||
+ */
+template <int dim>
+double energy_scale(double norm,
+                    double error,
+                    const DisplacementSpace<dim> &space,
+                    const Scene<dim> &scene,
+                    const NodalVector &U);
+} // namespace Signorini

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/elasticity/traces.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+namespace Signorini
+{
+/** A matrix of V^h with the couplings of A, rows distributed, entries zero. Collective. */
+template <int dim>
+dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space);
+
+/**
+ * Adds matrices of cells to a matrix of V^h that make_matrix() made, condensing the constraints.
+ *
+ * On one rank, entries are added to the stored rows directly, which is several times faster than
+ * Trilinos' own search.
+ */
+template <int dim>
+class MatrixScatter
+{
+public:
+  using Indices = std::vector<dealii::types::global_dof_index>;
+
+  /** Both must outlive the object. */
+  MatrixScatter(const DisplacementSpace<dim> &space,
+                dealii::TrilinosWrappers::SparseMatrix &matrix);
+
+  /** matrix(indices, indices) += cell_matrix. */
+  void add(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
+  /** The same, with vector(indices) += cell_vector, reduced by prescribed displacements. */
+  void add(const dealii::FullMatrix<double> &cell_matrix,
+           const dealii::Vector<double> &cell_vector,
+           const Indices &indices,
+           DistributedVector &vector);
+
+private:
+  bool has_constraints(const Indices &indices) const;
+  void add_to_rows(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
+  /**
+   * T^T K T and T^T (b - K k) of a cell with constraints, U = T U_free + k, in condensed_ and
+   * condensed_vector_, for the indices in masters_.
+   */
+  void condense(const dealii::FullMatrix<double> &cell_matrix,
+                const dealii::Vector<double> &cell_vector,
+                const Indices &indices);
+  /** condense(), with the matrix added to the rows. */
+  void add_condensed(const dealii::FullMatrix<double> &cell_matrix,
+                     const dealii::Vector<double> &cell_vector,
+                     const Indices &indices);
+  /** A positive number on the diagonal of a constrained row. */
+  void add_diagonals(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
+
+  const dealii::AffineConstraints<double> &constraints_;
+  dealii::TrilinosWrappers::SparseMatrix &matrix_;
+  bool one_rank_;
+  /** The rows as Trilinos stores them: row i has the entries start[i] to start[i + 1]. */
+  int *start_ = nullptr;
+  int *column_ = nullptr;
+  double *value_ = nullptr;
+  dealii::FullMatrix<double> half_condensed_, condensed_;
+  dealii::Vector<double> condensed_vector_;
+  Indices masters_;
+};
+
+/**
+ * A U = f. The matrix is that of a body of size one and modulus one, A = unit × matrix, so that
+ * neither units nor sizes of numbers matter to a factorisation. All vectors are in the user's
+ * units.
+ */
+template <int dim>
+struct LinearSystem
+{
+  /** A/unit with the essential conditions eliminated. Symmetric positive definite; constrained rows
+   * hold a diagonal entry only. Empty where A is not assembled. */
+  dealii::TrilinosWrappers::SparseMatrix matrix;
+  /** stiffness_unit(). */
+  double unit = 1.;
+  /** f_j, reduced by what the prescribed displacements contribute; zero in constrained rows. */
+  DistributedVector f;
+  /** f_j = int f.phi_j + int t.phi_j for all j, nothing eliminated (force). */
+  DistributedVector loads;
+  /** Their resultant, by quadrature of f and t. */
+  Resultant<dim> applied;
+};
+
+/**
+ * Assembles A_ij = a(phi_j, phi_i) and f_i = int f.phi_i + int_{Gamma_F} t.phi_i with @p n_points
+ * Gauss points per direction for the loads. Collective.
+ * @throws InputError where the data has no value.
+ */
+template <int dim>
+LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
+                                         const Scene<dim> &scene,
+                                         unsigned int n_points);
+
+/** The same without the matrix. One rank, no hanging nodes. */
+template <int dim>
+LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
+                                           const Scene<dim> &scene,
+                                           unsigned int n_points);
+
+/** LinearSystem::loads alone. Collective. */
+template <int dim>
+DistributedVector assemble_loads(const DisplacementSpace<dim> &space,
+                                 const Scene<dim> &scene,
+                                 unsigned int n_points);
+} // namespace Signorini

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/problem/geometry/geometry.h>
+
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/fe/mapping.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+/**
+ * The mesh T^h of one level, quadrilaterals or hexahedra, with T^{2h} as its parents.
+ *
+ * Every rank knows the whole mesh; METIS decides who owns which cells, and with them rows of A.
+ */
+template <int dim>
+class Mesh
+{
+public:
+  /**
+   * Refines the coarse mesh @p level times. A distortion moves the interior vertices of
+   * @p coarsest_level, so that finer levels stay nested in it.
+   * @throws InputError if it leaves a cell that is not convex.
+   */
+  Mesh(const Geometry<dim> &geometry,
+       unsigned int coarsest_level,
+       unsigned int level,
+       MPI_Comm communicator);
+
+  /**
+   * A mesh that is refined where @p must_split asks for it, until no cell has to be split. It
+   * begins with @p base_level refinements of the coarse mesh; in a rectangle without distortion the
+   * @p lines x_d = lines[d][k] are lines of that mesh. Cells that share an edge differ by at most
+   * one refinement. The maps of curved cells have the degree @p mapping_degree. One rank.
+   * @param must_split also knows how often the cell was split since the first mesh.
+   */
+  using Splits =
+    std::function<bool(const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+                       unsigned int n_splits)>;
+  Mesh(const Geometry<dim> &geometry,
+       unsigned int base_level,
+       const std::array<std::vector<double>, dim> &lines,
+       const Splits &must_split,
+       unsigned int mapping_degree);
+
+  const dealii::Triangulation<dim> &triangulation() const
+  {
+    return triangulation_;
+  }
+  const dealii::Mapping<dim> &mapping() const
+  {
+    return *mapping_;
+  }
+  /**
+   * The map onto the body of size one, (x - lower)/l with the length l of size(). A stiffness
+   * matrix that is integrated with it depends neither on the unit of length nor on the place of the
+   * origin, to the last digit.
+   */
+  const dealii::Mapping<dim> &unit_mapping() const
+  {
+    return *unit_mapping_;
+  }
+  /** The point that unit_mapping() maps to @p x. */
+  dealii::Point<dim> from_unit_body(const dealii::Point<dim> &x) const
+  {
+    return lower_ + size_ * (x - dealii::Point<dim>());
+  }
+  /** The longest edge of the box around the body (length). */
+  double size() const
+  {
+    return size_;
+  }
+  /** Whether cells are curved: their edges are parabolas, close to the sides to the order h^4. */
+  bool is_curved() const
+  {
+    return curved_;
+  }
+  MPI_Comm communicator() const
+  {
+    return triangulation_.get_communicator();
+  }
+  /** Number of refinements of the coarse mesh. */
+  unsigned int level() const
+  {
+    return triangulation_.n_global_levels() - 1;
+  }
+  /** h: the longest edge (length). */
+  double longest_edge() const;
+  /** The shortest one. */
+  double shortest_edge() const;
+  /** How often a cell was split since the mesh was uniform. */
+  unsigned int splits(const typename dealii::Triangulation<dim>::cell_iterator &cell) const
+  {
+    return cell->level() - uniform_levels_;
+  }
+  /** How many levels before this one have cells that are unions of cells of this one: all of them,
+   * or those from the level at which vertices were moved. */
+  unsigned int n_nested_ancestors() const
+  {
+    return n_nested_ancestors_;
+  }
+  /** Whether T^{2h} exists. */
+  bool has_parents() const
+  {
+    return n_nested_ancestors_ > 0;
+  }
+
+private:
+  /** The maps of the given degree, for curved bodies. */
+  void make_mappings(unsigned int degree);
+
+  dealii::parallel::shared::Triangulation<dim> triangulation_;
+  bool curved_;
+  dealii::Point<dim> lower_;
+  double size_;
+  std::unique_ptr<const dealii::Mapping<dim>> mapping_, unit_mapping_;
+  unsigned int n_nested_ancestors_;
+  unsigned int uniform_levels_;
+};
+} // namespace Signorini

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/error_control/loads/edge_function.h>
+#include <signorini/error_control/loads/edge_mesh.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+/** A place on the boundary. */
+struct SidePlace
+{
+  /** Number of the side in the geometry. */
+  unsigned int side = 0;
+  /** Arc length from its start (length). */
+  double arc_length = 0.;
+};
+
+/** What ũ and tau have on a contact face other than u_h and p_H. */
+struct FaceField
+{
+  /** ũ_n = u_{h,n} + 4 t (1 - t) bubble. */
+  double bubble = 0.;
+  /** tau_n at vertex 0 and vertex 1, linear between them; none: tau_n = p_H. */
+  std::optional<std::array<double, 2>> traction;
+};
+
+/** A contact face with d = ũ_n - g on it, as a function of t in [0,1] from its vertex
+ * 0 to its vertex 1. */
+struct PenetrationFace
+{
+  using Dofs = std::array<dealii::types::global_dof_index, 2>;
+
+  /** Number of the face in the surface. */
+  unsigned int number;
+  unsigned int side;
+  dealii::Point<2> start, end;
+  /** Outward. */
+  dealii::Tensor<1, 2> normal;
+  double length;
+  /** From the middle of the chord to that of the face, on curved faces. */
+  dealii::Tensor<1, 2> bulge;
+  /** The degrees of freedom of both ends. */
+  std::array<Dofs, 2> dofs;
+  /** The conditions of both ends, see ContactTrace::conditions(). */
+  std::array<unsigned int, 2> conditions;
+  /** Where p_H is constant: from, to, p_H, and whether it is below pressing_threshold(); sorted. */
+  struct Pressed
+  {
+    double from, to, p;
+    bool presses;
+  };
+  std::vector<Pressed> pressures;
+  FaceField field;
+  /** d from above. */
+  EdgeFunction d;
+
+  dealii::Point<2> point(const double t) const
+  {
+    return start + t * (end - start) + 4. * t * (1. - t) * bulge;
+  }
+  /** p_H and tau_n at t. */
+  double pressure(double t) const;
+  double traction(const double t) const
+  {
+    return field.traction ? (1. - t) * (*field.traction)[0] + t * (*field.traction)[1]
+                          : pressure(t);
+  }
+  /** Whether a part presses, and whether all do. */
+  bool presses() const;
+  bool presses_everywhere() const;
+  /** The component of a function of V^h at t. */
+  double component(const NodalVector &V, double t, const dealii::Tensor<1, 2> &direction) const;
+  /** v_n, with the normal of the face. */
+  double normal_value(const NodalVector &V, const double t) const
+  {
+    return component(V, t, normal);
+  }
+};
+
+/** w_n >= required at a contact node, w in V^h with homogeneous essential conditions. */
+struct NodeCondition
+{
+  dealii::Tensor<1, 2> normal;
+  SidePlace place;
+  double required;
+  /** Whether a neighbouring face presses. */
+  bool presses = false;
+  /** Whether w_n = 0 there for all such w: the node is held by another side. */
+  bool held = false;
+};
+
+/**
+ * d = ũ_n - g on Gamma_c, with ũ = u_h or pi^{2h} u_h, face by face, and what a w in V^h with w_n
+ * >= d at contact nodes has to satisfy: one condition per contact node and direction of the normal
+ * (a corner of two contact sides has two).
+ */
+class ContactTrace
+{
+public:
+  /** All but the fields must outlive the object.
+   * @param fields in the order of ContactSurface::faces(); empty for u_h and p_H.
+   * @throws InputError where g has no value. */
+  ContactTrace(const DisplacementSpace<2> &space,
+               const Scene<2> &scene,
+               const MultiplierSpace<2> &multipliers,
+               const NodalVector &U,
+               const dealii::Vector<double> &P,
+               const std::vector<FaceField> &fields = {});
+
+  const std::vector<PenetrationFace> &faces() const
+  {
+    return faces_;
+  }
+  const std::vector<NodeCondition> &conditions() const
+  {
+    return conditions_;
+  }
+  /** The columns w -> w_n of all conditions, condensed; empty columns where a node is held. */
+  const Coupling &normals() const
+  {
+    return normals_;
+  }
+  const ContactSurface<2> &surface() const
+  {
+    return multipliers_.surface();
+  }
+  /** d itself, up to the evaluation of g. */
+  double penetration(const PenetrationFace &face, double t) const;
+  /** int (tau_n - p_H) over Gamma_c, the same times n, and int (tau_n - p_H)(g - c_n), with four
+   * Gauss points on every part of d. */
+  struct TractionChange
+  {
+    double normal_force = 0.;
+    dealii::Tensor<1, 2> force;
+    double work_of_gap = 0.;
+  };
+  /** @param c a translation. */
+  TractionChange traction_change(const dealii::Tensor<1, 2> &c) const;
+  /** int tau_n d over Gamma_c, by the same points. */
+  double work_of_penetration() const;
+  /** max (d)_+ over all samples, and where. */
+  double largest_penetration() const
+  {
+    return largest_;
+  }
+  const SidePlace &place_of_largest() const
+  {
+    return place_of_largest_;
+  }
+  /** Why there is no w of finite energy, and where; none if there is one. */
+  const std::optional<std::pair<std::string, SidePlace>> &obstacle() const
+  {
+    return obstacle_;
+  }
+
+private:
+  void find_faces(const dealii::Vector<double> &P, const std::vector<FaceField> &fields);
+  void find_conditions();
+  using ConditionsOfVertices = std::map<unsigned int, std::vector<unsigned int>>;
+  /** The condition of one end of a face, made if it is new. */
+  unsigned int condition_at(const PenetrationFace &face,
+                            unsigned int end,
+                            ConditionsOfVertices &known);
+  void sample();
+  void find_obstacle();
+
+  const DisplacementSpace<2> &space_;
+  const Scene<2> &scene_;
+  const MultiplierSpace<2> &multipliers_;
+  const NodalVector &U_;
+  std::vector<PenetrationFace> faces_;
+  std::vector<NodeCondition> conditions_;
+  Coupling normals_;
+  double largest_ = 0.;
+  SidePlace place_of_largest_;
+  std::optional<std::pair<std::string, SidePlace>> obstacle_;
+};
+
+/** Contact edges on which p_H presses everywhere: all pieces face ∩ patch are below
+ * pressing_threshold(). */
+std::vector<unsigned int> pressing_edges(const EdgeMesh &mesh,
+                                         const MultiplierSpace<2> &multipliers,
+                                         const dealii::Vector<double> &P);
+
+/** tau_n at both ends of an edge, in the order of Edge::vertices (force/area). */
+std::array<double, 2> normal_tractions(const Edge &edge,
+                                       unsigned int number,
+                                       const std::vector<double> &moments);
+
+/** Whether tau_n pulls at an end of the edge. */
+inline bool pulls(const std::array<double, 2> &tractions)
+{
+  return tractions[0] > 0. || tractions[1] > 0.;
+}
+} // namespace Signorini

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/error_control/contact_term/contact_trace.h>
+#include <signorini/error_control/loads/law_sampling.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace Signorini
+{
+/**
+ * w = w_h + sum_F r_F(t) psi_F n: a function of V^h with homogeneous essential conditions, and for
+ * each contact face F what it lacks inside the face.
+ *
+ * F is the end of a column of cells, each entered through one edge and left through the opposite
+ * one, with t along these edges. r_F vanishes at both ends of F, so on the flanks of the column;
+ * psi_F is 1 on F, piecewise linear along the column, and 0 where it ends. So w is continuous and
+ * vanishes on essential boundaries like w_h, whatever the shapes of the cells.
+ *
+ * The depth of a column is D = (3 C_nn int r² / (C_nt int r'²))^{1/2}, C_nn and C_nt the moduli of
+ * stretch along n and of shear at F: for r(t) (1 - y/D) n on a strip the energy is at most
+ * 1/2 (C_nn int r²/D + C_nt D/3 int r'²) + mixed terms, least for this D. Any D is right; it is cut
+ * where the column meets the boundary or cells of another size.
+ */
+class LiftField
+{
+public:
+  using CellIterator = dealii::DoFHandler<2>::active_cell_iterator;
+
+  /** @param remainders r_F in the order of trace.faces(); zero at 0 and 1. Space, scene and trace
+   * must outlive the object. */
+  LiftField(const DisplacementSpace<2> &space,
+            const Scene<2> &scene,
+            const ContactTrace &trace,
+            NodalVector w_h,
+            std::vector<EdgeFunction> remainders);
+
+  /** w_n at t of a face. */
+  double normal_value(unsigned int face, double t) const;
+  /** r_F. */
+  const EdgeFunction &remainder(const unsigned int face) const
+  {
+    return remainders_[face];
+  }
+  /** w at a point of the reference cell. */
+  dealii::Tensor<1, 2> value(const CellIterator &cell, const dealii::Point<2> &reference) const;
+
+  /**
+   * int_K eps(w):E:eps(w) for every active cell K (force x length per thickness); zero for cells of
+   * other ranks.
+   *
+   * By Gauss' formula on the parts of a cell on which w is a polynomial of degree two in reference
+   * coordinates: exact on parallelograms with constant E, otherwise up to quadrature, with four
+   * points per direction and part, the parts also cut where kinks of the data cross edges of the
+   * cell; where E varies by more than a factor of 1.5 in a cell (LawSampling), it is cut into m/4
+   * parts per direction, too.
+   */
+  dealii::Vector<double> cell_energies() const;
+
+private:
+  /** The part of a column in one cell. */
+  struct Passage
+  {
+    unsigned int face;
+    /** The edge through which the column enters, and whether t runs against that edge. */
+    unsigned int entry;
+    bool flipped;
+    /** psi = (top - slope eta)_+, eta in [0,1] across the cell from the entry. */
+    double top, slope;
+  };
+  /** w_h, the vertices, and what passes through the cell. */
+  struct LocalField
+  {
+    std::array<dealii::Point<2>, 4> vertices;
+    std::array<dealii::Tensor<1, 2>, 4> w_h;
+    const std::vector<Passage> *passages;
+  };
+
+  void add_column(unsigned int face);
+  double depth(unsigned int face) const;
+  LocalField local_field(const CellIterator &cell) const;
+  /** The gradient with respect to reference coordinates. */
+  dealii::Tensor<2, 2> reference_gradient(const LocalField &field, const dealii::Point<2> &x) const;
+  double energy_of(const CellIterator &cell, const LocalField &field) const;
+  /** Where pieces of w or of the material begin and end in reference coordinate @p d, with those of
+   * @p n_equal parts. */
+  std::vector<double> cuts(const CellIterator &cell,
+                           const LocalField &field,
+                           unsigned int d,
+                           unsigned int n_equal) const;
+  /** Into how many parts per direction the cell is cut because the material varies in it. */
+  unsigned int n_equal_parts(const LocalField &field) const;
+
+  const DisplacementSpace<2> &space_;
+  const Scene<2> &scene_;
+  const ContactTrace &trace_;
+  NodalVector w_h_;
+  std::vector<EdgeFunction> remainders_;
+  /** Of two, three and four points. */
+  std::array<dealii::QGauss<1>, 3> rules_;
+  /** Where the law varies. */
+  std::optional<LawSampling> sampling_;
+  /** By active cell index. */
+  std::map<unsigned int, std::vector<Passage>> passages_;
+};
+} // namespace Signorini

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/error_control/contact_term/contact_trace.h>
+#include <signorini/solvers/contact/dual_problem.h>
+#include <signorini/solvers/stiffness/stiffness_inverse.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace Signorini
+{
+/**
+ * C = E^T A^{-1} E with the columns E of the conditions at contact nodes that A^{-1} lets move, and
+ * two problems with it. Where factors hold C, they are solved with the matrix; otherwise with the
+ * kernel of the half space in its place, which learns from products with C, each of them a solve.
+ * Their number does not grow with that of contact nodes.
+ */
+class NodalCompliance
+{
+public:
+  /** All must outlive the object. Collective, as are the solutions. */
+  NodalCompliance(const DisplacementSpace<2> &space,
+                  const ContactTrace &trace,
+                  const StiffnessInverse &inverse);
+
+  /** Which of ContactTrace::conditions() the columns of E are; none where C is not explicit and
+   * there are too many for a dense kernel. */
+  const std::vector<unsigned int> &numbers() const
+  {
+    return numbers_;
+  }
+  /** E. */
+  const Coupling &columns() const
+  {
+    return E_;
+  }
+  /** Q <= 0 with C Q - F <= 0 and Q.(C Q - F) = 0. */
+  dealii::Vector<double> press(const dealii::Vector<double> &F,
+                               const dealii::Vector<double> &start);
+  /** Q with C Q = F. */
+  dealii::Vector<double> solve(const dealii::Vector<double> &F);
+
+private:
+  using Vector = dealii::Vector<double>;
+
+  /**
+   * The solution of a problem with C, where solve_with(M, F, Q) solves it with the matrix M
+   * instead: Q moves towards that with M and F - (C - M) Q as far as C allows. Each step d shows C
+   * d, a solve, and changes M by the formula of Broyden, Fletcher, Goldfarb and Shanno, so that M d
+   * = C d.
+   */
+  template <typename SolveWith>
+  Vector iterate(const Vector &F, const SolveWith &solve_with);
+
+  std::vector<unsigned int> numbers_;
+  Coupling E_;
+  double seconds_ = 0.;
+  std::shared_ptr<const ComplianceOperator> C_;
+  /** M, at first C^ for constant pressures around the nodes; empty where C is explicit. */
+  dealii::FullMatrix<double> model_;
+};
+
+/**
+ * A w_h in V^h, zero on essential boundaries, with w_{h,n} >= required at all conditions of the
+ * trace: the nodal values of the layer omega(s) (1 - y/D)_+ n below each contact side, y the
+ * distance from the side. omega is linear between contact nodes: the required value at nodes next
+ * to pressing faces, its positive part elsewhere.
+ *
+ * On a strip with constant moduli, a layer of the depth D = (3 C_nn int omega² / (C_nt int
+ * omega'²))^{1/2} has the least bound of the energy; D is at most the shortest extent of the body.
+ * At contact nodes themselves the conditions decide (a corner has two). No solve.
+ */
+NodalVector layer_lift(const DisplacementSpace<2> &space,
+                       const Scene<2> &scene,
+                       const ContactTrace &trace);
+
+/** The required values of all conditions. */
+dealii::Vector<double> required_values(const ContactTrace &trace);
+
+/**
+ * Required values with which w_h alone removes penetration inside of faces that do not press, where
+ * both ends are free: at both ends the largest d, if it is positive. Where contact was missed, the
+ * wide w_h costs much less energy than a narrow one inside the face. None if they are
+ * required_values().
+ */
+std::optional<dealii::Vector<double>> raised_values(const ContactTrace &trace);
+
+/**
+ * The w_h in V^h that minimises 1/2 a(w_h, w_h) - int p_H w_{h,n} over w_{h,n} >= required: with
+ * the matrix E of the conditions (w_n = E^T w) and multipliers Q,
+ *
+ *     A w = D P - E Q,   Q <= 0,   E^T A^{-1} E Q - (E^T A^{-1} D P - required) <= 0,   Q^T (...) =
+ * 0,
+ *
+ * solved like the dual problem of the scene. One solve with a trailing factor, otherwise two and
+ * one per contact node that is needed. Collective.
+ */
+NodalVector dual_lift(const DisplacementSpace<2> &space,
+                      const ContactTrace &trace,
+                      const Coupling &condensed_D,
+                      const StiffnessInverse &inverse,
+                      const dealii::Vector<double> &P,
+                      const dealii::Vector<double> &required);
+
+/**
+ * A z in V^h, zero on essential boundaries, with z_n = 1 on Gamma_c, of small energy; none where a
+ * contact node is held. Collective.
+ */
+std::optional<NodalVector> lift_of_one(const DisplacementSpace<2> &space,
+                                       const ContactTrace &trace,
+                                       const StiffnessInverse &inverse);
+} // namespace Signorini

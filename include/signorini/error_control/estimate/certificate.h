@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/columns.h>
+#include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/postprocessing/fields/forces.h>
+
+namespace Signorini
+{
+/** How well (U, P) satisfies (5): residuals relative to the scene's own scales. */
+struct Certificate
+{
+  /** |A U - D P - f|_2 on free degrees of freedom, relative to the largest of its terms. */
+  double stationarity = 0.;
+  /** Largest mean penetration max(W_k)_+ / int psi_k, relative to displacement and gap. */
+  double penetration = 0.;
+  /** max(P)_+ / max|P|. */
+  double sign = 0.;
+  /** |P^T W| relative to the energies. */
+  double complementarity = 0.;
+  /** Primal minus dual objective, relative to the energies. */
+  double duality_gap = 0.;
+  /** Reactions + loads + contact pressure, relative to the largest force. */
+  double force_balance = 0.;
+  /** The same for the moments about the body's centre. */
+  double moment_balance = 0.;
+  /** What free motions of plates and of the body leave unbalanced of forces and moments, relative
+   * to the largest force. */
+  double motion_balance = 0.;
+  /** Whether moments must balance exactly: V^h of curved cells holds rotations up to O(h^2) only.
+   */
+  bool moments_are_exact = true;
+  /**
+   * Multipliers for which pressure and opening vanish together: |W_k| / |tau| and C_kk |P_k| /
+   * |tau|, the displacement that the pressure causes there, are below 1e-6 of displacement and gap.
+   */
+  unsigned int degenerate_patches = 0;
+  /** Largest difference between U and the prescribed displacement, or largest normal displacement
+   * on rollers, at vertices, relative to the largest of both displacements. */
+  double support = 0.;
+  /** The largest displacement, relative to what is left of it without the translation of the whole
+   * body. */
+  double translation = 1.;
+  /** How large rounding alone makes residuals: the unit roundoff times |A| |U|, relative to the
+   * largest of the forces. */
+  double rounding = 0.;
+  /** J(u_h, p_H) of (22), the energy (force x length per thickness). */
+  double energy = 0.;
+
+  static Columns<Certificate> columns();
+};
+
+/** The level's solution and what it was computed from. */
+template <int dim>
+struct ContactSolution
+{
+  const NodalVector &U;
+  /** A^{-1} f. */
+  const NodalVector &free_U;
+  const dealii::Vector<double> &P;
+  const dealii::Vector<double> &F;
+  const dealii::Vector<double> &G;
+  /** C P, and C_kk P_k for all k; empty if nothing touches. */
+  const dealii::Vector<double> &C_P;
+  const dealii::Vector<double> &diagonal_P;
+};
+
+/**
+ * Computes the certificate from the cells' integrals, without the assembled and factorised A.
+ * @param forces nodal_forces() of the solution. Collective.
+ */
+template <int dim>
+Certificate certify(const DisplacementSpace<dim> &space,
+                    const Scene<dim> &scene,
+                    const LinearSystem<dim> &system,
+                    const MultiplierSpace<dim> &multipliers,
+                    const Coupling &D,
+                    const ContactSolution<dim> &solution,
+                    const NodalForces &forces);
+} // namespace Signorini

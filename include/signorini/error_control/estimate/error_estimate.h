@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/columns.h>
+#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/solvers/stiffness/stiffness_inverse.h>
+
+#include <functional>
+#include <optional>
+
+namespace Signorini
+{
+/** What u_h lacks because p_H is constant on patches: z_h in V^h, and its energy norm. */
+struct PressureCorrection
+{
+  /** Nodal values of z_h, zero where displacements are prescribed; empty: zero. */
+  NodalVector z;
+  /** |||z_h||| (root of force x length^{dim-1}). */
+  double energy_norm = 0.;
+};
+
+/** P of the dual problem with C = D^T A^{-1} D for a D and its condensed form, with F, from a
+ * start; none where the solver fails. */
+using DualProblem =
+  std::function<std::optional<dealii::Vector<double>>(const Coupling &D,
+                                                      const Coupling &condensed_D,
+                                                      const dealii::Vector<double> &F,
+                                                      const dealii::Vector<double> &start)>;
+
+/** What a correction is computed from; all must outlive the call. */
+template <int dim>
+struct PressureData
+{
+  const DisplacementSpace<dim> &space;
+  const Scene<dim> &scene;
+  const MultiplierSpace<dim> &multipliers;
+  /** U_0 = A^{-1} f, complete, and P. */
+  const NodalVector &U_free;
+  const dealii::Vector<double> &P;
+  const Coupling &condensed_D;
+  const StiffnessInverse &inverse;
+  /** Gauss points per direction for the gap, as in the dual problem. */
+  unsigned int n_points;
+  /** For patches longer than two faces; empty: their own pressure is recovered. */
+  DualProblem solve_dual;
+};
+
+/** b_j = int_{Gamma_c} p v_n for v = phi_j, condensed, for the recovered pressure p of @p P,
+ * shifted to the means of @p P and cut off at zero: a coupling with a single column. */
+template <int dim>
+Coupling recovered_load(const DisplacementSpace<dim> &space,
+                        const MultiplierSpace<dim> &multipliers,
+                        const dealii::Vector<double> &P);
+
+/**
+ * z_h = A^{-1}(b - D P) for b = int p v_n: with p = sigma_n(u), u_h + z_h would be the best
+ * approximation of u in V^h. p is the RecoveredPressure of p_H with the means of p_H, see
+ * recovered_load(). Where patches are longer than two faces, V^h sees more of the pressure than p_H
+ * does. Then p is recovered from the solution on patches of two faces per direction (the same A,
+ * one more dual problem). It does not penetrate between the means of the given patches, either.
+ *
+ * One solve; none, and zero, where the pressure vanishes. Patches shorter than two faces are not
+ * corrected: p_H swings on them, and no function of V^h sees the difference. Collective.
+ */
+template <int dim>
+PressureCorrection correct_pressure(const PressureData<dim> &data);
+
+/** Parts of an error that neither pi^{2h} nor a recovered pressure show (energy norms). */
+struct OtherErrors
+{
+  /** What the contact solver leaves, see algebraic_error(). */
+  double algebra = 0.;
+  /** energy_of_missed_contact(). */
+  double contact = 0.;
+};
+
+/**
+ * A posteriori estimates of the error. Let p be a better pressure than p_H, and z_h in V^h what it
+ * adds to u_h (PressureCorrection). With the exact pressure u_h + z_h is the best approximation of
+ * u, so that u - u_h - z_h is orthogonal to V^h, and
+ *
+ *     |||u - u_h|||² = |||u - (u_h + z_h)|||² + |||z_h|||².
+ *
+ * The first part is estimated by the distance to pi^{2h}. What u_h and p_H lack of the solution on
+ * this mesh, and what no recovered pressure shows, comes on top (OtherErrors). Energy norms are
+ * roots of force x length^{dim-1}. An estimate that comes from elsewhere has no parts.
+ */
+struct ErrorEstimate
+{
+  /** ‖pi^{2h} u_h - u_h‖_{1,Omega}, of ‖u - u_h‖_1; asymptotically exact where pi^{2h} u_h
+   * superconverges and |||z_h||| is small. */
+  std::optional<double> h1;
+  /** Of |||u - u_h|||: the root of the sum of the squares of all parts. */
+  double energy = 0.;
+  /** The same divided by energy_scale(): it depends neither on units nor on translations. */
+  double relative = 0.;
+  /** |||pi^{2h} v - v||| for v = u_h + z_h. */
+  std::optional<double> mesh;
+  /** |||z_h|||. */
+  std::optional<double> pressure;
+  /** Those of OtherErrors. */
+  std::optional<double> algebra = {}, contact = {};
+
+  static Columns<ErrorEstimate> columns();
+};
+
+/**
+ * Compares u_h and u_h + z_h with their interpolations on T^{2h}. Needs Mesh::has_parents(). Runs
+ * on all threads given, with the same sums for any number of them. Collective.
+ */
+template <int dim>
+ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
+                             const Scene<dim> &scene,
+                             const NodalVector &U,
+                             const PressureCorrection &correction = {},
+                             const OtherErrors &others = {});
+
+/**
+ * The number of generations with which PatchInterpolation comes closest to u: 2 (degree four) where
+ * it changes pi^{2h} u_h by less than 2/3 of what pi^{2h} changes u_h, else 1 (degree two, pi^{2h}
+ * itself); 0 (u_h) where there is no T^{2h}. On meshes that are too coarse for a solution the
+ * quartic swings more than that. Collective.
+ */
+template <int dim>
+unsigned int best_interpolation(const DisplacementSpace<dim> &space, const NodalVector &U);
+} // namespace Signorini

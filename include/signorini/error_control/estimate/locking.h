@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/mesh/mesh.h>
+#include <signorini/problem/scene/material.h>
+
+namespace Signorini
+{
+/**
+ * K/mu (h/l)^2 with the largest ratio of bulk to shear modulus K = I:E:I/dim^2 and mu, half the
+ * smallest d:E:d of a deviator d of norm one, the longest edge h and the body's size l. Where
+ * bodies are nearly incompressible (K/mu > 10, Poisson's ratio above 0.45), bilinear elements with
+ * the full strain need it to be well below one: their pressures exceed the true ones by about that
+ * part.
+ * @return 0 for other bodies.
+ */
+template <int dim>
+double locking_number(const Mesh<dim> &mesh, const Material<dim> &material);
+} // namespace Signorini

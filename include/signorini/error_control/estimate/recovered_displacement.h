@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/elasticity/displacement_space.h>
+
+namespace Signorini
+{
+/**
+ * The patch interpolation of u_h that comes closest to u, pi^{2h} u_h or the one of degree four
+ * (best_interpolation()), as a function of degree two per direction on T^h. Stresses come from it.
+ */
+template <int dim>
+class RecoveredDisplacement
+{
+public:
+  /** The space must outlive the object, and Mesh::has_parents() be true. Collective. */
+  RecoveredDisplacement(const DisplacementSpace<dim> &space, const NodalVector &U);
+
+  const dealii::DoFHandler<dim> &dofs() const
+  {
+    return dofs_;
+  }
+  /** Set on the cells that this rank knows. */
+  const NodalVector &values() const
+  {
+    return values_;
+  }
+
+private:
+  dealii::FESystem<dim> element_;
+  dealii::DoFHandler<dim> dofs_;
+  NodalVector values_;
+};
+} // namespace Signorini

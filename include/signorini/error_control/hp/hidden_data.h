@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/mesh/mesh_plan.h>
+#include <signorini/error_control/hp/smoothness.h>
+
+#include <optional>
+
+namespace Signorini
+{
+/**
+ * Splits cells of a first plan until rules of 4 x 4 Gauss points see what the data does in them.
+ *
+ * Hooke's tensor is sampled along five lines per direction of every cell, and the data of sides
+ * along every boundary face, at up to a thousand equal distances, and ever closer towards both
+ * ends, where a coating would be. Data hides in a cell where a sample lies outside of the values at
+ * the Gauss points by more than half of their range and a hundredth of the tensor (for sides, 1e-4
+ * of the largest value on the side). Smooth data does not. Faces on which a traction jumps are
+ * split until the force that rules may miss is 1e-4 of that on the side.
+ *
+ * @return a point at which the material still hides after many splits; no solution would notice.
+ */
+std::optional<dealii::Point<2>> show_hidden_data(const Scene<2> &scene, MeshPlan &plan);
+
+/**
+ * Adds to the indicators what a jump of the moduli inside of a cell leaves open: u_h has no kink
+ * there. Where layers lie one behind the other the body is as stiff as the harmonic mean E_h of its
+ * moduli, and u_h, whose strain does not jump, as the arithmetic mean E_a. Under the same stress
+ * the energy of the cell is wrong by (E_a/E_h - 1) times that of u_h, which counts as error,
+ * whatever the direction of the layers.
+ */
+void add_jump_misfit(const DisplacementSpace<2> &space,
+                     const Scene<2> &scene,
+                     const NodalVector &U,
+                     std::vector<CellIndicator> &indicators);
+} // namespace Signorini

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/elasticity/displacement_space.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/** Which tractions an edge may carry. */
+enum class EdgeFreedom
+{
+  /** Any: inside the body, and where displacements are prescribed. */
+  any,
+  /** Normal ones: rollers, and contact edges that press once their traction is free. */
+  normal,
+  /** Those that are given: traction, free and contact sides. */
+  none
+};
+
+/** An edge of the mesh; curved edges are taken as their chords. */
+struct Edge
+{
+  /** Numbers of its end points in the mesh. */
+  std::array<unsigned int, 2> vertices;
+  EdgeFreedom freedom = EdgeFreedom::any;
+  /** On the boundary: number of the side; else no_side. */
+  unsigned int side;
+  /** Outward unit normal of the first of its cells. */
+  dealii::Tensor<1, 2> normal;
+  double length;
+
+  static constexpr unsigned int no_side = static_cast<unsigned int>(-1);
+};
+
+/**
+ * How the biquadratic image of a cell differs from the bilinear one with the same corners: in the
+ * middles of the edges, counter-clockwise, and in the centre.
+ */
+using Bulges = std::array<dealii::Tensor<1, 2>, 5>;
+
+/** A quadrilateral with its corners and edges counter-clockwise; edge k runs from corner k to
+ * corner k + 1. */
+struct EdgeCell
+{
+  std::array<dealii::Point<2>, 4> corners;
+  std::array<unsigned int, 4> vertices;
+  std::array<unsigned int, 4> edges;
+  /** 1 for the first cell of an edge, -1 for the second one, which sees the opposite traction. */
+  std::array<double, 4> sign;
+  /** Whether Edge::vertices[0] is corner k + 1. */
+  std::array<bool, 4> reversed;
+  /** Zero unless the cell is curved by more than rounding. */
+  Bulges bulges{};
+  bool is_curved = false;
+};
+
+/** A corner of a cell. */
+struct CellCorner
+{
+  unsigned int cell;
+  unsigned int number;
+};
+
+/** An edge as one of its end points, the centre, sees it. */
+struct Spoke
+{
+  unsigned int edge;
+  /** Which end of the edge is the centre. */
+  unsigned int end;
+  /** 1 if the traction of the edge is that on the cell to the left of the way from the centre
+   * outwards, else -1. */
+  double sign;
+};
+
+/**
+ * The cells around a vertex, counter-clockwise. Spoke j is to the right of cell j and spoke j + 1
+ * to its left; inside the body the spokes close, at the boundary there is one more than cells.
+ */
+struct Star
+{
+  // Most vertices have four cells: no allocations for them.
+  boost::container::small_vector<CellCorner, 5> cells;
+  boost::container::small_vector<Spoke, 5> spokes;
+
+  bool is_closed() const
+  {
+    return spokes.size() == cells.size();
+  }
+  /** The spoke to the left of cell j. */
+  unsigned int left_of(const unsigned int j) const
+  {
+    return (j + 1) % spokes.size();
+  }
+};
+
+/**
+ * Edges, cells and stars of a plane mesh without hanging nodes. Of curved meshes it is the polygon
+ * of the vertices; cells know how they are curved.
+ *
+ * The traction on an edge is a linear function t along it, that on the first of its cells. It is
+ * known by its moments int_e t phi_i with the hat functions of the two end points i, two
+ * components each: entries 4 e + 2 end + component of a vector of moments. Every rank has all of
+ * them.
+ */
+class EdgeMesh
+{
+public:
+  EdgeMesh(const DisplacementSpace<2> &space, const Scene<2> &scene);
+
+  /** Why there are no moments of tractions for a mesh, one sentence; empty if there are. */
+  static std::string objection(const Mesh<2> &mesh);
+
+  const std::vector<EdgeCell> &cells() const
+  {
+    return cells_;
+  }
+  const std::vector<Edge> &edges() const
+  {
+    return edges_;
+  }
+  void set_freedom(const unsigned int edge, const EdgeFreedom freedom)
+  {
+    edges_[edge].freedom = freedom;
+  }
+  /** Of all vertices. */
+  const std::vector<Star> &stars() const
+  {
+    return stars_;
+  }
+  /** The first degree of freedom of each vertex for both components. */
+  const std::vector<std::array<dealii::types::global_dof_index, 2>> &dofs() const
+  {
+    return dofs_;
+  }
+  /** The number of the edge that is a line of the triangulation. */
+  unsigned int edge_of_line(const unsigned int line) const
+  {
+    return edge_of_line_[line];
+  }
+  bool is_curved() const
+  {
+    return is_curved_;
+  }
+  std::size_t n_moments() const
+  {
+    return 4 * edges_.size();
+  }
+  /** Where in a vector of moments the first component is that edge k of a cell has at its corner
+   * k (@p end 0) or k + 1 (1). */
+  static unsigned int position(const EdgeCell &cell, const unsigned int k, const unsigned int end)
+  {
+    return 4 * cell.edges[k] + (cell.reversed[k] == (end == 1) ? 0 : 2);
+  }
+
+private:
+  void collect_cells(const DisplacementSpace<2> &space, const Scene<2> &scene);
+  void collect_stars();
+  /** Goes round the vertex from the given corner, the first one on the boundary. */
+  Star walk(const CellCorner &first,
+            const std::vector<std::array<CellCorner, 2>> &neighbours) const;
+
+  bool is_curved_ = false;
+  std::vector<EdgeCell> cells_;
+  std::vector<Edge> edges_;
+  std::vector<unsigned int> edge_of_line_;
+  std::vector<Star> stars_;
+  std::vector<std::array<dealii::types::global_dof_index, 2>> dofs_;
+};
+
+/** The 16 moments on the edges of a cell, of the tractions on this cell: edge by edge, first at
+ * corner k, then at corner k + 1. */
+using CellMoments = std::array<double, 16>;
+
+CellMoments moments_on(const EdgeCell &cell, const std::vector<double> &moments);
+/** moments += the transposed of moments_on(). */
+void add_moments(const EdgeCell &cell, const CellMoments &values, std::vector<double> &moments);
+} // namespace Signorini

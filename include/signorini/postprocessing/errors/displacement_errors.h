@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/columns.h>
+#include <signorini/discretization/elasticity/displacement_space.h>
+
+#include <optional>
+
+namespace Signorini
+{
+/** Distances of the discrete from the exact displacement; h1 is the full norm ‖.‖_{1,Omega}. */
+struct DisplacementErrors
+{
+  /** ‖u - u_h‖_{1,Omega}. */
+  double h1;
+  /** ‖u - u_h‖_{0,Omega}. */
+  double l2;
+  /** ‖I^h u - u_h‖_{1,Omega}. */
+  double superclose_h1;
+  /** ‖u - pi^{2h} u_h‖_{1,Omega}; empty where there is no T^{2h}. */
+  std::optional<double> post_h1;
+  /** ‖u - pi_4^{4h} u_h‖_{1,Omega}, the interpolation of degree four on cells of T^{4h}; empty
+   * where there is no T^{4h}. */
+  std::optional<double> post4_h1;
+  /** |||u - u_h|||, with the strain of u_h itself and Hooke's tensor at quadrature points (root of
+   * force x length^{dim-1}). */
+  double energy = 0.;
+
+  static Columns<DisplacementErrors> columns();
+};
+
+/**
+ * Integrates the errors with @p n_points Gauss points per direction, on the pieces of cells that a
+ * kink crosses. Needs Scene::exact_displacement. Runs on all threads given; the sums do not depend
+ * on their number. Collective.
+ * @throws InputError where the exact solution has no value.
+ */
+template <int dim>
+DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &space,
+                                               const Scene<dim> &scene,
+                                               const NodalVector &U,
+                                               unsigned int n_points);
+} // namespace Signorini

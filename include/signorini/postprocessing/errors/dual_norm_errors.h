@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/columns.h>
+#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/postprocessing/norms/rectangle_norm.h>
+#include <signorini/postprocessing/norms/spectral_norm.h>
+
+#include <map>
+#include <optional>
+#include <type_traits>
+
+namespace Signorini
+{
+/**
+ * Errors of the contact pressure in |||.|||_{-1/2,Gamma_c}, the root of the sum of squares over the
+ * contact sides.
+ */
+struct DualNormErrors
+{
+  /** |||p - p_H||| in the cosine norm and in the paper's (Sobolev-Slobodeckij) norm. */
+  double spectral;
+  std::optional<double> slobodeckij;
+  /** |||R^H p - p_H||| likewise. */
+  double superclose_spectral;
+  std::optional<double> superclose_slobodeckij;
+
+  static Columns<DualNormErrors> columns();
+};
+
+/** The exact pressure on the contact sides, prepared for the norms of all levels. */
+template <int dim>
+class ExactPressure
+{
+public:
+  /** Needs Scene::has_exact_pressure(). Computes 8192 cosine coefficients per side; in space 256 in
+   * each direction. */
+  explicit ExactPressure(const Scene<dim> &scene);
+
+  /**
+   * The paper's norm is Richardson's extrapolation of grids with 8 m and 16 m cells, m the patches
+   * of the side. It is left out where a side has more than 128 of them (its cost grows like m³), on
+   * arcs (distances are not arc lengths there), and in space.
+   */
+  DualNormErrors errors(const MultiplierSpace<dim> &space, const dealii::Vector<double> &P) const;
+
+  /** R^H p: the mean of p on every patch. */
+  dealii::Vector<double> project(const MultiplierSpace<dim> &space) const;
+
+private:
+  /** The same on the patches [first, last), which make up a side. In the plane. */
+  DualNormErrors errors_on_side(const MultiplierSpace<dim> &space,
+                                const dealii::Vector<double> &P,
+                                const dealii::Vector<double> &projected_p,
+                                unsigned int first,
+                                unsigned int last) const;
+
+  using Coefficients =
+    std::conditional_t<dim == 2, dealii::Vector<double>, dealii::FullMatrix<double>>;
+
+  const Scene<dim> &scene_;
+  std::map<unsigned int, Coefficients> coefficients_;
+};
+} // namespace Signorini

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/problem/scene/scene.h>
+#include <signorini/solvers/contact/compliance.h>
+#include <signorini/solvers/kinematics/free_motions.h>
+#include <signorini/solvers/kinematics/motion_modes.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/** What contact does in one load case. */
+struct CaseResult
+{
+  LoadCase load_case;
+  /** Why there is no solution ("it tips over"); empty if there is one. Then the rest counts. */
+  std::string escape;
+  /** On the body (force, moment about the origin; per thickness). */
+  Resultant<2> contact;
+  /** The largest pressure, positive in compression (force/area). */
+  double peak_pressure = 0.;
+  /** Of all contact zones together (length). */
+  double zone_length = 0.;
+  unsigned int n_zones = 0;
+  /** Multipliers that press. */
+  unsigned int active = 0;
+  /** One for each plate. */
+  std::vector<PlateMotion> plates;
+  unsigned int iterations = 0;
+  double kkt = 0.;
+  bool converged = false;
+};
+
+/** A solved level that cases are computed on; all must outlive the solver. */
+struct CaseData
+{
+  const DisplacementSpace<2> &space;
+  const Scene<2> &scene;
+  const MultiplierSpace<2> &multipliers;
+  const Coupling &D;
+  const Coupling &condensed_D;
+  const StiffnessInverse &inverse;
+  const MotionModes<2> &modes;
+  /** Gauss points per direction for loads. */
+  unsigned int n_points;
+  /** G_k = int g psi_k for the gap of a scene. */
+  std::function<dealii::Vector<double>(const Scene<2> &)> gap;
+  DualSolverOptions options;
+};
+
+/**
+ * Load cases from one factorisation. The displacement without contact is linear in the loads:
+ * U_0 = sum_i a_i U_i with one U_i for forces, weight and travel each. So a case needs
+ *
+ *     F = G - sum_i a_i D^T U_i,   b = sum_i a_i b_i,
+ *
+ * the same C, B and K as all others, and one dual problem, which starts from the pressure of the
+ * case before: O(m²) operations.
+ */
+class CaseSolver
+{
+public:
+  /** One solve for each kind of load that the scene has. Collective. */
+  explicit CaseSolver(CaseData data);
+  CaseSolver(const CaseSolver &) = delete;
+  CaseSolver &operator=(const CaseSolver &) = delete;
+
+  /** Collective. */
+  CaseResult solve(const LoadCase &load_case);
+
+  /** P of the last case. */
+  const dealii::Vector<double> &pressure() const
+  {
+    return P_;
+  }
+  /** U of the last case: one more solve. Collective. */
+  NodalVector displacement() const;
+
+private:
+  /** What one kind of load does. */
+  struct LoadResponse
+  {
+    LoadKind kind;
+    NodalVector U;
+    /** D^T U. */
+    dealii::Vector<double> closing;
+    /** On the free motions. */
+    MotionWork work;
+    /** f_i. */
+    NodalVector loads;
+  };
+
+  LoadResponse respond(LoadKind kind) const;
+  dealii::Vector<double> gap_of(const LoadCase &load_case) const;
+  /** Whether the loads of a case drive a motion that contact does not see. */
+  bool slides(const LoadCase &load_case) const;
+  /** Solves for P and q. @return what does not depend on the multipliers. */
+  CaseResult solve_dual(const LoadCase &load_case);
+
+  CaseData data_;
+  double seconds_ = 0.;
+  std::shared_ptr<const ComplianceOperator> C_;
+  dealii::FullMatrix<double> B_;
+  dealii::Vector<double> G_;
+  std::vector<LoadResponse> responses_;
+  LoadCase last_;
+  dealii::Vector<double> P_, q_;
+};
+} // namespace Signorini

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/problem/parameters/options.h>
+
+namespace Signorini
+{
+/**
+ * The constant of Lemma 1,
+ *
+ *     beta² = min_q (q^T D^T A_1^{-1} D q) / (q^T S q),
+ *
+ * A_1 the Gram matrix of V^h in (.,.)_{1,Omega}, S that of Q^H in the cosine norm |||.|||_{-1/2}.
+ * One factorisation of its own and m solves. Collective.
+ */
+template <int dim>
+double measure_inf_sup(const DisplacementSpace<dim> &space,
+                       const MultiplierSpace<dim> &multipliers,
+                       const Coupling &condensed_D,
+                       LinearSolver linear_solver);
+} // namespace Signorini

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/multiplier/multiplier_space.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+namespace Signorini
+{
+/**
+ * The kernel of the cosine norm, as a function of the distance of two points on a line that is
+ * repeated with the period P:
+ *
+ *     kappa(x) = (1/P) sum_k (1 + (k omega)²)^{-1/2} e^{i k omega x}, all integers k, omega = 2
+ * pi/P = (1/pi) sum_m K_0(|x + m P|), all integers m.
+ *
+ * The second line is the first one by Poisson's summation. For short periods, where it needs many
+ * terms, ln sin takes its singularity:
+ *
+ *     kappa(x) = 1/P - (1/pi) ln(2 |sin(omega x/2)|)
+ *                + (2/P) sum_{k >= 1} ((1 + (k omega)²)^{-1/2} - 1/(k omega)) cos(k omega x).
+ *
+ * On a side of length L
+ *
+ *     ‖q‖²_{-1/2} = int int q(s) q(t) (kappa(s - t) + kappa(s + t)) ds dt,  P = 2 L;
+ *
+ * on a closed side P = L, and the second term is missing.
+ */
+class DualKernel
+{
+public:
+  explicit DualKernel(double period);
+
+  double period() const
+  {
+    return period_;
+  }
+  /** The distance from a point to the nearest singularity, a multiple of P. */
+  double distance(double x) const;
+  /** The error is below 1e-8. At singularities, the value 1e-18 P next to them. */
+  double operator()(double x) const;
+
+private:
+  double period_, omega_;
+};
+
+/**
+ * The Gram matrix of the basis of Q^H in the cosine norm; block diagonal, the square of the norm is
+ * the sum over the sides.
+ *
+ * Constants on patches of about the same length take the series of SpectralNorm. Series cannot tell
+ * the patches of graded meshes apart; there
+ *
+ *     int_I int_J psi(s) phi(t) kappa(s - t) ds dt = int kappa(x) A(x) dx,
+ *     A(x) = int psi(s) phi(s - x) ds,
+ *
+ * with A a polynomial between differences of the ends of I and J, and rules that are refined
+ * towards the singularities of kappa.
+ */
+dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers);
+
+/** In space, where patches have constants: the series of RectangleNorm. */
+dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers);
+} // namespace Signorini

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/mesh/contact_surface.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <vector>
+
+namespace Signorini
+{
+/** (A_1)_ij = (phi_j, phi_i)_{1,Omega} = int phi_j.phi_i + grad phi_j : grad phi_i, condensed like
+ * A. Collective. */
+template <int dim>
+dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space);
+
+/**
+ * The dual of the interpolation norm between L2 and H1 on one side of length L:
+ *
+ *     ‖q‖²_{-1/2} = sum_{k>=0} (1 + (k pi/L)²)^{-1/2} q_k²,
+ *     q_0 = L^{-1/2} int q,   q_k = (2/L)^{1/2} int q cos(k pi s/L).
+ *
+ * On a closed side the frequencies k pi/L become 2 k pi/L, and sines join the cosines.
+ *
+ * 8192 modes are summed; what piecewise constants leave beyond them is added from the mean over the
+ * last modes, (2/L) omega^{-3} mean(S_k²)/(2 K²), omega k the frequency of mode k and S_k = sum of
+ * jumps times sin(k omega s_i) (and of jumps times cos).
+ */
+class SpectralNorm
+{
+public:
+  using Vector = dealii::Vector<double>;
+
+  explicit SpectralNorm(double length, bool closed = false);
+
+  /** The coefficients q_k of a function given by its values times quadrature weights: the constant,
+   * the cosines, then, on a closed side, the sines. */
+  Vector coefficients(const std::vector<double> &arc_lengths,
+                      const std::vector<double> &weighted_values) const;
+
+  /** The coefficients of a piecewise constant function, values[i] from ends[i] to ends[i+1]. */
+  Vector coefficients_of_constants(const std::vector<double> &ends, const Vector &values) const;
+
+  /** ‖f - q_H‖ for a continuous f with the coefficients @p f and a piecewise constant q_H. */
+  double distance(const Vector &f, const std::vector<double> &ends, const Vector &values) const;
+
+  /**
+   * The norm to which this one is dual, ‖f‖²_{1/2} = sum (1 + (k pi/L)²)^{1/2} f_k², of a
+   * continuous function with the coefficients @p f that is smooth on each of @p n_pieces intervals:
+   * f_k ~ k^-2. What is left beyond the modes is added from the mean of k⁴ f_k² over the last of
+   * them.
+   */
+  double primal_norm(const Vector &f, unsigned int n_pieces) const;
+
+  /** Gram matrix of the characteristic functions of the intervals. */
+  dealii::FullMatrix<double> gram_matrix(const std::vector<double> &ends) const;
+
+private:
+  /** Of a coefficient: k, the number of its mode. */
+  unsigned int mode(unsigned int coefficient) const;
+  /** (1 + (k omega)²)^{-1/2}. */
+  double weight(unsigned int k) const;
+  /** How many of the last modes make a mean for m intervals. */
+  unsigned int n_tail_modes(unsigned int m) const;
+  /** The sum of weight(k) (2/L) (k omega)^{-2} over k > n_modes: times the mean of S_k² it is what
+   * piecewise constants leave. */
+  double tail() const;
+
+  double length_;
+  bool closed_;
+  /** pi/L, on a closed side 2 pi/L. */
+  double omega_;
+  unsigned int n_modes_;
+};
+
+/** The norm on a side. */
+inline SpectralNorm spectral_norm_on(const Side<2> &side)
+{
+  return SpectralNorm(side.length(), side.is_closed());
+}
+
+/** The arc lengths at which the patches [first, last) of one side begin and end. */
+std::vector<double> patch_ends(const std::vector<Patch<2>> &patches,
+                               unsigned int first,
+                               unsigned int last);
+
+/** Calls visit(first, last) for the patches [first, last) of each side. */
+template <typename Visitor>
+void for_each_side(const std::vector<Patch<2>> &patches, const Visitor &visit)
+{
+  unsigned int first = 0;
+  while (first < patches.size())
+  {
+    unsigned int last = first;
+    while (last < patches.size() && patches[last].side == patches[first].side)
+      ++last;
+    visit(first, last);
+    first = last;
+  }
+}
+
+/** Block diagonal Gram matrix of the constants on the patches: the square of its norm is the sum
+ * over the sides. */
+dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface);
+} // namespace Signorini

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/columns.h>
+#include <signorini/postprocessing/quantities/contact_zones.h>
+#include <signorini/postprocessing/quantities/peak_pressure.h>
+#include <signorini/postprocessing/quantities/side_forces.h>
+#include <signorini/postprocessing/quantities/von_mises.h>
+
+#include <optional>
+#include <vector>
+
+namespace Signorini
+{
+/** The largest u_{h,n} - g, positive where the body penetrates (length). */
+struct Penetration
+{
+  double value = 0.;
+  BoundaryPlace place;
+};
+
+/** What an engineer wants to know about one level. Pressures are positive in compression. */
+struct Answer
+{
+  /** Of the body: 2 or 3. */
+  unsigned int dimension = 2;
+  /** Of the body (length): smaller coordinates may be rounding. */
+  double size = 0.;
+  /** Of all contact sides together. */
+  SideForce contact_force;
+  std::vector<SideForce> contact_by_side;
+  std::vector<SideForce> reactions;
+  /** Empty if nothing presses. */
+  std::optional<PeakPressure> peak_pressure;
+  /** In the plane. */
+  std::vector<ContactZone> zones;
+  /** Empty without a contact side. */
+  std::optional<Penetration> penetration;
+  VonMises von_mises;
+
+  static Columns<Answer> columns();
+};
+
+/** u_{h,n} - g at 17 points of every piece, in space at 5 x 5. @throws InputError where g has no
+ * value. */
+template <int dim>
+std::optional<Penetration> largest_penetration(const DisplacementSpace<dim> &space,
+                                               const MultiplierSpace<dim> &multipliers,
+                                               const NodalVector &U);
+
+/** Collective. */
+template <int dim>
+Answer compute_answer(const DisplacementSpace<dim> &space,
+                      const Scene<dim> &scene,
+                      const MultiplierSpace<dim> &multipliers,
+                      const NodalForces &forces,
+                      const NodalVector &U,
+                      const dealii::Vector<double> &P);
+} // namespace Signorini

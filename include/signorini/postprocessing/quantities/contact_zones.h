@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/postprocessing/quantities/answer_vector.h>
+
+#include <vector>
+
+namespace Signorini
+{
+/** A part of a side in which contact ends: between a node that presses and one that does not. */
+struct ContactBracket
+{
+  unsigned int side;
+  /** Arc lengths; around a closed side the second may exceed its length (length). */
+  double from, to;
+};
+
+/** All brackets of a pressure, side after side; those that share a node are one. */
+std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multipliers,
+                                             const dealii::Vector<double> &P);
+
+/** One end of a contact zone. */
+struct ZoneEnd
+{
+  BoundaryPlace place;
+  /** How far the exact end may be away, in order of magnitude: the length of the patch in which it
+   * lies, or with polynomials half of the distance between the nodes around it. Zero where the zone
+   * ends with its side. */
+  double uncertainty = 0.;
+};
+
+/** A part of a side that is pressed: a run of pressing patches, or with polynomials of nodes. */
+struct ContactZone
+{
+  ZoneEnd start, end;
+  /** From start to end along the side. */
+  double length = 0.;
+};
+
+/**
+ * The contact zones, side after side in the order of arc length. A closed side that presses
+ * everywhere is one zone from its start to its start.
+ *
+ * At an end of smooth contact the pressure falls like the root of the distance. So the end is that
+ * of c (s_0 - s)_+^{1/2} with the means of p_H over the last two pressing patches, at most in the
+ * middle of the patch after them. Where the pressure does not fall, as under a sharp edge, or where
+ * a single patch presses, the zone ends with its last patch.
+ *
+ * Where patches have polynomials, zones are pressed_intervals().
+ */
+std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
+                                       const dealii::Vector<double> &P);
+} // namespace Signorini

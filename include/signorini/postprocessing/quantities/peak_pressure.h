@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/postprocessing/quantities/answer_vector.h>
+#include <signorini/postprocessing/quantities/singular_places.h>
+
+#include <optional>
+
+namespace Signorini
+{
+/** A largest contact pressure, positive in compression (force/area). */
+struct PressureMaximum
+{
+  double value = 0.;
+  BoundaryPlace place;
+  /** The mean of -p_H over the patch on which the peak lies. */
+  double mean = 0.;
+  /** The patch. */
+  MeshAt mesh;
+};
+
+/** The largest contact pressure. */
+struct PeakPressure : PressureMaximum
+{
+  /** Where the exact value is infinite: the value then says nothing but how fine the mesh is. */
+  std::optional<GrowthPlace> grows_at;
+  /** The largest one away from all SingularPlace, where there are any and something presses. */
+  std::optional<PressureMaximum> away;
+};
+
+/**
+ * The maximum, outside of given places, of a pressure that is recovered from the means over
+ * patches; empty if nothing presses. Where both neighbours of a patch press, it is the parabola
+ * with the means of the three patches, elsewhere RecoveredPressure. Both are of second order. Where
+ * patches have polynomials, it is the largest value of -p_H on the patches that press.
+ *
+ * In space, where all four neighbours press, the sum of the parabolas in both coordinates, less the
+ * mean of the patch. At the edge of the side to a roller the mirror image is the neighbour, if the
+ * material is its own mirror image.
+ */
+std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<2> &multipliers,
+                                             const dealii::Vector<double> &P,
+                                             const std::vector<SingularPlace<2>> &outside_of = {});
+std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<3> &multipliers,
+                                             const dealii::Vector<double> &P,
+                                             const std::vector<SingularPlace<3>> &outside_of = {});
+} // namespace Signorini

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/problem/parameters/parameters.h>
+#include <signorini/problem/scene/scene.h>
+
+namespace Signorini
+{
+/** The scene that a parameter file spells out by expressions. @throws InputError */
+template <int dim>
+Scene<dim> make_described_scene(const Parameters &parameters);
+} // namespace Signorini

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/problem/parameters/options.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+/** An entry of the parameter file, as messages speak of it. */
+struct Entry
+{
+  /** Subsection and name: "Solver/Tolerance". */
+  std::string name;
+  /** "scene.prm:12" or "--set"; for a default the file alone. */
+  std::string place;
+  /** Whether the value differs from the default. */
+  bool changed = false;
+
+  /** "scene.prm:12: Solver/Tolerance": how every message about the entry begins. */
+  std::string where() const
+  {
+    return place + ": " + name;
+  }
+};
+
+/** The value of an entry, with where it was given. Use it like the value. */
+template <typename T>
+struct Given : Entry
+{
+  T value = T();
+
+  Given() = default;
+  /** A default. */
+  explicit Given(T default_value)
+    : value(std::move(default_value))
+  {
+  }
+  operator const T &() const
+  {
+    return value;
+  }
+};
+
+/** Which scene is solved: `described` by expressions, or one of the catalogue. */
+struct SceneParameters
+{
+  Given<std::string> name{"described"};
+};
+
+/** Subsection Constants: names that expressions may use. */
+struct ConstantsParameters
+{
+  Given<std::string> values;
+};
+
+/** Subsection Geometry: the body before it is meshed (lengths). */
+struct GeometryParameters
+{
+  Given<Shape> shape{Shape::rectangle};
+  Given<std::string> lower_left{"0, 0"};
+  Given<std::string> upper_right{"1, 1"};
+  Given<std::string> cells{"1, 1"};
+  Given<std::string> vertices;
+  Given<std::string> holes;
+  Given<double> mesh_size{0.};
+  Given<std::string> centre{"0, 0"};
+  Given<double> radius{1.};
+  Given<double> inner_radius{0.5};
+  Given<std::string> file;
+  Given<std::string> arcs;
+  /** The folder of the parameter file, in which files are looked for first; empty if the parameters
+   * come from no file. */
+  std::string folder;
+  Given<double> distortion{0.};
+};
+
+/** Subsection Material: Hooke's tensor. */
+struct MaterialParameters
+{
+  Given<MaterialLaw> law{MaterialLaw::isotropic};
+  Given<std::string> youngs_modulus{"1"};
+  Given<std::string> poissons_ratio{"0.3"};
+  Given<std::string> hooke_tensor;
+  Given<std::string> orthotropic_moduli;
+  Given<double> orientation{0.};
+  Given<std::string> moduli_across;
+  Given<PlaneState> plane_state{PlaneState::strain};
+};
+
+/** Subsection Boundary: one role per side. */
+struct BoundaryParameters
+{
+  /** "scene.prm: Boundary": how a message about all of it begins. */
+  std::string where;
+  Given<std::string> clamped;
+  Given<std::string> rollers;
+  Given<std::string> contact;
+  Given<std::string> displacement;
+  Given<std::string> traction;
+  Given<std::string> plates;
+};
+
+/** Subsection Load. */
+struct LoadParameters
+{
+  Given<std::string> body_force{"0; 0"};
+  Given<std::string> plate_force;
+  Given<std::string> plate_moment;
+  Given<std::string> plate_travel;
+};
+
+/** Subsection Contact. */
+struct ContactParameters
+{
+  Given<std::string> gap{"0"};
+  /** Rigid things in place of the gap. */
+  Given<std::string> foundation;
+  Given<std::string> foundation_position{"0, 0"};
+};
+
+/** Subsection Load cases. */
+struct LoadCasesParameters
+{
+  Given<std::string> cases;
+  Given<std::string> fields;
+};
+
+/** Subsection Exact solution: turns the error columns on. */
+struct ExactSolutionParameters
+{
+  Given<std::string> displacement;
+  Given<std::string> displacement_gradient;
+  Given<std::string> pressure;
+};
+
+/** Subsection Discretization. */
+struct DiscretizationParameters
+{
+  Given<Strategy> strategy{Strategy::nested};
+  Given<unsigned int> coarsest_level{2};
+  Given<unsigned int> finest_level{6};
+  Given<Element> element{Element::q1};
+  Given<unsigned int> patch_ratio{2};
+  Given<unsigned int> patches{0};
+  Given<double> target_error{0.};
+  Given<unsigned int> maximum_unknowns{200000};
+  Given<unsigned int> maximum_degree{9};
+  Given<HpMultipliers> multipliers{HpMultipliers::gauss};
+  Given<unsigned int> quadrature_points{3};
+  /** Positions of kinks. */
+  Given<std::vector<double>> kinks_at_x;
+  Given<std::vector<double>> kinks_at_y;
+};
+
+/** Subsection Solver. */
+struct SolverParameters
+{
+  Given<ContactSolver> contact_solver{ContactSolver::automatic};
+  Given<double> relaxation{1.1};
+  Given<double> tolerance{1e-10};
+  Given<StopAt> stop_at{StopAt::tolerance};
+  Given<unsigned int> maximum_iterations{100000};
+  Given<LinearSolver> linear_solver{LinearSolver::automatic};
+  Given<bool> warm_start{true};
+  Given<double> tolerated_error{0.2};
+  Given<bool> require_stability{false};
+};
+
+/** Forms of convergence.csv for people. */
+struct TableFormats
+{
+  bool markdown = false;
+  bool latex = false;
+};
+
+/** Subsection Output. */
+struct OutputParameters
+{
+  Given<TableFormats> tables;
+  Given<VtuLevels> vtu{VtuLevels::finest};
+  Given<Choice> inf_sup_constant{Choice::automatic};
+  Given<bool> compliance{false};
+  Given<bool> errors{true};
+  Given<bool> lemmas{false};
+  Given<bool> pictures{false};
+};
+
+/**
+ * Everything a user can set, as plain values: checked for their form, not yet for their meaning
+ * (names of sides and expressions are judged when the scene is made). A value knows where it was
+ * given.
+ */
+struct Parameters
+{
+  Given<unsigned int> dimension{2};
+  SceneParameters scene;
+  ConstantsParameters constants;
+  GeometryParameters geometry;
+  MaterialParameters material;
+  BoundaryParameters boundary;
+  LoadParameters load;
+  ContactParameters contact;
+  LoadCasesParameters load_cases;
+  ExactSolutionParameters exact;
+  DiscretizationParameters discretization;
+  SolverParameters solver;
+  OutputParameters output;
+
+  /** Every parameter as used, in the format of the parameter file. */
+  std::string echo;
+  /** The file the parameters were read from. */
+  std::string file_name;
+  /** The entries from Constants to Exact solution that are not at their defaults: a catalogue scene
+   * fixes them. */
+  std::vector<Entry> changes_of_scene;
+};
+
+/**
+ * Reads a parameter file and overrides of the form `Subsection/Parameter=value`. The override
+ * `Constants/NAME=value` changes one constant of the list `Constants/Values`.
+ * Throws InputError with one sentence for everything that is wrong.
+ */
+Parameters read_parameters(const std::string &file_name,
+                           const std::vector<std::string> &overrides = {});
+
+/**
+ * The same from a text; @p file_name is used in messages only. Files that the text names are looked
+ * for in @p folder, then in the working folder; their names become absolute, so that the echo works
+ * everywhere.
+ */
+Parameters parse_parameters(const std::string &text,
+                            const std::string &file_name,
+                            const std::vector<std::string> &overrides = {},
+                            const std::string &folder = "");
+
+/** Every parameter with its default, allowed values, unit and one line of help. */
+std::string describe_parameters();
+} // namespace Signorini

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/problem/scene/expression.h>
+
+#include <deal.II/base/function.h>
+
+#include <functional>
+#include <vector>
+
+namespace Signorini
+{
+/** A vector field of the plane as a deal.II function. */
+class FieldFunction final : public dealii::Function<2>
+{
+public:
+  using Field = std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)>;
+
+  explicit FieldFunction(Field field)
+    : dealii::Function<2>(2)
+    , field_(std::move(field))
+  {
+  }
+
+  double value(const dealii::Point<2> &x, const unsigned int component = 0) const override
+  {
+    return field_(x)[component];
+  }
+  void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override
+  {
+    const dealii::Tensor<1, 2> u = field_(x);
+    for (unsigned int d = 0; d < 2; ++d)
+      values[d] = u[d];
+  }
+
+private:
+  Field field_;
+};
+
+/**
+ * A deal.II function whose components are expressions. Its gradient is given by further expressions
+ * (component by component, dim each) or by fourth-order differences with the step @p h (length).
+ * Thread-safe; the functions for lists of points are the fast ones. Without gradients and step the
+ * function is data of the problem: its values must be finite and not beyond largest_magnitude
+ * (magnitudes.h), or InputError is thrown.
+ */
+template <int dim>
+class ExpressionFunction : public dealii::Function<dim>
+{
+public:
+  using Points = std::vector<dealii::Point<dim>>;
+  using Gradients = std::vector<dealii::Tensor<1, dim>>;
+
+  ExpressionFunction(std::vector<Expression<dim>> values,
+                     std::vector<Expression<dim>> gradients,
+                     double h);
+  /** Data of the problem, with checked values and without derivatives. */
+  explicit ExpressionFunction(std::vector<Expression<dim>> values);
+
+  /** Whether no component uses a coordinate. */
+  bool is_constant() const;
+
+  double value(const dealii::Point<dim> &x, unsigned int component = 0) const override;
+  void vector_value(const dealii::Point<dim> &x, dealii::Vector<double> &values) const override;
+  void value_list(const Points &points,
+                  std::vector<double> &values,
+                  unsigned int component = 0) const override;
+  void vector_value_list(const Points &points,
+                         std::vector<dealii::Vector<double>> &values) const override;
+  dealii::Tensor<1, dim> gradient(const dealii::Point<dim> &x,
+                                  unsigned int component = 0) const override;
+  void vector_gradient(const dealii::Point<dim> &x, Gradients &gradients) const override;
+  void gradient_list(const Points &points,
+                     Gradients &gradients,
+                     unsigned int component = 0) const override;
+  void vector_gradient_list(const Points &points, std::vector<Gradients> &gradients) const override;
+
+private:
+  /** @throws InputError if this is data and a value of a component cannot be used. */
+  void check(double value, unsigned int component, const dealii::Point<dim> &x) const;
+
+  /** du_c/dx_d at all points. */
+  void derivative_list(const Points &points,
+                       unsigned int component,
+                       unsigned int d,
+                       std::vector<double> &derivatives) const;
+
+  std::vector<Expression<dim>> values_;
+  std::vector<Expression<dim>> gradients_;
+  /** 0 for data. */
+  double h_;
+};
+
+/** Whether a function is known to be the same everywhere. */
+template <int dim>
+bool is_constant(const dealii::Function<dim> &function);
+} // namespace Signorini

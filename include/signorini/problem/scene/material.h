@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/problem/parameters/options.h>
+#include <signorini/problem/scene/expression.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+/** Hooke's tensor E_ijkl(x) of (1) (force/area). */
+template <int dim>
+class Material
+{
+public:
+  /** @param modulus E_0, a modulus of this material (force/area). */
+  explicit Material(const double modulus)
+    : modulus_(modulus)
+  {
+  }
+  virtual ~Material() = default;
+
+  /** E_0, the unit of stress in which systems of equations are solved (force/area). */
+  double modulus() const
+  {
+    return modulus_;
+  }
+  /** E_ijkl / E_0 at a point. @throws InputError where the data there is no material. */
+  virtual dealii::SymmetricTensor<4, dim> relative_hooke(const dealii::Point<dim> &x) const = 0;
+  /** E_ijkl at a point. @throws InputError like relative_hooke(). */
+  dealii::SymmetricTensor<4, dim> hooke(const dealii::Point<dim> &x) const
+  {
+    return modulus_ * relative_hooke(x);
+  }
+
+  /** Whether E_ijkl is the same everywhere. */
+  virtual bool is_constant() const = 0;
+
+  /** sigma_zz, the stress normal to the plane. The problem does not contain it, but the von Mises
+   * stress does. */
+  virtual double out_of_plane_stress(const dealii::Point<dim> &x,
+                                     const dealii::SymmetricTensor<2, dim> &strain) const = 0;
+
+private:
+  double modulus_;
+};
+
+/** sigma = lambda tr(eps) I + 2 mu eps, with lambda replaced by 2 lambda mu/(lambda + 2 mu) for
+ * plane stress. Young's modulus and Poisson's ratio may vary in space; E_0 is Young's modulus at
+ * the point @p reference. */
+template <int dim>
+std::shared_ptr<const Material<dim>>
+make_isotropic(const Expression<dim> &youngs_modulus,
+               const Expression<dim> &poissons_ratio,
+               PlaneState plane_state,
+               const dealii::Point<dim> &reference = dealii::Point<dim>());
+
+/** (s11,s22,s12) = C (e11,e22,2 e12) with the entries C11, C12, C13, C22, C23, C33; positive
+ * definite at every point; s33 = Z (e11,e22,2 e12) with the three entries Z of @p across, which is
+ * empty in plane stress. E_0 is C11 at the point @p reference. */
+std::shared_ptr<const Material<2>>
+make_general(const std::vector<Expression<2>> &entries,
+             const std::vector<Expression<2>> &across = {},
+             const dealii::Point<2> &reference = dealii::Point<2>());
+
+/** Moduli Q11, Q22, Q12, Q66 in axes that are rotated by @p degrees against the x-axis; s33 =
+ * Q31 e11 + Q32 e22 in these axes with the two entries of @p across, which is empty in plane
+ * stress. E_0 is Q11 at the point @p reference. */
+std::shared_ptr<const Material<2>>
+make_orthotropic(const std::vector<Expression<2>> &moduli,
+                 double degrees,
+                 const std::vector<Expression<2>> &across = {},
+                 const dealii::Point<2> &reference = dealii::Point<2>());
+
+/** In space: (s11, s22, s33, s23, s13, s12) = C (e11, e22, e33, 2 e23, 2 e13, 2 e12) with the upper
+ * triangle of C, row by row: C11, C12, ..., C16, C22, ..., C66; positive definite at every point.
+ * E_0 is C11 at the point @p reference. */
+std::shared_ptr<const Material<3>>
+make_general_in_space(const std::vector<Expression<3>> &entries,
+                      const dealii::Point<3> &reference = dealii::Point<3>());
+} // namespace Signorini

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/results/verdict/judge.h>
+
+#include <filesystem>
+#include <ostream>
+#include <vector>
+
+namespace Signorini
+{
+/** What ends a run on the screen: the answer of the finest level in lines of at most 80 columns.
+ * @param directory where the results are; empty: nowhere. */
+void print_answer(std::ostream &stream,
+                  const std::vector<LevelRecord> &levels,
+                  const std::filesystem::path &directory);
+
+/** answer.json: the same with all digits. */
+void write_answer(std::ostream &stream,
+                  const std::vector<LevelRecord> &levels,
+                  const StudyVerdict &verdict);
+} // namespace Signorini

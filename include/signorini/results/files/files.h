@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+using NameTest = std::function<bool(const std::string &name)>;
+
+/** Whether a run writes files of this name. */
+bool is_name_of_result(const std::string &name);
+constexpr const char *parameters_name = "parameters.prm";
+constexpr const char *certificate_name = "certificate.json";
+
+/** A directory for results, which is this run's alone as long as the object lives. */
+class ResultsDirectory
+{
+public:
+  /**
+   * Makes the directory with those above it, tries to write into it, and keeps other runs out of it
+   * (where the file system has locks).
+   * @param inputs files that the run reads. None of them may be in the directory, under any name or
+   * through a link, as a file whose name satisfies @p is_result: it would be replaced.
+   * @throws InputError if that is not possible; nothing is left behind then.
+   */
+  explicit ResultsDirectory(const std::filesystem::path &path,
+                            const std::vector<std::filesystem::path> &inputs = {},
+                            const NameTest &is_result = is_name_of_result);
+  ~ResultsDirectory();
+  ResultsDirectory(const ResultsDirectory &) = delete;
+  ResultsDirectory &operator=(const ResultsDirectory &) = delete;
+
+  /** Removes the directories that this object made, as far as they are empty. */
+  void remove_if_empty() const;
+
+private:
+  /** @return what speaks against the directory, empty if nothing does. */
+  std::string lock(const std::vector<std::filesystem::path> &inputs, const NameTest &is_result);
+  void unlock();
+
+  std::filesystem::path path_;
+  /** The directories that had to be made, each behind those above it. */
+  std::vector<std::filesystem::path> made_;
+  /** Of the open directory, which bears the lock; negative: none. */
+  int descriptor_ = -1;
+};
+
+/**
+ * The directory that a path led to when the object was made. It may be moved, removed or replaced
+ * while a run writes into it; then the files of the run would be scattered over two directories.
+ */
+class HeldDirectory
+{
+public:
+  explicit HeldDirectory(const std::filesystem::path &path);
+  ~HeldDirectory();
+  HeldDirectory(const HeldDirectory &) = delete;
+  HeldDirectory &operator=(const HeldDirectory &) = delete;
+
+  /** @throws WritingError if the path leads elsewhere now. */
+  void check() const;
+
+private:
+  std::filesystem::path path_;
+  /** Keeps the kernel from giving the directory's number to another one. */
+  int descriptor_;
+};
+
+/** The name under which a file is written until it is complete. */
+std::filesystem::path temporary_name(const std::filesystem::path &path);
+
+/**
+ * Writes a file under a temporary name and renames it when it is complete, so that a reader never
+ * meets half a file, even if the run is killed. @throws WritingError if the disk is full or the
+ * file cannot be written.
+ */
+void write_file(const std::filesystem::path &path,
+                const std::function<void(std::ostream &)> &write);
+
+/**
+ * Removes the files of a directory whose names satisfy @p is_removed; with a file goes what is left
+ * of an attempt to write it. @throws WritingError if one cannot be removed.
+ */
+void remove_files(const std::filesystem::path &directory, const NameTest &is_removed);
+
+/*
+ * The results of an earlier run stay in a hidden folder of their directory until the run that
+ * replaces them has a verdict. A run that is killed before that leaves them there.
+ */
+
+/** Moves the results into the folder, the certificate first; what was in it is removed.
+ * @throws WritingError if that is not possible; then they are where they were. */
+void set_results_aside(const std::filesystem::path &directory);
+/** Moves them back. */
+void put_results_back(const std::filesystem::path &directory);
+/** Removes the folder with the earlier results. @throws WritingError */
+void remove_results_aside(const std::filesystem::path &directory);
+
+/*
+ * How the program ends on a signal. Long runs are killed often, by a user or a queue, and a half
+ * written file must not look like a result. A signal handler takes no arguments, so it needs global
+ * variables: those of interruption.cc are the only ones of the program.
+ */
+
+/**
+ * Which of SIGINT, SIGTERM, SIGHUP and SIGQUIT end the process, and are not ignored (nohup). To be
+ * asked before MPI starts, since PETSc, which deal.II starts with it, takes some of them.
+ */
+std::vector<int> ending_signals();
+
+/**
+ * From here on the @p ending signals remove the file that is being written, print the sentence of
+ * describe_interruption(), and end the process as they would without a handler, also in the middle
+ * of a factorisation; the others of that list are ignored. SIGPIPE does nothing: writing to a
+ * closed pipe is an error of the stream.
+ */
+void handle_signals(const std::vector<int> &ending);
+
+/**
+ * What is said on stderr after "signorini: interrupted by signal N ": @p where, one line of at most
+ * 400 characters. Nothing is said before the first call, or if @p where is empty.
+ */
+void describe_interruption(const std::string &where);
+
+/**
+ * While an object of this class lives, a signal that ends the program removes its file. At most one
+ * lives at a time.
+ */
+class RemovedOnInterruption
+{
+public:
+  explicit RemovedOnInterruption(const std::filesystem::path &path);
+  ~RemovedOnInterruption();
+  RemovedOnInterruption(const RemovedOnInterruption &) = delete;
+  RemovedOnInterruption &operator=(const RemovedOnInterruption &) = delete;
+
+private:
+  const std::string path_;
+};
+
+/**
+ * A closed stdin, stdout or stderr becomes one that fails: otherwise the next file that is opened
+ * would take its number and receive what is printed. Writing beyond the limit of `ulimit -f`
+ * becomes an error of the stream, too. To be called first of all.
+ */
+void make_standard_streams_safe();
+} // namespace Signorini

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/error_control/bound/error_bound.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+/**
+ * Writes for ParaView u_h, the patch interpolation that comes closest to u (RecoveredDisplacement,
+ * where T^{2h} exists) and its stress in space, its von Mises stress and its principal stresses;
+ * and the bound cell by cell, where there is one. Cells of a degree p > 1 are divided into p x p,
+ * get the stress of u_h, and have the field "degree" in place of the bound. In space the file holds
+ * u_h and the same stresses at the corners of the cells, where the patch interpolation is u_h.
+ * Collective.
+ */
+template <int dim>
+void write_solution_vtu(const std::filesystem::path &path,
+                        const DisplacementSpace<dim> &space,
+                        const Scene<dim> &scene,
+                        const NodalVector &U,
+                        const BoundFields &bound,
+                        unsigned int number);
+
+/** Writes a .pvd that lists one file per level; the level plays the part of time. */
+void write_pvd(const std::filesystem::path &path,
+               const std::vector<std::pair<double, std::string>> &files);
+} // namespace Signorini

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/results/record/level_record.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/** A residual of the certificate that must vanish. */
+struct Residual
+{
+  double value = 0.;
+  /** As certificate.json calls it. */
+  const char *name = "";
+  /** What makes it large. */
+  enum class Origin
+  {
+    equilibrium,
+    contact,
+    supports
+  };
+  Origin origin = Origin::equilibrium;
+};
+
+/** The largest of the residuals that must vanish; one that is not a number is the largest. */
+Residual largest_residual(const Certificate &certificate);
+
+/** The relative change of U or of its forces by rounding, the larger of both. */
+double rounding(const LevelRecord &level);
+
+/** The bound of the relative error of u_h in the energy norm, where there is one; on curved sides
+ * it is an estimated bound. */
+std::optional<double> bound_of(const LevelRecord &level);
+
+/** Whether there is a bound that is guaranteed. */
+bool is_guaranteed(const LevelRecord &level);
+
+/** That bound, or else the estimated relative error in the energy norm. */
+std::optional<double> relative_error(const LevelRecord &level);
+
+/** What is known about the error of the finest level, half a sentence: its bound and its
+ * estimate, or why there is no bound and whether the estimate was checked. */
+std::string describe_accuracy(const std::vector<LevelRecord> &levels);
+
+enum class Outcome
+{
+  /** More levels follow. */
+  unfinished,
+  /** The equations are solved, and the guaranteed bound of the error is tolerated. */
+  certified,
+  /** The equations are solved, and what is estimated of the error is tolerated; there is no
+   * guaranteed bound for such a scene. */
+  equations_certified,
+  /** The same on a graded mesh. */
+  accuracy_estimated,
+  /** The equations are solved, but the error may be larger than what is tolerated. */
+  not_resolved,
+  /** The equations are not solved. */
+  not_certified
+};
+
+/** The outcome as certificate.json names it: "certified", "not resolved" and so on. */
+const char *word_for(Outcome outcome);
+
+/** Whether the answer of a study can be trusted. */
+struct StudyVerdict
+{
+  Outcome outcome = Outcome::unfinished;
+  /** Says why the study is not certified, and what helps; otherwise empty. */
+  std::string reason;
+  /** What is known about the error of the finest level, half a sentence; empty if nothing is. */
+  std::string accuracy;
+  /** The largest Judge::residual_bound() of the levels. */
+  double residual_bound = 0.;
+
+  /** Whether the equations are solved, however far the mesh is from the solution. */
+  bool equations_hold() const
+  {
+    return is_certified() || outcome == Outcome::not_resolved;
+  }
+  /** Whether the program ends with the exit code 0. */
+  bool is_certified() const
+  {
+    return outcome == Outcome::certified || outcome == Outcome::equations_certified ||
+           outcome == Outcome::accuracy_estimated;
+  }
+};
+
+/** What a user asks of an answer. */
+struct Demands
+{
+  /** On the KKT residual of the dual problem. */
+  double tolerance = 1e-10;
+  /** On the relative error in the energy norm: its bound, or else its estimate. */
+  double tolerated_error = 0.2;
+  /** The same for a study that refines until it is reached; 0: none. */
+  double target_error = 0.;
+  /** Whether the user has set the target. The usual one of graded meshes is only aimed at. */
+  bool target_is_given = true;
+  /** Whether graded meshes can solve the scene, too. */
+  bool can_be_graded = false;
+  /** Whether there is Element = Q1 B-bar. */
+  bool has_b_bar = true;
+};
+
+/** Decides what can be trusted: single levels, and a study. */
+class Judge
+{
+public:
+  explicit Judge(const Demands &demands);
+
+  double tolerance() const
+  {
+    return demands_.tolerance;
+  }
+  /** The largest relative error that is certified. */
+  double tolerated_error() const
+  {
+    return demands_.tolerated_error;
+  }
+  double target_error() const
+  {
+    return demands_.target_error;
+  }
+  /** Whether the target error has to be reached. */
+  bool requires_target() const
+  {
+    return demands_.target_error > 0. && demands_.target_is_given;
+  }
+  bool has_b_bar() const
+  {
+    return demands_.has_b_bar;
+  }
+  /** Whether refinement may stop at this level because it reaches the target error. */
+  bool reaches_target(const LevelRecord &level) const;
+  /** The bound on the certificate's residuals: a hundred times the tolerance, but at most one per
+   * cent, or a hundred times the rounding. */
+  double residual_bound(const LevelRecord &level) const;
+  /** One sentence that says why the answer of this level does not solve its equations; empty if it
+   * does. */
+  std::string doubt(const LevelRecord &level) const;
+  /** Whether there is no doubt() about a level. */
+  bool accepts(const LevelRecord &level) const
+  {
+    return doubt(level).empty();
+  }
+
+  /** The verdict on all levels of a study. */
+  StudyVerdict verdict(const std::vector<LevelRecord> &levels) const;
+  /** The verdict as long as more levels follow. */
+  StudyVerdict unfinished(const std::vector<LevelRecord> &levels) const;
+  /** The verdict on a study that an error has ended; @p reason is the error's message. */
+  StudyVerdict failed(const std::vector<LevelRecord> &levels, const std::string &reason) const;
+
+private:
+  double largest_residual_bound(const std::vector<LevelRecord> &levels) const;
+
+  Demands demands_;
+};
+} // namespace Signorini

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/solvers/contact/dual_problem.h>
+#include <signorini/solvers/stiffness/stiffness_inverse.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+/** Called with the number of columns of C that are finished. */
+using ColumnProgress = std::function<void(unsigned int)>;
+
+/** The rows of D that are not zero, in ascending order: the contact unknowns of factorise(). */
+std::vector<dealii::types::global_dof_index> contact_unknowns(const Coupling &condensed_D);
+
+/**
+ * C = D^T A^{-1} D with the condensed coupling, m x m, known to every rank.
+ *
+ * Where the factors hold A^{-1} for the contact unknowns (StiffnessInverse::trailing_factor), C is
+ * read from them without a solve. Otherwise C is a ColumnCompliance. The inverse and D must outlive
+ * the result. Collective, as is everything that the result is asked for.
+ *
+ * @param seconds the wall seconds of all work on C are added to it, also later.
+ */
+std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse &inverse,
+                                                          const Coupling &condensed_D,
+                                                          double &seconds,
+                                                          const ColumnProgress &progress = {});
+
+/**
+ * C = D^T A^{-1} D by columns C_k = D^T A^{-1} D_k, one solve each, computed when they are asked
+ * for and kept. Columns are symmetrised among each other.
+ */
+class ColumnCompliance final : public ComplianceOperator
+{
+public:
+  ColumnCompliance(const StiffnessInverse &inverse,
+                   const Coupling &condensed_D,
+                   double &seconds,
+                   ColumnProgress progress);
+
+  unsigned int size() const override;
+  /** Asks for the columns with P_k != 0. */
+  Vector apply(const Vector &P) const override;
+  /** Asks for all columns. */
+  Vector diagonal() const override;
+  Matrix columns(const Indices &numbers) const override;
+  const Matrix &dense() const override;
+  bool is_explicit() const override;
+
+private:
+  /** Computes what is missing of the given columns. */
+  void require(const Indices &numbers) const;
+  /** D^T A^{-1} D_k for the given k, m x n. */
+  Matrix solve_for(const Indices &numbers) const;
+  Indices all() const;
+
+  const StiffnessInverse &inverse_;
+  const Coupling &D_;
+  double &seconds_;
+  ColumnProgress progress_;
+  /** Columns and rows of the known numbers. */
+  mutable Matrix C_;
+  mutable std::vector<bool> known_;
+  mutable unsigned int n_known_ = 0;
+};
+
+/** C = D^T A^{-1} D by products, one solve each: for methods that ask for few products and for no
+ * entries. Each column that is asked for costs a solve, too, and is not kept. */
+class SolvedCompliance final : public ComplianceOperator
+{
+public:
+  /** @param diagonal in place of C_kk, which would cost as many solves as there are patches; it
+   * only scales the residual. All arguments must outlive the object. */
+  SolvedCompliance(const StiffnessInverse &inverse, const Coupling &condensed_D, Vector diagonal);
+
+  unsigned int size() const override;
+  Vector apply(const Vector &P) const override;
+  Vector diagonal() const override;
+  Matrix columns(const Indices &numbers) const override;
+  const Matrix &dense() const override;
+  bool is_explicit() const override;
+
+private:
+  const StiffnessInverse &inverse_;
+  const Coupling &D_;
+  Vector diagonal_;
+  /** Made when it is first asked for. */
+  mutable Matrix dense_;
+};
+} // namespace Signorini

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/solvers/contact/dual_problem.h>
+
+#include <functional>
+
+namespace Signorini
+{
+/** z on a set of indices, z = M^{-1} r with M close to C there, symmetric positive definite. */
+using SetPreconditioner = std::function<dealii::Vector<double>(const std::vector<unsigned int> &set,
+                                                               const dealii::Vector<double> &r)>;
+
+/** What MPRGP is told. */
+struct MprgpOptions
+{
+  /** For the KKT residual. */
+  double tolerance = 1e-10;
+  /** Products with C before giving up. */
+  unsigned int maximum_iterations = 100000;
+  /** Of C restricted to the free set, {P < bound}; empty: none. */
+  SetPreconditioner preconditioner = {};
+};
+
+/**
+ * MPRGP, modified proportioning with reduced gradient projections (Dostal and Schoeberl, Comput.
+ * Optim. Appl. 30 (2005) 23-43), with preconditioning in the face: conjugate gradients on the free
+ * set while the free gradient outweighs what the active set could gain; a step along that gain
+ * otherwise; where a bound stops a step, a projected gradient step of the length 1.9/|C| behind it.
+ * |C| is estimated by ten steps of the power method.
+ *
+ * QPResult::iterations counts products with C; nothing else of C is needed but its diagonal.
+ */
+QPResult solve_by_mprgp(const BoundConstrainedQP &qp,
+                        const dealii::Vector<double> &start,
+                        const MprgpOptions &options);
+} // namespace Signorini

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/solvers/contact/dual_problem.h>
+
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <memory>
+
+namespace Signorini
+{
+/**
+ * C^ in place of C = D^T A^{-1} D: an operator that is cheap and spectrally equivalent,
+ * c P^T C^ P <= P^T C P <= t P^T C^ P with c and t that do not depend on h. Symmetric positive
+ * definite, in the units of C.
+ *
+ * It knows the surface of the body, not its inside: its own supports change c and t, not the order
+ * of the modes.
+ */
+class BoundaryModel : public ComplianceOperator
+{
+public:
+  /** C^_ij. */
+  virtual double entry(unsigned int i, unsigned int j) const = 0;
+  /** C^^{-1} P, or something close to it. */
+  virtual Vector apply_inverse(const Vector &P) const = 0;
+  /**
+   * x with C^_SS x = @p rhs for a set S of multipliers. Small sets by Cholesky's factorisation,
+   * which is kept for the next call with the same set; larger ones by conjugate gradients, with
+   * (C^^{-1})_SS as preconditioner, to 1e-10 of the right-hand side.
+   */
+  Vector solve(const Indices &set, const Vector &rhs) const;
+
+  Vector diagonal() const override;
+  Matrix columns(const Indices &numbers) const override;
+  /** Made when it is first asked for. */
+  const Matrix &dense() const override;
+  bool is_explicit() const override;
+
+protected:
+  /** @param largest_factorised size of sets that are factorised. */
+  explicit BoundaryModel(unsigned int largest_factorised);
+
+private:
+  Vector solve_by_factor(const Indices &set, const Vector &rhs) const;
+  Vector solve_by_gradients(const Indices &set, const Vector &rhs) const;
+
+  unsigned int largest_factorised_;
+  // What has been computed once; no answer depends on them.
+  mutable Matrix dense_;
+  mutable Indices factorised_set_;
+  mutable dealii::LAPACKFullMatrix<double> factor_;
+};
+
+/**
+ * C^ for constants on the patches of a surface. Where every contact side is straight (flat) and
+ * divided into a grid of equal patches, one CosineModel block for each side; elsewhere the
+ * KernelModel of the half space over all sides. Both take the moduli of the material at the middle
+ * of each patch: with M = sigma_nn for eps = n n and mu the mean shear modulus on the surface,
+ * E' = 4 mu (1 - mu/M), which is E/(1 - nu^2) (plane stress: E).
+ *
+ * @throws ComputationError for other multipliers than constants, and where the kernel would need
+ * more than 6000 patches.
+ */
+template <int dim>
+std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<dim> &multipliers);
+
+/** The same with the kernel on all sides. */
+template <int dim>
+std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<dim> &multipliers);
+
+/** The same for constants on other patches of the surface's sides. */
+template <int dim>
+std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim> &surface,
+                                                       const std::vector<Patch<dim>> &patches);
+} // namespace Signorini

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/solvers/multigrid/block_grid.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+/** How matrices of cells follow from where their vertices lie, for a constant tensor. */
+template <int dim, typename Number>
+struct PointRule
+{
+  static constexpr unsigned int n_strains = dim * (dim + 1) / 2;
+  static constexpr unsigned int n_moduli = n_strains * (n_strains + 1) / 2;
+
+  /** Of nodes, in the body of size one. */
+  LevelVector<dim, Number> places;
+  /** E/E_0 in Voigt's notation, by rows of its lower triangle; 11, 22, (33,) 12, (13, 23). */
+  std::array<Number, n_moduli> moduli;
+  /** Derivatives of shape functions on the reference cell, [point][vertex][direction]. */
+  std::vector<Number> gradients;
+  /** Of the points. */
+  std::vector<Number> weights;
+};
+
+/**
+ * The stiffness matrices of the cells of one level, for n_lanes cells at a time: one that all of
+ * them share, one for each lane, or none where products are integrated. Unknown i = dim v + c of a
+ * cell is component c at vertex v.
+ */
+template <int dim, typename Number>
+class CellMatrices
+{
+public:
+  static constexpr unsigned int n_dofs = dim << dim;
+  /** Of a symmetric matrix: i >= j at i (i + 1)/2 + j. */
+  static constexpr unsigned int n_entries = n_dofs * (n_dofs + 1) / 2;
+  /** What one batch with matrices of its own takes. */
+  static constexpr std::size_t batch_size = static_cast<std::size_t>(n_entries) * n_lanes;
+
+  explicit CellMatrices(const std::size_t n_batches)
+    : of_batch(n_batches)
+  {
+  }
+  /** The same numbers with another precision; @p new_rule replaces the rule of the other. */
+  template <typename Other>
+  CellMatrices(const CellMatrices<dim, Other> &other,
+               std::shared_ptr<const PointRule<dim, Number>> new_rule)
+    : of_batch(other.of_batch)
+    , shared(other.shared.begin(), other.shared.end())
+    , stored(other.stored.begin(), other.stored.end())
+    , rule(std::move(new_rule))
+  {
+  }
+
+  static unsigned int entry(const unsigned int i, const unsigned int j)
+  {
+    return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i;
+  }
+  bool is_shared(const std::size_t batch) const
+  {
+    return of_batch[batch] >= 0;
+  }
+  bool is_integrated(const std::size_t batch) const
+  {
+    return of_batch[batch] == integrated;
+  }
+  /** Full, n_dofs by n_dofs. */
+  const Number *shared_matrix(const std::size_t batch) const
+  {
+    return &shared[static_cast<std::size_t>(of_batch[batch]) * n_dofs * n_dofs];
+  }
+  /** [entry][lane]. */
+  const Number *stored_matrices(const std::size_t batch) const
+  {
+    return &stored[static_cast<std::size_t>(-1 - of_batch[batch]) * batch_size];
+  }
+  Number *stored_matrices(const std::size_t batch)
+  {
+    return &stored[static_cast<std::size_t>(-1 - of_batch[batch]) * batch_size];
+  }
+  /** Room for matrices of its own. */
+  void store(const std::size_t batch)
+  {
+    of_batch[batch] = -1 - static_cast<int>(stored.size() / batch_size);
+    stored.resize(stored.size() + batch_size);
+  }
+  std::size_t memory() const
+  {
+    return of_batch.capacity() * sizeof(int) +
+           (shared.capacity() + stored.capacity()) * sizeof(Number) +
+           (rule == nullptr ? 0 : rule->places.memory());
+  }
+
+  static constexpr int integrated = std::numeric_limits<int>::min();
+  /** By batch: the number of a shared matrix, -1 - the number of n_lanes stored ones, or
+   * integrated. */
+  std::vector<int> of_batch;
+  std::vector<Number> shared, stored;
+  /** For integrated ones. */
+  std::shared_ptr<const PointRule<dim, Number>> rule;
+};
+
+/** The rule of the next coarser level: with its nodes. */
+template <int dim, typename Number>
+std::shared_ptr<const PointRule<dim, Number>> coarsen(const PointRule<dim, Number> &fine,
+                                                      const BlockGrid<dim> &coarse_grid);
+
+/**
+ * The matrices of the next coarser level: the energy of functions that are linear along the edges
+ * of its cells, sum over the children of P^T K P. In double precision: a slender body bends with
+ * less energy than rounding to single precision gives to rigid motions of its cells.
+ */
+template <int dim>
+CellMatrices<dim, double> coarsen(const CellMatrices<dim, double> &fine,
+                                  const BlockGrid<dim> &fine_grid,
+                                  const BlockGrid<dim> &coarse_grid);
+} // namespace Signorini

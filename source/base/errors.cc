@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// One sentence, on one line.
+
+#include <signorini/base/errors.h>
+#include <signorini/base/text.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <boost/serialization/utility.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <new>
+#include <string>
+
+namespace Signorini
+{
+std::string one_line(std::string sentence)
+{
+  std::replace_if(
+    sentence.begin(),
+    sentence.end(),
+    [](const unsigned char c) { return std::iscntrl(c) != 0; },
+    '?');
+  return sentence;
+}
+
+// An error on one rank becomes the same error on all.
+
+namespace
+{
+enum class Outcome
+{
+  success,
+  input_error,
+  computation_error,
+  writing_error,
+  out_of_memory,
+  other_error
+};
+
+[[noreturn]] void rethrow(const Outcome outcome, const std::string &message)
+{
+  if (outcome == Outcome::input_error)
+    throw InputError(message);
+  if (outcome == Outcome::computation_error)
+    throw ComputationError(message);
+  if (outcome == Outcome::writing_error)
+    throw WritingError(message);
+  if (outcome == Outcome::out_of_memory)
+    throw std::bad_alloc();
+  throw std::runtime_error(message);
+}
+} // namespace
+
+void agree(MPI_Comm communicator, const std::function<void()> &work)
+{
+  Outcome outcome = Outcome::success;
+  std::string message;
+  try
+  {
+    work();
+  }
+  catch (const InputError &error)
+  {
+    outcome = Outcome::input_error;
+    message = error.what();
+  }
+  catch (const WritingError &error)
+  {
+    outcome = Outcome::writing_error;
+    message = error.what();
+  }
+  catch (const ComputationError &error)
+  {
+    outcome = Outcome::computation_error;
+    message = error.what();
+  }
+  catch (const std::bad_alloc &)
+  {
+    outcome = Outcome::out_of_memory;
+  }
+  catch (const std::exception &error)
+  {
+    outcome = Outcome::other_error;
+    message = error.what();
+  }
+  const auto outcomes = dealii::Utilities::MPI::all_gather(
+    communicator, std::make_pair(static_cast<int>(outcome), message));
+  for (const auto &other : outcomes)
+    if (other.first != static_cast<int>(Outcome::success))
+      rethrow(static_cast<Outcome>(other.first), other.second);
+}
+
+std::string list_ranks(MPI_Comm communicator, const bool condition)
+{
+  const std::vector<int> all =
+    dealii::Utilities::MPI::all_gather(communicator, static_cast<int>(condition));
+  std::vector<std::string> ranks;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i] != 0)
+      ranks.push_back(std::to_string(i));
+  if (ranks.empty())
+    return "";
+  return (ranks.size() == 1 ? "rank " : "the ranks ") + join(ranks);
+}
+} // namespace Signorini

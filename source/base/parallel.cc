@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Threads of one process.
+
+#include <signorini/base/errors.h>
+#include <signorini/base/parallel.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <thread>
+
+namespace Signorini
+{
+unsigned int number_of_threads(MPI_Comm communicator)
+{
+  if (const char *const given = std::getenv("DEAL_II_NUM_THREADS"))
+    return static_cast<unsigned int>(std::max(1L, std::strtol(given, nullptr, 10)));
+  int n_ranks = 1;
+  MPI_Comm_size(communicator, &n_ranks);
+  return n_ranks > 1 ? 1U : std::max(1U, std::thread::hardware_concurrency());
+}
+
+void work_on_ranges(const unsigned int n_threads,
+                    const std::size_t n,
+                    const std::function<void(std::size_t, std::size_t)> &work)
+{
+  constexpr std::size_t length = 512;
+  produce_in_parallel<bool>(
+    n_threads,
+    (n + length - 1) / length,
+    [&](const std::size_t i) {
+      work(i * length, std::min(n, (i + 1) * length));
+      return true;
+    },
+    [](const bool) {});
+}
+
+// Texts of all ranks for the one that writes files.
+
+std::vector<std::string> gather_texts(std::string text, MPI_Comm communicator)
+{
+  const int rank = static_cast<int>(dealii::Utilities::MPI::this_mpi_process(communicator));
+  const int n_ranks = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(communicator));
+  const auto sizes = dealii::Utilities::MPI::all_gather(communicator, text.size());
+  if (*std::max_element(sizes.begin(), sizes.end()) > std::numeric_limits<int>::max())
+    throw ComputationError("A rank's part of a file has more than 2 GiB; more ranks, 'VTU = "
+                           "none' or 'Compliance = false' avoid that.");
+  const auto size = [&](const int r) { return static_cast<int>(sizes[static_cast<unsigned>(r)]); };
+  if (rank != 0)
+  {
+    MPI_Send(text.data(), size(rank), MPI_CHAR, 0, 0, communicator);
+    return {};
+  }
+  std::vector<std::string> texts = {std::move(text)};
+  for (int r = 1; r < n_ranks; ++r)
+  {
+    texts.emplace_back(sizes[static_cast<unsigned>(r)], ' ');
+    MPI_Recv(texts.back().data(), size(r), MPI_CHAR, r, 0, communicator, MPI_STATUS_IGNORE);
+  }
+  return texts;
+}
+} // namespace Signorini

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// V^h and its essential boundary conditions.
+
+#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/problem/scene/rigid_motions.h>
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/numerics/vector_tools_boundary.h>
+#include <deal.II/numerics/vector_tools_constraints.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace Signorini
+{
+namespace
+{
+/** What clamped, prescribed and roller sides say about u_h. */
+template <int dim>
+dealii::AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh,
+                                                       const dealii::DoFHandler<dim> &dofs,
+                                                       const Scene<dim> &scene)
+{
+  const dealii::Functions::ZeroFunction<dim> zero(dim);
+  std::map<dealii::types::boundary_id, const dealii::Function<dim> *> displacements;
+  std::set<dealii::types::boundary_id> rollers;
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+  {
+    const BoundaryCondition<dim> &condition = scene.boundary[i];
+    if (condition.role == Role::clamped)
+      displacements[i] = &zero;
+    else if (condition.role == Role::displacement)
+      displacements[i] = condition.data.get();
+    else if (condition.role == Role::roller)
+      rollers.insert(i);
+  }
+  dealii::AffineConstraints<double> conditions;
+  dealii::VectorTools::interpolate_boundary_values(mesh.mapping(), dofs, displacements, conditions);
+  // Where a roller meets a clamped or prescribed side, the entries above stay.
+  if (!rollers.empty())
+    dealii::VectorTools::compute_no_normal_flux_constraints(
+      dofs, 0, rollers, conditions, mesh.mapping());
+  conditions.close();
+  return conditions;
+}
+
+/** Vertices of the coarse mesh that do not hang: off the contact sides, as far as there are any. */
+std::vector<DisplacementSpace<2>::Pin>
+pin_candidates(const dealii::DoFHandler<2> &dofs,
+               const Scene<2> &scene,
+               const dealii::AffineConstraints<double> &essential)
+{
+  std::set<unsigned int> coarse, touching;
+  for (const auto &cell : dofs.get_triangulation().cell_iterators_on_level(0))
+    for (const unsigned int v : cell->vertex_indices())
+      coarse.insert(cell->vertex_index(v));
+  for (const auto &face : dofs.get_triangulation().active_face_iterators())
+    if (face->at_boundary() && scene.boundary[face->boundary_id()].role == Role::contact)
+      touching.insert({face->vertex_index(0), face->vertex_index(1)});
+  std::vector<DisplacementSpace<2>::Pin> candidates, on_contact;
+  std::set<unsigned int> seen;
+  for (const auto &cell : dofs.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+    {
+      const unsigned int vertex = cell->vertex_index(v);
+      if (coarse.count(vertex) > 0 && seen.insert(vertex).second)
+        for (unsigned int c = 0; c < 2; ++c)
+        {
+          const auto dof = cell->vertex_dof_index(v, c, cell->active_fe_index());
+          if (!essential.is_constrained(dof))
+            (touching.count(vertex) > 0 ? on_contact : candidates)
+              .push_back({dof, cell->vertex(v), c});
+        }
+    }
+  // Three components at two vertices hold a body; more let them lie far from each other.
+  constexpr std::size_t enough = 6;
+  if (candidates.size() < enough)
+    candidates.insert(candidates.end(), on_contact.begin(), on_contact.end());
+  return candidates;
+}
+
+/** As many pins as there are motions, chosen one after the other where the motions that are left
+ * are largest. */
+std::vector<DisplacementSpace<2>::Pin>
+choose_pins(const dealii::DoFHandler<2> &dofs,
+            const Scene<2> &scene,
+            const dealii::AffineConstraints<double> &essential)
+{
+  std::vector<RigidMotion> motions = free_rigid_motions(scene);
+  const auto candidates = pin_candidates(dofs, scene, essential);
+  const auto speed = [](const RigidMotion &motion, const DisplacementSpace<2>::Pin &pin) {
+    return motion.velocity(pin.node)[pin.component];
+  };
+  std::vector<DisplacementSpace<2>::Pin> pins;
+  while (!motions.empty())
+  {
+    std::size_t best = 0, fastest = 0;
+    double largest = 0.;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      for (std::size_t k = 0; k < motions.size(); ++k)
+        if (std::abs(speed(motions[k], candidates[i])) > largest)
+        {
+          largest = std::abs(speed(motions[k], candidates[i]));
+          best = i;
+          fastest = k;
+        }
+    const DisplacementSpace<2>::Pin &pin = candidates[best];
+    const RigidMotion stopped = motions[fastest];
+    motions.erase(motions.begin() + fastest);
+    for (RigidMotion &motion : motions)
+      motion = combine({motion, stopped}, {1., -speed(motion, pin) / speed(stopped, pin)});
+    pins.push_back(pin);
+  }
+  return pins;
+}
+
+/** Constrained degrees of freedom and those that they follow: on an oblique roller both components
+ * of a node carry the reaction. */
+dealii::IndexSet held_dofs(const dealii::AffineConstraints<double> &conditions,
+                           const dealii::types::global_dof_index n_dofs)
+{
+  dealii::IndexSet held(n_dofs);
+  for (const auto &line : conditions.get_lines())
+  {
+    held.add_index(line.index);
+    for (const auto &entry : line.entries)
+      held.add_index(entry.first);
+  }
+  held.compress();
+  return held;
+}
+
+/** What keeps u_h continuous at hanging nodes and between different degrees. */
+template <int dim>
+dealii::AffineConstraints<double> continuity_conditions(const dealii::DoFHandler<dim> &dofs)
+{
+  dealii::AffineConstraints<double> conditions;
+  if (dofs.get_triangulation().has_hanging_nodes() || dofs.get_fe_collection().size() > 1)
+    dealii::DoFTools::make_hanging_node_constraints(dofs, conditions);
+  conditions.close();
+  return conditions;
+}
+
+/** Constrained values of w = T w_free. */
+void set_constrained(const dealii::AffineConstraints<double> &constraints, NodalVector &w)
+{
+  for (const auto &line : constraints.get_lines())
+  {
+    w[line.index] = 0.;
+    for (const auto &entry : line.entries)
+      w[line.index] += entry.second * w[entry.first];
+  }
+}
+
+/** Both; where a degree of freedom has both, the essential condition. */
+dealii::AffineConstraints<double> merge(dealii::AffineConstraints<double> essential,
+                                        const dealii::AffineConstraints<double> &continuity)
+{
+  if (continuity.n_constraints() == 0)
+    return essential;
+  dealii::AffineConstraints<double> constraints(continuity);
+  constraints.merge(essential, dealii::AffineConstraints<double>::right_object_wins);
+  constraints.close();
+  return constraints;
+}
+} // namespace
+
+template <int dim>
+DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
+                                          const Scene<dim> &scene,
+                                          const StrainOperator strain_operator,
+                                          const unsigned int degree)
+  : mesh_(mesh)
+  , strain_operator_(strain_operator)
+  , dofs_(mesh.triangulation())
+{
+  distribute(scene,
+             dealii::hp::FECollection<dim>(dealii::FESystem<dim>(dealii::FE_Q<dim>(degree), dim)));
+}
+
+template <int dim>
+DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
+                                          const Scene<dim> &scene,
+                                          const std::vector<unsigned int> &degrees)
+  : mesh_(mesh)
+  , strain_operator_(StrainOperator::symmetric_gradient)
+  , dofs_(mesh.triangulation())
+{
+  AssertDimension(degrees.size(), mesh.triangulation().n_active_cells());
+  constexpr unsigned int lowest = 2;
+  const unsigned int highest = *std::max_element(degrees.begin(), degrees.end());
+  dealii::hp::FECollection<dim> elements;
+  for (unsigned int degree = lowest; degree <= highest; ++degree)
+    elements.push_back(dealii::FESystem<dim>(dealii::FE_Q<dim>(degree), dim));
+  if (elements.size() > 1)
+    for (const auto &cell : dofs_.active_cell_iterators())
+      cell->set_active_fe_index(degrees[cell->active_cell_index()] - lowest);
+  distribute(scene, elements);
+}
+
+template <int dim>
+void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
+                                        const dealii::hp::FECollection<dim> &elements)
+{
+  dofs_.distribute_dofs(elements);
+  auto essential = essential_conditions(mesh_, dofs_, scene);
+  supports_ = held_dofs(essential, dofs_.n_dofs());
+  continuity_ = continuity_conditions(dofs_);
+  if constexpr (dim == 2)
+    if (scene.is_held_by_contact)
+    {
+      pins_ = choose_pins(dofs_, scene, essential);
+      constraints_without_pins_ = merge(essential_conditions(mesh_, dofs_, scene), continuity_);
+      dealii::AffineConstraints<double> conditions;
+      conditions.merge(essential);
+      for (const Pin &pin : pins_)
+        conditions.add_line(pin.dof);
+      conditions.close();
+      essential = std::move(conditions);
+    }
+  constraints_ = merge(std::move(essential), continuity_);
+}
+
+template <int dim>
+DistributedVector DisplacementSpace<dim>::make_vector() const
+{
+  return DistributedVector(locally_owned(), mesh_.communicator());
+}
+
+template <int dim>
+NodalVector DisplacementSpace<dim>::complete(const DistributedVector &free_values) const
+{
+  NodalVector values(free_values);
+  constraints_.distribute(values);
+  return values;
+}
+
+template <int dim>
+NodalVector DisplacementSpace<dim>::prescribed(const Scene<dim> &scene) const
+{
+  NodalVector k(dofs_.n_dofs());
+  merge(essential_conditions(mesh_, dofs_, scene), continuity_).distribute(k);
+  return k;
+}
+
+template <int dim>
+void DisplacementSpace<dim>::distribute_homogeneous(NodalVector &w) const
+{
+  set_constrained(constraints_, w);
+}
+
+template <int dim>
+void DisplacementSpace<dim>::distribute_without_pins(NodalVector &w) const
+{
+  set_constrained(constraints_without_pins(), w);
+}
+
+template <int dim>
+NodalVector DisplacementSpace<dim>::condense(const NodalVector &functional) const
+{
+  // AffineConstraints::condense() refuses prescribed displacements, which T leaves out.
+  NodalVector condensed = functional;
+  for (const auto &line : constraints_.get_lines())
+  {
+    for (const auto &entry : line.entries)
+      condensed[entry.first] += entry.second * functional[line.index];
+    condensed[line.index] = 0.;
+  }
+  return condensed;
+}
+
+template <int dim>
+void DisplacementSpace<dim>::carry_to_masters(NodalVector &functional) const
+{
+  for (const auto &line : continuity_.get_lines())
+  {
+    for (const auto &entry : line.entries)
+      functional[entry.first] += entry.second * functional[line.index];
+    functional[line.index] = 0.;
+  }
+}
+
+template <int dim>
+typename dealii::DoFHandler<dim>::active_cell_iterator
+DisplacementSpace<dim>::dof_cell(const CellIterator &cell) const
+{
+  return {&mesh_.triangulation(), cell->level(), cell->index(), &dofs_};
+}
+
+template <int dim>
+std::vector<dealii::types::global_dof_index>
+DisplacementSpace<dim>::cell_dofs(const CellIterator &cell) const
+{
+  std::vector<dealii::types::global_dof_index> indices(element(cell).n_dofs_per_cell());
+  dof_cell(cell)->get_dof_indices(indices);
+  return indices;
+}
+
+template class DisplacementSpace<2>;
+template class DisplacementSpace<3>;
+} // namespace Signorini

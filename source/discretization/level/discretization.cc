@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The spaces and couplings of one level, and the partitions that are refused.
+
+#include <signorini/base/columns.h>
+#include <signorini/base/errors.h>
+#include <signorini/discretization/level/discretization.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+/** On coarse meshes the data varies much from cell to cell, and accurate integrals cost little. */
+unsigned int additional_points(const unsigned int n_cells)
+{
+  return n_cells <= 64 ? 6 : n_cells <= 1024 ? 3 : n_cells <= 16384 ? 1 : 0;
+}
+
+StrainOperator strain_operator(const Element element)
+{
+  return element == Element::q1_b_bar ? StrainOperator::mean_dilatation
+                                      : StrainOperator::symmetric_gradient;
+}
+
+/** C is singular anyway where patches are finer than faces; those that are far finer even on the
+ * finest level only cost time. */
+constexpr unsigned int most_patches_per_face = 4;
+
+template <int dim>
+void refuse_needless_patches(const Parameters &parameters,
+                             const unsigned int level,
+                             const ContactSurface<dim> &surface)
+{
+  const unsigned int finer = std::max(parameters.discretization.finest_level.value, level) - level;
+  const std::size_t n_faces = surface.faces().size() << ((dim - 1) * finer);
+  const std::size_t n_patches = surface.patches().size();
+  if (n_patches > most_patches_per_face * n_faces)
+    throw InputError(parameters.discretization.patches.where() + ": found " +
+                     std::to_string(n_patches) + " patches on the " + std::to_string(n_faces) +
+                     " contact faces of the finest level, allowed: at most " +
+                     std::to_string(most_patches_per_face) + " per face.");
+}
+
+/** A patch without a free node next to it cannot feel or do anything. */
+void refuse_blind_patches(const Parameters &parameters, const Coupling &condensed_D)
+{
+  for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
+    if (condensed_D.column(k).empty())
+      throw InputError(parameters.discretization.coarsest_level.where() + ": contact patch " +
+                       std::to_string(k) +
+                       " sees no free mesh node on the coarsest level, allowed: a finer coarsest "
+                       "level, fewer patches or a larger patch ratio.");
+}
+
+template <int dim>
+void refuse_unstable_patches(const Parameters &parameters, const ContactSurface<dim> &surface)
+{
+  if (!surface.has_unstable_patch())
+    return;
+  if (dim == 3)
+    throw InputError(parameters.discretization.coarsest_level.where() + ": found '" +
+                     std::to_string(parameters.discretization.coarsest_level.value) +
+                     "', where a contact patch is a single face (H = h), which is not stable in "
+                     "space, allowed: levels or Geometry/Cells with at least two faces per patch "
+                     "and direction.");
+  if (parameters.solver.require_stability)
+    throw InputError(parameters.solver.require_stability.where() +
+                     ": a contact patch is no longer than a face (H = h), which is not inf-sup "
+                     "stable, allowed: a Patch ratio of at least 2 and levels on which every side "
+                     "has at least two faces per patch.");
+}
+
+/** Gamma_c, face by face. With Gauss points enough for a trace, a multiplier and a component of the
+ * normal of a curved face; for collocation with the nodes. */
+ContactSurface<2> make_surface(const DisplacementSpace<2> &space,
+                               const Scene<2> &scene,
+                               const HpMultipliers multipliers)
+{
+  std::vector<unsigned int> n_points = degrees_of(space);
+  const bool nodal = multipliers == HpMultipliers::nodal;
+  for (unsigned int &n : n_points)
+    n += nodal ? 1 : space.mesh().is_curved() ? 3 : 0;
+  return ContactSurface<2>(
+    space.mesh(), scene, n_points, nodal ? FaceRule::lobatto : FaceRule::gauss);
+}
+
+double largest_entry(const Coupling::Column &column)
+{
+  double largest = 0.;
+  for (const auto &entry : column)
+    largest = std::max(largest, std::abs(entry.second));
+  return largest;
+}
+
+/** P_{p-2} on every face of degree p; for collocation one unknown for every node whose normal
+ * displacement is not prescribed. */
+MultiplierSpace<2> make_multipliers(const DisplacementSpace<2> &space,
+                                    const ContactSurface<2> &surface,
+                                    const HpMultipliers multipliers)
+{
+  const bool nodal = multipliers == HpMultipliers::nodal;
+  std::vector<unsigned int> n_nodes(surface.patches().size());
+  for (const Piece<2> &piece : surface.pieces())
+    n_nodes[piece.patch] =
+      space.element(surface.faces()[piece.face].cell).degree + (nodal ? 1 : -1);
+  if (!nodal)
+    return MultiplierSpace<2>(surface, n_nodes);
+  const auto nodes = MultiplierSpace<2>::Nodes::lobatto;
+  const Coupling D = assemble_coupling(space, MultiplierSpace<2>(surface, n_nodes, nodes));
+  const Coupling condensed_D = condense(D, space.constraints());
+  // On curved faces the function of a node does not vanish exactly at the others.
+  constexpr double negligible = 1e-4;
+  std::vector<unsigned int> held;
+  for (unsigned int k = 0; k < D.n_columns(); ++k)
+    if (largest_entry(condensed_D.column(k)) <= negligible * largest_entry(D.column(k)))
+      held.push_back(k);
+  return MultiplierSpace<2>(surface, n_nodes, nodes, held);
+}
+} // namespace
+
+template <int dim>
+Discretization<dim>::Discretization(const Parameters &parameters,
+                                    const Scene<dim> &scene,
+                                    const unsigned int level,
+                                    MPI_Comm communicator)
+  : mesh(timed(times.mesh,
+               [&]() {
+                 return Mesh<dim>(
+                   scene.geometry, parameters.discretization.coarsest_level, level, communicator);
+               }))
+  , n_points(parameters.discretization.quadrature_points +
+             additional_points(mesh.triangulation().n_active_cells()))
+  , space(timed(times.setup,
+                [&]() {
+                  return DisplacementSpace<dim>(
+                    mesh, scene, strain_operator(parameters.discretization.element));
+                }))
+  , is_graded(false)
+  , surface(timed(times.setup,
+                  [&]() {
+                    return ContactSurface<dim>(mesh,
+                                               scene,
+                                               Partition{parameters.discretization.patch_ratio,
+                                                         parameters.discretization.patches});
+                  }))
+  , multipliers(surface)
+  , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
+  , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
+  , G(timed(times.setup, [&]() { return assemble_gap_of(scene); }))
+{
+  refuse_blind_patches(parameters, condensed_D);
+  refuse_needless_patches(parameters, level, surface);
+  refuse_unstable_patches(parameters, surface);
+}
+
+template <>
+Discretization<2>::Discretization(const Parameters &parameters,
+                                  const Scene<2> &scene,
+                                  const MeshPlan &plan)
+  : mesh(timed(times.mesh, [&]() { return make_mesh(plan, scene); }))
+  , n_points(parameters.discretization.quadrature_points)
+  , space(timed(times.setup,
+                [&]() { return DisplacementSpace<2>(mesh, scene, plan_degrees(plan, mesh)); }))
+  , is_graded(true)
+  , surface(
+      timed(times.setup,
+            [&]() { return make_surface(space, scene, parameters.discretization.multipliers); }))
+  , multipliers(timed(
+      times.setup,
+      [&]() { return make_multipliers(space, surface, parameters.discretization.multipliers); }))
+  , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
+  , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
+  , G(timed(times.setup, [&]() { return assemble_gap_of(scene); }))
+{
+  refuse_blind_patches(parameters, condensed_D);
+}
+
+template <int dim>
+dealii::Vector<double> Discretization<dim>::assemble_gap_of(const Scene<dim> &scene) const
+{
+  if (is_graded)
+    return assemble_gap(multipliers, scene.boundary, n_points + 2, Grading::none);
+  return assemble_gap(multipliers, scene.boundary, n_points);
+}
+
+std::vector<unsigned int> degrees_of(const DisplacementSpace<2> &space)
+{
+  std::vector<unsigned int> degrees;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    degrees.push_back(cell->get_fe().degree);
+  return degrees;
+}
+
+template struct Discretization<2>;
+template struct Discretization<3>;
+} // namespace Signorini

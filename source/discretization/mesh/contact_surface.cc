@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Rows and columns of the patches of a rectangle.
+
+#include <signorini/base/errors.h>
+#include <signorini/discretization/mesh/contact_surface.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace Signorini
+{
+namespace
+{
+constexpr unsigned int no_patch = dealii::numbers::invalid_unsigned_int;
+
+/** The ends of the intervals that the patches [first, last) cover in one coordinate. */
+std::vector<double> ends_of(const std::vector<Patch<3>> &patches,
+                            const std::size_t first,
+                            const std::size_t last,
+                            const unsigned int d)
+{
+  std::vector<double> starts;
+  double end = patches[first].upper[d], shortest = end - patches[first].lower[d];
+  for (std::size_t t = first; t < last; ++t)
+  {
+    starts.push_back(patches[t].lower[d]);
+    end = std::max(end, patches[t].upper[d]);
+    shortest = std::min(shortest, patches[t].upper[d] - patches[t].lower[d]);
+  }
+  std::sort(starts.begin(), starts.end());
+  // Equal up to rounding.
+  starts.erase(std::unique(starts.begin(),
+                           starts.end(),
+                           [&](const double a, const double b) { return b - a < 0.5 * shortest; }),
+               starts.end());
+  starts.push_back(end);
+  return starts;
+}
+
+/** The interval that contains a point. */
+unsigned int interval_of(const std::vector<double> &ends, const double s)
+{
+  const auto next = std::upper_bound(ends.begin() + 1, ends.end() - 1, s);
+  return next - ends.begin() - 1;
+}
+} // namespace
+
+std::vector<PatchGrid> patch_grids(const std::vector<Patch<3>> &patches)
+{
+  std::vector<PatchGrid> grids;
+  for (std::size_t first = 0, last = 0; first < patches.size(); first = last)
+  {
+    while (last < patches.size() && patches[last].side == patches[first].side)
+      ++last;
+    PatchGrid grid;
+    grid.side = patches[first].side;
+    for (unsigned int d = 0; d < 2; ++d)
+      grid.ends[d] = ends_of(patches, first, last, d);
+    grid.patches.assign(static_cast<std::size_t>(grid.n(0)) * grid.n(1), no_patch);
+    for (std::size_t t = first; t < last; ++t)
+    {
+      const dealii::Point<2> centre = patches[t].centre();
+      grid.patches[interval_of(grid.ends[0], centre[0]) +
+                   grid.n(0) * interval_of(grid.ends[1], centre[1])] = t;
+    }
+    if (grid.patches.size() != last - first ||
+        std::find(grid.patches.begin(), grid.patches.end(), no_patch) != grid.patches.end())
+      throw ComputationError("The contact patches of a side in space are not the cells of a grid.");
+    grids.push_back(std::move(grid));
+  }
+  return grids;
+}
+
+// Gamma_c: its faces, and the points of its pieces on the mesh.
+
+namespace
+{
+template <int dim>
+std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Scene<dim> &scene)
+{
+  std::vector<ContactFace<dim>> faces;
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      if (cell->face(f)->at_boundary())
+      {
+        const unsigned int side = cell->face(f)->boundary_id();
+        if (scene.boundary[side].role == Role::contact)
+          faces.push_back({cell, f, side});
+      }
+  std::stable_sort(
+    faces.begin(), faces.end(), [](const auto &a, const auto &b) { return a.side < b.side; });
+  return faces;
+}
+
+/** @p rule on the box between two corners in the reference coordinates of a face. */
+template <int dim>
+dealii::Quadrature<dim> on_box(const dealii::Quadrature<dim> &rule,
+                               const dealii::Point<dim> &corner,
+                               const dealii::Point<dim> &opposite)
+{
+  dealii::Point<dim> lowest;
+  dealii::Tensor<1, dim> edges;
+  double volume = 1.;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    lowest[d] = std::min(corner[d], opposite[d]);
+    edges[d] = std::abs(opposite[d] - corner[d]);
+    volume *= edges[d];
+  }
+  std::vector<dealii::Point<dim>> points = rule.get_points();
+  std::vector<double> weights = rule.get_weights();
+  for (dealii::Point<dim> &point : points)
+    for (unsigned int d = 0; d < dim; ++d)
+      point[d] = lowest[d] + edges[d] * point[d];
+  for (double &weight : weights)
+    weight *= volume;
+  return dealii::Quadrature<dim>(points, weights);
+}
+/** The coordinates of a point of a patch; around a closed side those next to the patch. */
+template <int dim>
+dealii::Point<dim - 1> coordinates_on(const Patch<dim> &patch,
+                                      const Side<dim> &side,
+                                      const dealii::Point<dim> &x)
+{
+  dealii::Point<dim - 1> s = side.coordinates(x);
+  if constexpr (dim == 2)
+    if (side.is_closed())
+      s[0] += side.length() * std::round((patch.centre()[0] - s[0]) / side.length());
+  return s;
+}
+} // namespace
+
+template <int dim>
+ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
+                                    const Scene<dim> &scene,
+                                    const Partition &partition)
+  : mesh_(mesh)
+  , scene_(scene)
+  , faces_(find_contact_faces(mesh, scene))
+{
+  divide(partition);
+  // phi.n dS has degree one per direction on a flat face, and degree two on a parabola.
+  place_points(std::vector<unsigned int>(mesh.triangulation().n_active_cells(), 2),
+               FaceRule::gauss);
+}
+
+template <int dim>
+ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
+                                    const Scene<dim> &scene,
+                                    const std::vector<unsigned int> &n_points,
+                                    const FaceRule rule)
+  : mesh_(mesh)
+  , scene_(scene)
+  , faces_(find_contact_faces(mesh, scene))
+{
+  divide(Partition{1, 0});
+  place_points(n_points, rule);
+}
+
+template <int dim>
+void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points,
+                                       const FaceRule face_rule)
+{
+  const dealii::FE_Nothing<dim> no_functions;
+  std::unique_ptr<dealii::FEFaceValues<dim>> values;
+  std::vector<dealii::Point<dim - 1>> last_points;
+  for (Piece<dim> &piece : pieces_)
+  {
+    const unsigned int n = n_points[faces_[piece.face].cell->active_cell_index()];
+    const dealii::Quadrature<dim - 1> rule = on_box<dim - 1>(
+      face_rule == FaceRule::gauss ? dealii::Quadrature<dim - 1>(dealii::QGauss<dim - 1>(n))
+                                   : dealii::Quadrature<dim - 1>(dealii::QGaussLobatto<dim - 1>(n)),
+      piece.lower_on_face,
+      piece.upper_on_face);
+    // Nearly all pieces are whole faces or the same part of one.
+    if (values == nullptr || rule.get_points() != last_points)
+      values = std::make_unique<dealii::FEFaceValues<dim>>(mesh_.mapping(),
+                                                           no_functions,
+                                                           rule,
+                                                           dealii::update_quadrature_points |
+                                                             dealii::update_normal_vectors |
+                                                             dealii::update_JxW_values);
+    last_points = rule.get_points();
+    values->reinit(faces_[piece.face].cell, faces_[piece.face].face_no);
+    SurfaceRule<dim> &on_mesh = piece.on_mesh;
+    on_mesh.on_face = rule.get_points();
+    on_mesh.points = values->get_quadrature_points();
+    on_mesh.normals = values->get_normal_vectors();
+    on_mesh.weights = values->get_JxW_values();
+    for (const dealii::Point<dim> &x : on_mesh.points)
+      on_mesh.on_side.push_back(
+        coordinates_on(patches_[piece.patch], side(patches_[piece.patch]), x));
+  }
+}
+
+template <int dim>
+double ContactSurface<dim>::longest_patch() const
+{
+  double longest = 0.;
+  for (const Patch<dim> &patch : patches_)
+    longest = std::max(longest, patch.diameter());
+  return longest;
+}
+
+template <int dim>
+bool ContactSurface<dim>::has_unstable_patch() const
+{
+  std::vector<unsigned int> n_pieces(patches_.size(), 0);
+  for (const Piece<dim> &piece : pieces_)
+    ++n_pieces[piece.patch];
+  return std::any_of(n_pieces.begin(), n_pieces.end(), [](const unsigned int n) { return n < 2; });
+}
+
+template class ContactSurface<2>;
+template class ContactSurface<3>;
+} // namespace Signorini

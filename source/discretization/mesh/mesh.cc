@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// T^h by nested refinement, partitioned by METIS.
+
+#include <signorini/base/errors.h>
+#include <signorini/discretization/mesh/mesh.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/fe/mapping_q.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <deal.II/fe/mapping_q_cache.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+/** Moves the interior vertices; the mapping of every cell must stay one to one. */
+template <int dim>
+void distort(const Geometry<dim> &geometry, dealii::Triangulation<dim> &triangulation)
+{
+  using Info = dealii::GeometryInfo<dim>;
+  dealii::GridTools::distort_random(geometry.distortion, triangulation, true);
+  for (const auto &cell : triangulation.active_cell_iterators())
+  {
+    dealii::Point<dim> vertices[Info::vertices_per_cell];
+    dealii::Tensor<0, dim> determinants[Info::vertices_per_cell];
+    for (const unsigned int v : cell->vertex_indices())
+      vertices[v] = cell->vertex(v);
+    Info::alternating_form_at_vertices(vertices, determinants);
+    for (const double determinant : determinants)
+      if (!(determinant > 0.))
+      {
+        std::ostringstream message;
+        message << geometry.where_distortion << ": found " << geometry.distortion
+                << ", with which the cell at (" << cell->center()
+                << ") is not convex, allowed: a smaller share.";
+        throw InputError(message.str());
+      }
+  }
+}
+
+/** A map of the given degree, followed by x -> (x - lower)/size. */
+template <int dim>
+class UnitMapping : public dealii::MappingQ<dim>
+{
+public:
+  UnitMapping(const unsigned int degree, const dealii::Point<dim> &lower, const double size)
+    : dealii::MappingQ<dim>(degree)
+    , lower_(lower)
+    , size_(size)
+  {
+  }
+
+  std::unique_ptr<dealii::Mapping<dim>> clone() const override
+  {
+    return std::make_unique<UnitMapping<dim>>(this->get_degree(), lower_, size_);
+  }
+
+  bool preserves_vertex_locations() const override
+  {
+    return false;
+  }
+
+  boost::container::small_vector<dealii::Point<dim>, dealii::GeometryInfo<dim>::vertices_per_cell>
+  get_vertices(const typename dealii::Triangulation<dim>::cell_iterator &cell) const override
+  {
+    auto vertices = dealii::MappingQ<dim>::get_vertices(cell);
+    for (dealii::Point<dim> &x : vertices)
+      x = to_unit_body(x);
+    return vertices;
+  }
+
+protected:
+  std::vector<dealii::Point<dim>> compute_mapping_support_points(
+    const typename dealii::Triangulation<dim>::cell_iterator &cell) const override
+  {
+    auto points = dealii::MappingQ<dim>::compute_mapping_support_points(cell);
+    for (dealii::Point<dim> &x : points)
+      x = to_unit_body(x);
+    return points;
+  }
+
+private:
+  dealii::Point<dim> to_unit_body(const dealii::Point<dim> &x) const
+  {
+    return dealii::Point<dim>((x - lower_) / size_);
+  }
+
+  dealii::Point<dim> lower_;
+  double size_;
+};
+
+/** The maps that curved bodies need, of degree two on nested meshes, asked from the manifolds once
+ * per cell and not in every integral. With bilinear maps, pi^{2h} would lose an order: the map of a
+ * cell of T^{2h} must be that of its children up to higher order. */
+template <int dim>
+std::unique_ptr<const dealii::Mapping<dim>> cache(const dealii::Mapping<dim> &mapping,
+                                                  const unsigned int degree,
+                                                  const dealii::Triangulation<dim> &triangulation)
+{
+  auto cached = std::make_unique<dealii::MappingQCache<dim>>(degree);
+  cached->initialize(mapping, triangulation);
+  return cached;
+}
+} // namespace
+
+template <int dim>
+Mesh<dim>::Mesh(const Geometry<dim> &geometry,
+                const unsigned int coarsest_level,
+                const unsigned int level,
+                MPI_Comm communicator)
+  : triangulation_(communicator,
+                   dealii::Triangulation<dim>::none,
+                   /*allow_artificial_cells=*/false,
+                   dealii::parallel::shared::Triangulation<dim>::partition_metis)
+  , curved_(geometry.curved)
+  , lower_(geometry.lower)
+  , size_(geometry.longest_extent())
+  , n_nested_ancestors_(geometry.distortion == 0. ? level : level - std::min(coarsest_level, level))
+  , uniform_levels_(level)
+{
+  const unsigned int first = std::min(coarsest_level, level);
+  geometry.make_coarse_mesh(triangulation_);
+  triangulation_.refine_global(first);
+  if (geometry.distortion > 0.)
+    distort(geometry, triangulation_);
+  triangulation_.refine_global(level - first);
+  if (geometry.number_after_refinement)
+    geometry.number_after_refinement(triangulation_);
+  make_mappings(2);
+}
+
+template <int dim>
+Mesh<dim>::Mesh(const Geometry<dim> &geometry,
+                const unsigned int base_level,
+                const std::array<std::vector<double>, dim> &lines,
+                const Splits &must_split,
+                const unsigned int mapping_degree)
+  : triangulation_(MPI_COMM_SELF,
+                   dealii::Triangulation<dim>::none,
+                   /*allow_artificial_cells=*/false,
+                   dealii::parallel::shared::Triangulation<dim>::partition_zorder)
+  , curved_(geometry.curved)
+  , lower_(geometry.lower)
+  , size_(geometry.longest_extent())
+  , n_nested_ancestors_(0)
+  , uniform_levels_(0)
+{
+  if (geometry.make_mesh_with_lines && geometry.distortion == 0.)
+    geometry.make_mesh_with_lines(triangulation_, base_level, lines);
+  else
+  {
+    geometry.make_coarse_mesh(triangulation_);
+    triangulation_.refine_global(base_level);
+    uniform_levels_ = base_level;
+    if (geometry.distortion > 0.)
+      distort(geometry, triangulation_);
+  }
+  if (geometry.number_after_refinement)
+    geometry.number_after_refinement(triangulation_);
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    for (const auto &cell : triangulation_.active_cell_iterators())
+      if (must_split(cell, splits(cell)))
+      {
+        cell->set_refine_flag();
+        changed = true;
+      }
+    if (changed)
+      triangulation_.execute_coarsening_and_refinement();
+  }
+  make_mappings(mapping_degree);
+}
+
+template <int dim>
+void Mesh<dim>::make_mappings(const unsigned int degree)
+{
+  if (curved_)
+  {
+    mapping_ = cache(dealii::MappingQ<dim>(degree), degree, triangulation_);
+    unit_mapping_ = cache(UnitMapping<dim>(degree, lower_, size_), degree, triangulation_);
+  }
+  else
+  {
+    mapping_ = std::make_unique<dealii::MappingQ1<dim>>();
+    unit_mapping_ = std::make_unique<UnitMapping<dim>>(1, lower_, size_);
+  }
+}
+
+template <int dim>
+double Mesh<dim>::shortest_edge() const
+{
+  double shortest = size_;
+  for (const auto &cell : triangulation_.active_cell_iterators())
+    for (const unsigned int line : cell->line_indices())
+      shortest = std::min(shortest, cell->line(line)->diameter());
+  return shortest;
+}
+
+template <int dim>
+double Mesh<dim>::longest_edge() const
+{
+  double longest = 0.;
+  for (const auto &cell : triangulation_.active_cell_iterators())
+    for (const unsigned int line : cell->line_indices())
+      longest = std::max(longest, cell->line(line)->diameter());
+  return longest;
+}
+
+template class Mesh<2>;
+template class Mesh<3>;
+} // namespace Signorini

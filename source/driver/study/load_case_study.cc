@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// All load cases of a scene on its finest level.
+
+#include "load_case_study.h"
+
+#include <signorini/base/columns.h>
+#include <signorini/postprocessing/load_cases/case_solver.h>
+
+namespace Signorini
+{
+namespace
+{
+CaseData case_data(const Parameters &parameters,
+                   const Scene<2> &scene,
+                   const Discretization<2> &discretization,
+                   const LevelFactors<2> &factors)
+{
+  const SolverParameters &solver = parameters.solver;
+  return {
+    discretization.space,
+    scene,
+    discretization.multipliers,
+    discretization.D,
+    discretization.condensed_D,
+    *factors.inverse,
+    factors.modes,
+    discretization.n_points,
+    [&discretization](const Scene<2> &other) { return discretization.assemble_gap_of(other); },
+    {solver.contact_solver,
+     solver.relaxation,
+     solver.tolerance,
+     solver.maximum_iterations,
+     is_unstable(discretization)}};
+}
+} // namespace
+
+void solve_load_cases(const Parameters &parameters,
+                      const Scene<2> &scene,
+                      const Discretization<2> &discretization,
+                      const Progress &progress,
+                      ResultsWriter &writer,
+                      LevelSolution<2> &solution)
+{
+  if (scene.load_cases.empty())
+    return;
+  double seconds = 0.;
+  std::vector<CaseResult> results;
+  {
+    const StageTimer timer(seconds);
+    progress("load cases");
+    CaseSolver solver(case_data(parameters, scene, discretization, *solution.factors));
+    const std::size_t n = scene.load_cases.size(), every = std::max<std::size_t>(1, n / 20);
+    for (const LoadCase &load_case : scene.load_cases)
+    {
+      results.push_back(solver.solve(load_case));
+      if (load_case.has_fields && results.back().escape.empty())
+        writer.write_case_fields(
+          discretization,
+          with_plates_moved(scene_of_case(scene, load_case), results.back().plates),
+          solver.displacement(),
+          solver.pressure(),
+          results.size());
+      if (results.size() % every == 0)
+        progress("load cases: " + std::to_string(results.size()) + " of " + std::to_string(n));
+    }
+    writer.write_cases(results);
+  }
+  solution.record.load_cases = summarise(results, seconds);
+  solution.record.times.postprocess += seconds;
+  solution.factors = nullptr;
+}
+} // namespace Signorini

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Nested levels, coarsest to finest, each started from the one before.
+
+#include <signorini/base/columns.h>
+#include <signorini/base/errors.h>
+#include <signorini/driver/level/level_iteration.h>
+#include <signorini/error_control/estimate/locking.h>
+
+#include "coarse_displacement.h"
+#include "load_case_study.h"
+#include "settings_check.h"
+#include "study_internal.h"
+
+namespace Signorini
+{
+namespace
+{
+template <int dim>
+class NestedSequence final : public Sequence<dim>
+{
+public:
+  explicit NestedSequence(const StudyContext<dim> &context)
+    : context_(context)
+    , finest_parameters_(of_level(context.parameters.discretization.finest_level))
+    , memory_(finest_parameters_, context.scene, context.communicator)
+    , next_level_(context.parameters.discretization.coarsest_level)
+  {
+    if (context.parameters.output.errors && context.scene.has_exact_pressure())
+      exact_pressure_ = std::make_unique<const ExactPressure<dim>>(context.scene);
+  }
+
+  std::string name_of_next() const override
+  {
+    return "level " + std::to_string(next_level_);
+  }
+
+  /** The level's large objects live no longer than this call. */
+  LevelRecord solve_next(const Progress &progress, ResultsWriter &writer) override
+  {
+    const Parameters parameters = of_level(next_level_);
+    memory_.check(next_level_);
+    progress("mesh");
+    const Discretization<dim> discretization(
+      parameters, context_.scene, next_level_, context_.communicator);
+    const LevelStart start = start_for(discretization);
+    LevelSolution<dim> solution = solve(parameters, discretization, start, progress);
+    progress("errors");
+    add_errors(parameters, context_.scene, discretization, exact_pressure_.get(), solution);
+    finished_ = next_level_ == parameters.discretization.finest_level ||
+                !solution.record.dual.converged || context_.judge.reaches_target(solution.record);
+    if (finished_ && discretization.space.strain_operator() == StrainOperator::symmetric_gradient)
+      solution.record.locking_number =
+        locking_number(discretization.mesh, *context_.scene.material);
+    if constexpr (dim == 2)
+      if (finished_)
+        solve_load_cases(parameters, context_.scene, discretization, progress, writer, solution);
+    progress("output");
+    {
+      const StageTimer timer(solution.record.times.output);
+      writer.write_fields(discretization, context_.scene, solution, finished_);
+    }
+    solution.record.resources = measure_resources();
+    pressure_ = {discretization.surface.patches(), solution.P};
+    if (!finished_)
+      keep_for_next(discretization, solution);
+    ++next_level_;
+    return solution.record;
+  }
+
+  bool is_finished() const override
+  {
+    return finished_;
+  }
+
+  PatchPressure<dim> pressure() const override
+  {
+    return pressure_;
+  }
+
+private:
+  Parameters of_level(const unsigned int level) const
+  {
+    Parameters parameters = context_.parameters;
+    if (failure_of_cycles_)
+      parameters.solver.contact_solver.value = ContactSolver::active_set;
+    return parameters_of_level(parameters,
+                               context_.scene,
+                               level,
+                               dealii::Utilities::MPI::n_mpi_processes(context_.communicator));
+  }
+
+  /** By V-cycles or by factors. Where V-cycles were chosen automatically and do not end, factors
+   * answer, on this level and on all that follow, and the records of these levels say so. */
+  LevelSolution<dim> solve(const Parameters &parameters,
+                           const Discretization<dim> &discretization,
+                           const LevelStart &start,
+                           const Progress &progress)
+  {
+    const auto solve_with = [&](const Parameters &with) {
+      LevelSolution<dim> solution =
+        solve_level(with, context_.scene, discretization, start, progress);
+      solution.record.dual.failure_of_cycles = failure_of_cycles_;
+      return solution;
+    };
+    if (context_.parameters.solver.contact_solver != ContactSolver::automatic ||
+        !iterates_contact(parameters))
+      return solve_with(parameters);
+    try
+    {
+      LevelSolution<dim> solution = solve_with(parameters);
+      if (solution.record.dual.converged)
+        return solution;
+      failure_of_cycles_ = name_of_next() + " did not end within " +
+                           std::to_string(solution.record.dual.iterations) + " V-cycles";
+    }
+    catch (const ComputationError &error)
+    {
+      // The linear systems of the estimate do not end, either.
+      failure_of_cycles_ = name_of_next() + ": " + error.what();
+    }
+    return solve_with(of_level(next_level_));
+  }
+
+  /** What the levels before leave to start from. */
+  LevelStart start_for(const Discretization<dim> &discretization)
+  {
+    LevelStart start;
+    if (!context_.parameters.solver.warm_start || pressure_.patches.empty())
+      return start;
+    start.P = transfer_pressure<dim>(pressure_, discretization.surface.patches());
+    start.scale = scale_;
+    start.relative_error = relative_error_;
+    if (displacement_)
+      start.U = displacement_->at_nodes_of(discretization.space);
+    displacement_.reset();
+    return start;
+  }
+  void keep_for_next(const Discretization<dim> &discretization, const LevelSolution<dim> &solution)
+  {
+    scale_ = solution.contact_scale;
+    relative_error_ = {};
+    if (solution.record.estimate)
+      relative_error_ = solution.record.estimate->relative;
+    if (iterates_contact(of_level(discretization.mesh.level() + 1)))
+      displacement_ =
+        std::make_unique<const CoarseDisplacement<dim>>(discretization.space, solution.U);
+  }
+
+  StudyContext<dim> context_;
+  /** Before all that of_level() is asked for. */
+  std::optional<std::string> failure_of_cycles_;
+  /** Those of the finest level. */
+  Parameters finest_parameters_;
+  MemoryLimit<dim> memory_;
+  /** Null if it is not known. */
+  std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
+  unsigned int next_level_;
+  bool finished_ = false;
+  PatchPressure<dim> pressure_;
+  /** Of the last level, where V-cycles find contact; else null. */
+  std::unique_ptr<const CoarseDisplacement<dim>> displacement_;
+  /** Of the last level, see LevelStart. */
+  double scale_ = 0.;
+  std::optional<double> relative_error_;
+};
+} // namespace
+
+template <int dim>
+std::unique_ptr<Sequence<dim>> make_nested_sequence(const StudyContext<dim> &context)
+{
+  return std::make_unique<NestedSequence<dim>>(context);
+}
+
+template std::unique_ptr<Sequence<2>> make_nested_sequence(const StudyContext<2> &);
+template std::unique_ptr<Sequence<3>> make_nested_sequence(const StudyContext<3> &);
+} // namespace Signorini

@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The files of a run.
+
+#include "results_writer.h"
+
+#include <signorini/base/errors.h>
+#include <signorini/base/parallel.h>
+#include <signorini/results/files/answer_output.h>
+#include <signorini/results/files/contact_files.h>
+#include <signorini/results/files/matrix_market.h>
+#include <signorini/results/files/mesh_svg.h>
+#include <signorini/results/files/solution_vtu.h>
+#include <signorini/results/files/tables.h>
+#include <signorini/results/pictures/convergence_picture.h>
+#include <signorini/results/pictures/deformed_picture.h>
+#include <signorini/results/pictures/pressure_picture.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+/** Every line behind "# ". */
+std::string commented(const std::string &text)
+{
+  std::istringstream lines(text);
+  std::string result;
+  for (std::string line; std::getline(lines, line);)
+    result += "# " + line + "\n";
+  return result;
+}
+
+/** The load cases with a solution as curves. */
+TravelCurve travel_curve(const std::vector<CaseResult> &cases)
+{
+  TravelCurve curve;
+  for (const CaseResult &result : cases)
+  {
+    if (!result.escape.empty())
+      continue;
+    const LoadCase &load_case = result.load_case;
+    curve.travel.push_back(!result.plates.empty()        ? result.plates.front().travel
+                           : load_case.shift.norm() > 0. ? load_case.shift.norm()
+                                                         : load_case.travel);
+    curve.force_x.push_back(result.contact.force[0]);
+    curve.force_y.push_back(result.contact.force[1]);
+    curve.peak.push_back(result.peak_pressure);
+    curve.zone_length.push_back(result.zone_length);
+  }
+  return curve;
+}
+} // namespace
+
+ResultsWriter::ResultsWriter(const Parameters &parameters,
+                             const Judge &judge,
+                             const std::string &scene_description,
+                             std::filesystem::path directory,
+                             MPI_Comm communicator)
+  : parameters_(parameters)
+  , judge_(judge)
+  , scene_description_(scene_description)
+  , directory_(std::move(directory))
+  , communicator_(communicator)
+{
+  if (!directory_.empty() && dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+    held_.emplace(directory_);
+}
+
+void ResultsWriter::write_on_first_rank(const std::function<void()> &write) const
+{
+  agree(communicator_, [&]() {
+    if (!held_)
+      return;
+    held_->check();
+    write();
+    held_->check();
+  });
+}
+
+void ResultsWriter::start_directory()
+{
+  if (started_)
+    return;
+  write_on_first_rank([&]() { set_results_aside(directory_); });
+  started_ = true;
+  write_on_first_rank([&]() {
+    // What is left of attempts to write.
+    remove_files(directory_, is_name_of_result);
+    write_certificate_of({}, judge_.unfinished({}));
+    write_file(directory_ / parameters_name, [&](std::ostream &stream) {
+      stream << commented(scene_description_) << parameters_.echo;
+    });
+  });
+}
+
+void ResultsWriter::write_convergence_of(const std::vector<LevelRecord> &levels) const
+{
+  write_file(directory_ / "convergence.csv",
+             [&](std::ostream &stream) { write_convergence_csv(stream, levels); });
+  const TableFormats &formats = parameters_.output.tables;
+  if (formats.markdown)
+    write_file(directory_ / "convergence.md",
+               [&](std::ostream &stream) { write_convergence_markdown(stream, levels); });
+  if (formats.latex)
+    write_file(directory_ / "convergence.tex",
+               [&](std::ostream &stream) { write_convergence_latex(stream, levels); });
+}
+
+void ResultsWriter::write_certificate_of(const std::vector<LevelRecord> &levels,
+                                         const StudyVerdict &verdict) const
+{
+  write_file(directory_ / certificate_name,
+             [&](std::ostream &stream) { write_certificate(stream, levels, judge_, verdict); });
+}
+
+std::filesystem::path ResultsWriter::level_file(const char *name,
+                                                const unsigned int level,
+                                                const char *ending) const
+{
+  return directory_ /
+         (std::string(name) + "-" + dealii::Utilities::int_to_string(level, 2) + ending);
+}
+
+template <int dim>
+void ResultsWriter::write_fields(const Discretization<dim> &discretization,
+                                 const Scene<dim> &scene,
+                                 const LevelSolution<dim> &solution,
+                                 const bool last_level)
+{
+  if (directory_.empty())
+    return;
+  start_directory();
+  TracedContact<dim> traced;
+  write_on_first_rank([&]() {
+    traced = trace_contact(
+      discretization.space, discretization.multipliers, scene.boundary, solution.U, solution.P);
+    write_file(level_file("contact", solution.record.sizes.level, ".csv"),
+               [&](std::ostream &stream) { write_contact_csv(stream, traced); });
+  });
+  const VtuLevels vtu = parameters_.output.vtu;
+  if (vtu == VtuLevels::all || (vtu == VtuLevels::finest && last_level))
+    write_vtu(discretization, scene, solution, traced);
+  if constexpr (dim == 2)
+    if (parameters_.output.pictures && last_level)
+      prepare_pictures(discretization, scene, solution);
+  if (solution.system != nullptr)
+    write_dual_problem(discretization, solution);
+}
+
+template <int dim>
+void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
+                              const Scene<dim> &scene,
+                              const LevelSolution<dim> &solution,
+                              const TracedContact<dim> &traced)
+{
+  const unsigned int level = solution.record.sizes.level;
+  const auto body = level_file("solution", level, ".vtu");
+  const auto contact = level_file("contact", level, ".vtu");
+  write_solution_vtu(body, discretization.space, scene, solution.U, solution.bound_fields, level);
+  solution_files_.emplace_back(level, body.filename().string());
+  contact_files_.emplace_back(level, contact.filename().string());
+  write_on_first_rank([&]() {
+    write_file(contact, [&](std::ostream &stream) {
+      write_contact_vtu(stream, traced, solution.bound_fields.contact);
+    });
+    if constexpr (dim == 2)
+      if (solution.record.sizes.is_graded())
+        write_file(level_file("mesh", level, ".svg"), [&](std::ostream &stream) {
+          write_mesh_svg(stream, discretization.space, scene, level);
+        });
+    write_pvd(directory_ / "solution.pvd", solution_files_);
+    write_pvd(directory_ / "contact.pvd", contact_files_);
+  });
+}
+
+void ResultsWriter::prepare_pictures(const Discretization<2> &discretization,
+                                     const Scene<2> &scene,
+                                     const LevelSolution<2> &solution)
+{
+  write_on_first_rank([&]() {
+    const std::vector<ContactSegment> line =
+      trace_for_pictures(discretization.space, discretization.multipliers, solution.U, solution.P);
+    pictures_ = {pressure_picture(scene, line),
+                 deformed_picture(discretization.space, scene, solution.U, line)};
+  });
+}
+
+template <int dim>
+void ResultsWriter::write_case_fields(const Discretization<dim> &discretization,
+                                      const Scene<dim> &scene,
+                                      const NodalVector &U,
+                                      const dealii::Vector<double> &P,
+                                      const unsigned int number)
+{
+  if (directory_.empty())
+    return;
+  start_directory();
+  const std::string ending = "-case-" + dealii::Utilities::int_to_string(number, 6);
+  if (parameters_.output.vtu != VtuLevels::none)
+    write_solution_vtu(
+      directory_ / ("solution" + ending + ".vtu"), discretization.space, scene, U, {}, number);
+  write_on_first_rank([&]() {
+    const std::vector<ContactSegment> line =
+      trace_contact_line(discretization.space, discretization.multipliers, scene.boundary, U, P);
+    write_file(directory_ / ("contact" + ending + ".csv"),
+               [&](std::ostream &stream) { write_contact_csv(stream, line); });
+  });
+}
+
+void ResultsWriter::write_cases(const std::vector<CaseResult> &cases)
+{
+  if (directory_.empty())
+    return;
+  start_directory();
+  write_on_first_rank([&]() {
+    if (parameters_.output.pictures)
+      if (std::optional<Picture> travel = travel_picture(travel_curve(cases)))
+        case_pictures_.push_back(std::move(*travel));
+    write_file(directory_ / "cases.csv",
+               [&](std::ostream &stream) { write_cases_csv(stream, cases); });
+  });
+}
+
+template <int dim>
+void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization,
+                                       const LevelSolution<dim> &solution)
+{
+  const DisplacementSpace<dim> &space = discretization.space;
+  const LinearSystem<dim> &system = *solution.system;
+  const std::vector<std::string> A =
+    gather_texts(lower_triangle(system.matrix, system.unit), communicator_);
+  const dealii::Vector<double> f(system.f);
+  // F = G - D^T A^{-1} f for unconstrained unknowns: prescribed displacements count as gap.
+  dealii::Vector<double> G = discretization.G;
+  G -= discretization.D.transpose_product(space.complete(space.make_vector()));
+  const auto write = [&](const char *name, const std::function<void(std::ostream &)> &content) {
+    write_file(level_file(name, solution.record.sizes.level, ".mtx"), content);
+  };
+  const auto write_vector = [&](const char *name, const dealii::Vector<double> &vector) {
+    write(name, [&](std::ostream &stream) { write_matrix_market(stream, vector); });
+  };
+  write_on_first_rank([&]() {
+    write("A", [&](std::ostream &stream) { write_symmetric_matrix_market(stream, f.size(), A); });
+    write("D", [&](std::ostream &stream) {
+      write_matrix_market(stream, discretization.condensed_D, f.size());
+    });
+    write_vector("f", f);
+    write_vector("G", G);
+    write_vector("F", solution.F);
+    write_vector("P", solution.P);
+    if (solution.q.size() > 0)
+    {
+      write_vector("b", solution.motions.b);
+      write_vector("q", solution.q);
+      write("B", [&](std::ostream &stream) { write_matrix_market(stream, solution.motions.B); });
+      write("K", [&](std::ostream &stream) {
+        write_symmetric_matrix_market(stream, solution.motions.K);
+      });
+    }
+    if (solution.C.m() > 0)
+      write("C", [&](std::ostream &stream) { write_symmetric_matrix_market(stream, solution.C); });
+  });
+}
+
+void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,
+                                 const StudyVerdict &verdict)
+{
+  if (directory_.empty())
+    return;
+  start_directory();
+  write_on_first_rank([&]() {
+    // The disk may fill up in between. Then the certificate must not promise more than the table
+    // holds; the reason why a study is not certified must not get lost.
+    if (verdict.reason.empty())
+      write_convergence_of(levels);
+    write_certificate_of(levels, verdict);
+    if (!verdict.reason.empty())
+      write_convergence_of(levels);
+    if (verdict.outcome != Outcome::unfinished)
+      remove_results_aside(directory_);
+  });
+}
+
+void ResultsWriter::write_answer(const std::vector<LevelRecord> &levels,
+                                 const StudyVerdict &verdict)
+{
+  if (directory_.empty())
+    return;
+  write_on_first_rank([&]() {
+    write_file(directory_ / "answer.json",
+               [&](std::ostream &stream) { Signorini::write_answer(stream, levels, verdict); });
+  });
+}
+
+std::string ResultsWriter::write_pictures(const std::vector<LevelRecord> &levels)
+{
+  std::string missing;
+  if (directory_.empty() || !parameters_.output.pictures)
+    return missing;
+  write_on_first_rank([&]() {
+    if (const std::optional<Picture> convergence = convergence_picture(levels))
+      pictures_.push_back(*convergence);
+    pictures_.insert(pictures_.end(), case_pictures_.begin(), case_pictures_.end());
+    missing = Signorini::write_pictures(directory_, pictures_);
+  });
+  return missing;
+}
+
+void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,
+                                  const StudyVerdict &verdict)
+{
+  bool keeps_earlier_results = false;
+  if (!started_ && held_)
+  {
+    std::error_code error;
+    keeps_earlier_results = std::filesystem::exists(directory_ / certificate_name, error);
+  }
+  try
+  {
+    if (!dealii::Utilities::MPI::broadcast(communicator_, keeps_earlier_results))
+      write_tables(levels, verdict);
+  }
+  catch (const WritingError &)
+  {
+    // The first failure is the one to be told. A full disk may not even take the certificate: then
+    // it still says "unfinished".
+  }
+}
+
+void ResultsWriter::abandon()
+{
+  if (!started_ || !held_)
+    return;
+  try
+  {
+    held_->check();
+    remove_files(directory_, is_name_of_result);
+    put_results_back(directory_);
+  }
+  catch (const WritingError &)
+  {
+    // The InputError is what the user has to hear of.
+  }
+}
+
+template void ResultsWriter::write_case_fields(const Discretization<2> &,
+                                               const Scene<2> &,
+                                               const NodalVector &,
+                                               const dealii::Vector<double> &,
+                                               unsigned int);
+template void ResultsWriter::write_fields(const Discretization<2> &,
+                                          const Scene<2> &,
+                                          const LevelSolution<2> &,
+                                          bool);
+template void ResultsWriter::write_fields(const Discretization<3> &,
+                                          const Scene<3> &,
+                                          const LevelSolution<3> &,
+                                          bool);
+} // namespace Signorini

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a user reads before and after the table.
+
+#include "scene_summary.h"
+
+#include <signorini/base/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "study_internal.h"
+
+namespace Signorini
+{
+namespace
+{
+/** "clamped top; contact bottom; ..." in the order of the roles. */
+template <int dim>
+std::string describe_boundary(const Scene<dim> &scene)
+{
+  const std::pair<Role, const char *> roles[] = {{Role::contact, "contact"},
+                                                 {Role::clamped, "clamped"},
+                                                 {Role::roller, "rollers"},
+                                                 {Role::displacement, "displacement"},
+                                                 {Role::traction, "traction"},
+                                                 {Role::free, "free"}};
+  std::vector<std::string> parts, plates;
+  const auto has_plate = [&scene](const unsigned int side) {
+    return std::any_of(scene.plates.begin(), scene.plates.end(), [side](const Plate &plate) {
+      return plate.side == side;
+    });
+  };
+  for (const auto &role : roles)
+  {
+    std::vector<std::string> names;
+    for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+      if (scene.boundary[i].role == role.first)
+        (has_plate(i) ? plates : names).push_back(scene.geometry.sides[i].name());
+    if (!names.empty())
+      parts.push_back(role.second + (" " + join(names, " ")));
+  }
+  if (!plates.empty())
+    parts.push_back("plates " + join(plates, " "));
+  if (scene.is_held_by_contact)
+    parts.emplace_back("held by contact");
+  return join(parts, "; ");
+}
+
+std::string describe_partition(const DiscretizationParameters &given)
+{
+  if (given.patches > 0)
+    return std::to_string(given.patches) + " equal patches per contact side";
+  return "H = " + std::to_string(given.patch_ratio) + " h";
+}
+
+/** Less is where stresses are singular, or under a contact zone that is small. */
+constexpr double tolerated_strained_share = 0.01;
+
+/** Which meshes follow one another. */
+std::string describe_meshes(const Parameters &parameters)
+{
+  const DiscretizationParameters &given = parameters.discretization;
+  std::ostringstream text;
+  if (given.strategy == Strategy::nested)
+  {
+    text << "Levels    " << given.coarsest_level << " to " << given.finest_level << ", "
+         << describe_partition(given) << "\n";
+    return text.str();
+  }
+  text << "Steps     graded meshes from level " << given.coarsest_level << " on, degrees 2 to "
+       << given.maximum_degree << ", to the error " << target_error(given) << " or "
+       << given.maximum_unknowns << " unknowns\n"
+       << "Ignored   Finest level, Element, Patch ratio, Patches"
+       << (parameters.output.lemmas ? ", Lemmas" : "") << " (Strategy = hp)\n";
+  return text.str();
+}
+} // namespace
+
+template <int dim>
+void print_scene(const Parameters &parameters, const Scene<dim> &scene, std::ostream &screen)
+{
+  const SolverParameters &solver = parameters.solver;
+  screen << "Scene     " << scene.name << ": " << scene.title << "\n"
+         << "Body      from (" << scene.geometry.lower << ") to (" << scene.geometry.upper << ")\n"
+         << "Boundary  " << describe_boundary(scene) << "\n"
+         << describe_meshes(parameters) << "Solver    " << to_text(solver.contact_solver.value)
+         << ", tolerance " << solver.tolerance << ", linear solver "
+         << to_text(solver.linear_solver.value) << "\n\n";
+}
+
+void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &screen)
+{
+  const std::string name =
+    std::string(level.sizes.word()) + " " + std::to_string(level.sizes.level);
+  if (level.sizes.unstable)
+    screen << "Warning: on " << name
+           << " a contact patch is no longer than a face (H = h), which is not inf-sup stable: "
+              "the pressure may oscillate. Take a patch ratio of 2 or more.\n";
+  if (level.dual.active_set_failure)
+    screen << "Warning: on " << name << " the active set method failed ("
+           << *level.dual.active_set_failure << "); projected SOR answered instead.\n";
+  if (level.dual.stalled)
+    screen << "Warning: on " << name << " " << *level.dual.stalled
+           << "; the active set method with MINRES answered instead.\n";
+  if (level.dual.failure_of_cycles)
+    screen << "Warning: on " << name << " a factorisation answered instead of V-cycles ("
+           << *level.dual.failure_of_cycles << ").\n";
+  const std::string doubt = judge.doubt(level);
+  if (!doubt.empty())
+    screen << "Warning: " << name << " is not certified: " << doubt << "\n";
+}
+
+void print_verdict(const std::vector<LevelRecord> &levels,
+                   const Judge &judge,
+                   const StudyVerdict &verdict,
+                   std::ostream &screen)
+{
+  if (!levels.empty())
+  {
+    const LevelRecord &finest = levels.back();
+    if (finest.dual.increment_iterations)
+      screen << "Projected SOR: of " << finest.dual.iterations
+             << " sweeps, the increment alone was small after " << *finest.dual.increment_iterations
+             << ".\n";
+  }
+  const double strained = levels.empty() ? 0. : levels.back().answer.von_mises.strained_share;
+  // Who knows the exact solution asks about the linear equations.
+  if (strained > tolerated_strained_share && !levels.back().displacement_errors &&
+      !levels.back().pressure_errors)
+    screen << "Warning: " << std::round(100. * strained)
+           << " % of the body is strained by more than " << 100. * large_strain
+           << " %: linear elasticity, which is made for small strains, does not describe this.\n";
+  const double stopped_early = levels.empty() ? 0. : levels.back().dual.energy_tolerance;
+  if (!verdict.accuracy.empty())
+    screen << "Accuracy: " << verdict.accuracy << ".\n";
+  if (verdict.outcome == Outcome::not_certified)
+    screen << "NOT certified: not all KKT residuals are below " << judge.tolerance()
+           << " or not all balances below " << verdict.residual_bound << ".\n";
+  else
+    screen << (verdict.outcome == Outcome::certified             ? "Certified"
+               : verdict.outcome == Outcome::equations_certified ? "Equations certified"
+               : verdict.outcome == Outcome::accuracy_estimated
+                 ? "Equations certified, accuracy estimated"
+                 : "NOT resolved, equations certified")
+           << (stopped_early > 0. ? ": V-cycles ended at the relative error "
+                                  : ": KKT residuals below ")
+           << (stopped_early > 0. ? stopped_early : judge.tolerance())
+           << (stopped_early > 0. ? " of displacements (energy norm), and balances are below "
+                                  : " and balances below ")
+           << verdict.residual_bound << ".\n";
+}
+
+template void print_scene(const Parameters &, const Scene<3> &, std::ostream &);
+template void print_scene(const Parameters &, const Scene<2> &, std::ostream &);
+} // namespace Signorini

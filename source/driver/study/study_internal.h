@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/driver/level/level.h>
+#include <signorini/results/verdict/judge.h>
+
+#include <memory>
+#include <string>
+
+#include "results_writer.h"
+
+namespace Signorini
+{
+/** What the levels of a study have in common. */
+template <int dim>
+struct StudyContext
+{
+  const Parameters &parameters;
+  const Scene<dim> &scene;
+  MPI_Comm communicator;
+  const Judge &judge;
+};
+
+/** The meshes of a study, one after the other, each started from the solution on the one before. */
+template <int dim>
+class Sequence
+{
+public:
+  virtual ~Sequence() = default;
+
+  /** For the user to watch: "level 3". */
+  virtual std::string name_of_next() const = 0;
+  /** Solves on the next mesh and writes its fields. @throws ComputationError */
+  virtual LevelRecord solve_next(const Progress &progress, ResultsWriter &writer) = 0;
+  /** Whether the mesh solved last is the finest of the study. */
+  virtual bool is_finished() const = 0;
+  /** The pressure on the mesh solved last. */
+  virtual PatchPressure<dim> pressure() const = 0;
+};
+
+/** T^h, T^{h/2}, ... from Coarsest level to Finest level, or until the target error is reached.
+ * @throws InputError for levels that cannot fit into memory. */
+template <int dim>
+std::unique_ptr<Sequence<dim>> make_nested_sequence(const StudyContext<dim> &context);
+
+/** Graded meshes until the target error is reached, or the next one has too many unknowns. */
+std::unique_ptr<Sequence<2>> make_hp_sequence(const StudyContext<2> &context);
+
+/** The one that the parameters ask for. */
+template <int dim>
+std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context)
+{
+  if constexpr (dim == 2)
+    if (context.parameters.discretization.strategy == Strategy::hp)
+      return make_hp_sequence(context);
+  return make_nested_sequence(context);
+}
+
+/** What refinement aims at: Target error, with hp 1e-3 where none is given. */
+double target_error(const DiscretizationParameters &given);
+} // namespace Signorini

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The bound of the energy error, summed up from stress and contact.
+
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/error_control/bound/error_bound.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+/** "bottom at (0.25, 0)". */
+std::string name_of(const SidePlace &place, const Scene<2> &scene)
+{
+  const Side<2> &side = scene.geometry.sides[place.side];
+  const dealii::Point<2> x = side.point(place.arc_length);
+  std::ostringstream name;
+  name << side.name() << " at (" << x[0] << ", " << x[1] << ")";
+  return name.str();
+}
+
+/** "the cell at (0.5, 0.25)". */
+std::string name_of_worst_cell(const StressBound &bound, const DisplacementSpace<2> &space)
+{
+  std::size_t worst = 0;
+  const auto part = [&](const std::size_t cell) {
+    return bound.misfit[cell] + bound.oscillation[cell];
+  };
+  for (std::size_t cell = 1; cell < bound.misfit.size(); ++cell)
+    if (part(cell) > part(worst))
+      worst = cell;
+  std::size_t number = 0;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (number++ == worst)
+    {
+      std::ostringstream name;
+      name << "the cell at (" << cell->center()[0] << ", " << cell->center()[1] << ")";
+      return name.str();
+    }
+  return "";
+}
+
+/** Of numbers that are not negative, up to rounding. */
+template <typename Numbers>
+std::vector<double> roots(const Numbers &squares)
+{
+  std::vector<double> result;
+  for (const double square : squares)
+    result.push_back(std::sqrt(std::max(0., square)));
+  return result;
+}
+
+/**
+ * What J*(tau) = 1/2 ‖tau‖² - int_{Gamma_D} tau n.u_D - int_{Gamma_c} tau_n g has besides the terms
+ * of StressBound::complementary_energy, with the opposite sign. With u_D - c and g - c_n in place
+ * of u_D and g, c a translation, there remains c.(int_{Gamma_D} tau n + int_{Gamma_c} tau_n n): the
+ * loads. So rounding of large translations does not enter.
+ */
+double work_of_contact(const StressBound &stress,
+                       const BoundData &data,
+                       const ContactTrace::TractionChange &change)
+{
+  const MultiplierSpace<2> &multipliers = data.stress.multipliers;
+  const dealii::Vector<double> &P = data.stress.P;
+  dealii::Vector<double> gap(data.G);
+  dealii::Tensor<1, 2> force = stress.support_force + change.force;
+  for (const Piece<2> &piece : multipliers.surface().pieces())
+    for (std::size_t q = 0; q < piece.on_mesh.size(); ++q)
+    {
+      const dealii::Tensor<1, 2> normal = piece.on_mesh.weights[q] * piece.on_mesh.normals[q];
+      // Multipliers are constant on patches.
+      gap[piece.patch] -= stress.translation * normal;
+      force += P[piece.patch] * normal;
+    }
+  return P * gap + change.work_of_gap + stress.translation * force;
+}
+
+double ratio(const double value, const double scale)
+{
+  if (value == 0.)
+    return 0.;
+  return scale > 0. ? value / scale : std::numeric_limits<double>::infinity();
+}
+
+/** tau_n on contact faces, with pi^{2h} u_h if wanted, or with u_h. */
+std::vector<FaceField> fields_of(const EquilibratedStress &stress, const bool of_patches)
+{
+  std::vector<FaceField> fields;
+  for (const auto &traction : stress.free_tractions())
+    fields.push_back({0., traction});
+  if (of_patches)
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      fields[i].bubble = stress.normal_bubble(i);
+  return fields;
+}
+
+ContactLift make_lift(const BoundData &data,
+                      const double stress_square,
+                      const std::vector<FaceField> &fields)
+{
+  const StressData &given = data.stress;
+  return {given.space,
+          given.scene,
+          given.multipliers,
+          given.U,
+          given.P,
+          ContactLift::DualData{data.inverse, data.condensed_D, 0.05 * stress_square},
+          fields};
+}
+
+double total(const double stress_square, const double lift, const ContactBound &contact)
+{
+  return lift + std::sqrt(stress_square + std::max(0., contact.square()));
+}
+
+/** What follows for the energy and for the stress from the bounds of u_h and pi^{2h} u_h. */
+struct Consequences
+{
+  Consequences(const Bracket &J_star, const double stress_square, const ContactBound &contact)
+    : J_star(J_star)
+  {
+    consider(stress_square, contact);
+  }
+  void consider(const double stress_square, const ContactBound &contact)
+  {
+    const double eta = std::sqrt(stress_square), lift_norm = std::sqrt(contact.lift_energy);
+    const Bracket found = energy_bracket(J_star, eta, lift_norm, contact.contact_term);
+    energy = {found.lower, std::min(energy.upper, found.upper)};
+    stress_error = std::min(stress_error, stress_error_bound(eta, lift_norm, contact.contact_term));
+  }
+
+  Bracket J_star;
+  Bracket energy = {0., std::numeric_limits<double>::infinity()};
+  /** ‖sigma(u) - tau‖ at most. */
+  double stress_error = std::numeric_limits<double>::infinity();
+};
+
+/**
+ * Whether the bracket and J(u_h) contradict each other. With d = u_{h,n} - g, and eta, s and T as
+ * in energy_bracket.h,
+ *
+ *     J(u_h) - eta²/2 - int tau_n d <= J(u) <= J(u_h) + s |||w||| - int tau_n d + T,
+ *
+ * which uses neither J*(tau) nor the gap's work. Up to what another quadrature makes of loads.
+ */
+bool contradicts(const Consequences &known,
+                 const StressBound &of_stress,
+                 const ContactLift &lift,
+                 const double energy,
+                 const double strain_energy)
+{
+  constexpr double tolerance = 1e-4;
+  const ContactBound &contact = *lift.bound();
+  const double rest = energy - lift.trace().work_of_penetration();
+  const double upper =
+    rest + known.stress_error * std::sqrt(contact.lift_energy) + contact.contact_term;
+  const double allowed = tolerance * strain_energy;
+  return rest - 0.5 * of_stress.square > known.energy.upper + allowed ||
+         upper < known.energy.lower - allowed;
+}
+
+/** What is known for straight sides only: the bound for pi^{2h} u_h, the bracket of the energy and
+ * the bound of the contact force. @return whether the bracket is in accord with J(u_h). */
+bool add_guaranteed(const BoundData &data,
+                    const EquilibratedStress &stress,
+                    const StressBound &of_stress,
+                    const ContactLift &lift,
+                    const double scale,
+                    ErrorBound &result)
+{
+  const auto change = lift.trace().traction_change(of_stress.translation);
+  const double work = work_of_contact(of_stress, data, change);
+  const Bracket &complementary = of_stress.complementary_energy;
+  Consequences consequences(
+    {complementary.lower - work, complementary.upper - work}, of_stress.square, *lift.bound());
+  if (of_stress.of_patches)
+  {
+    const double square = of_stress.of_patches->square;
+    const ContactLift of_patches = make_lift(data, square, fields_of(stress, true));
+    if (of_patches.bound() && std::isfinite(square + of_patches.bound()->square()))
+    {
+      result.post_absolute = total(square, of_stress.of_patches->lift, *of_patches.bound());
+      result.post_relative = ratio(*result.post_absolute, scale);
+      consequences.consider(square, *of_patches.bound());
+    }
+  }
+  result.energy_lower = consequences.energy.lower;
+  result.energy_upper = consequences.energy.upper;
+  const StressData &given = data.stress;
+  if (const auto unit_lift =
+        norm_of_unit_lift(given.space, given.scene, lift.trace(), data.inverse))
+    result.force_error =
+      contact_force_bound(consequences.stress_error, *unit_lift) + std::abs(change.normal_force);
+  const double energy_norm = stress.energy_norm();
+  // Where u_h only interpolates what is prescribed, J(u_h) is not that of a function with the
+  // boundary values of u.
+  return of_stress.lift > 1e-10 * energy_norm ||
+         !contradicts(consequences, of_stress, lift, data.energy, scale * scale);
+}
+
+/** Where a force drives a plate, the stress has to carry that force. Changes around single vertices
+ * do not alter it, the best of all stresses may: it is not asked for. */
+ImprovementOptions improvement_for(const Scene<2> &scene)
+{
+  ImprovementOptions options;
+  if (std::any_of(scene.plates.begin(), scene.plates.end(), [](const Plate &plate) {
+        return plate.is_pushed || plate.turns;
+      }))
+    options.few_cells = options.most_cells_exactly = 0;
+  return options;
+}
+} // namespace
+
+LocatedBound compute_located_bound(const BoundData &data)
+{
+  const StressData &given = data.stress;
+  LocatedBound located;
+  ErrorBound &result = located.bound;
+  result.missing = EquilibratedStress::objection(given);
+  if (!result.missing.empty())
+    return located;
+  const EquilibratedStress stress(given, improvement_for(given.scene));
+  const StressBound of_stress = stress.bound();
+  const ContactLift lift = make_lift(data, of_stress.square, fields_of(stress, false));
+  result.penetration = lift.trace().largest_penetration();
+  result.place_of_penetration = name_of(lift.trace().place_of_largest(), given.scene);
+  result.missing = lift.no_bound();
+  if (!lift.bound())
+    return located;
+  const ContactBound &contact = *lift.bound();
+  if (!std::isfinite(of_stress.square) || !std::isfinite(contact.square()))
+  {
+    result.missing = "the sums of the bound are no finite numbers";
+    return located;
+  }
+  result.oscillation = std::sqrt(of_stress.oscillation_square) + of_stress.lift;
+  result.mesh = std::max(0.,
+                         std::sqrt(of_stress.square) - std::sqrt(of_stress.oscillation_square) -
+                           std::sqrt(of_stress.geometry_square));
+  result.contact = std::sqrt(std::max(0., contact.square()));
+  result.algebra = of_stress.algebra;
+  // The inequality holds for u_h + E with the prescribed displacement itself; E is zero on contact.
+  result.absolute = total(of_stress.square, of_stress.lift, contact);
+  const double scale =
+    energy_scale(stress.energy_norm(), *result.absolute, given.space, given.scene, given.U);
+  result.relative = ratio(*result.absolute, scale);
+  result.guaranteed = stress.is_guaranteed();
+  result.geometry = std::sqrt(of_stress.geometry_square);
+  result.relative_geometry = ratio(*result.geometry, scale);
+  // A polygon says nothing about the last digits of the energy, nor about the force on a curve.
+  if (result.guaranteed && !add_guaranteed(data, stress, of_stress, lift, scale, result))
+  {
+    located.bound = {};
+    located.bound.missing = "the bracket of the energy contradicts the energy of u_h, by rounding "
+                            "or by data that vary between the points where they are sampled";
+    located.bound.penetration = lift.trace().largest_penetration();
+    located.bound.place_of_penetration = name_of(lift.trace().place_of_largest(), given.scene);
+    return located;
+  }
+  result.largest_cell = name_of_worst_cell(of_stress, given.space);
+  if (!given.scene.contact_sides().empty())
+    result.largest_face = name_of(contact.largest_part, given.scene);
+  located.fields = {of_stress.misfit,
+                    of_stress.oscillation,
+                    roots(contact.cell_energies),
+                    roots(contact.face_terms)};
+  return located;
+}
+
+Columns<ErrorBound> ErrorBound::columns()
+{
+  return {{"bound_energy", &ErrorBound::absolute},
+          {"bound_relative", &ErrorBound::relative},
+          {"bound_mesh", &ErrorBound::mesh},
+          {"bound_oscillation", &ErrorBound::oscillation},
+          {"bound_contact", &ErrorBound::contact},
+          {"bound_geometry", &ErrorBound::geometry},
+          {"bound_algebra", &ErrorBound::algebra},
+          {"bound_post_energy", &ErrorBound::post_absolute},
+          {"bound_post_relative", &ErrorBound::post_relative},
+          {"max_penetration", &ErrorBound::penetration},
+          {"energy_lower", &ErrorBound::energy_lower},
+          {"energy_upper", &ErrorBound::energy_upper},
+          {"contact_force_error", &ErrorBound::force_error}};
+}
+
+ErrorBound::Part ErrorBound::largest_part() const
+{
+  const double largest =
+    std::max({mesh.value_or(0.), oscillation.value_or(0.), contact.value_or(0.)});
+  if (largest == contact.value_or(0.))
+    return Part::contact;
+  return largest == mesh.value_or(0.) ? Part::mesh : Part::oscillation;
+}
+} // namespace Signorini

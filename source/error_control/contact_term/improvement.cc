@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Conjugate gradients that bring the stress closer to that of the displacement.
+
+#include <signorini/error_control/contact_term/contact_trace.h>
+#include <signorini/error_control/loads/cell_rule.h>
+#include <signorini/error_control/stress/balance.h>
+#include <signorini/error_control/stress/equilibrated_stress.h>
+#include <signorini/error_control/stress/star_solver.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Signorini
+{
+namespace
+{
+double product(const std::vector<double> &a, const std::vector<double> &b)
+{
+  double sum = 0.;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += a[i] * b[i];
+  return sum;
+}
+
+/** a += factor b. */
+void add(std::vector<double> &a, const double factor, const std::vector<double> &b)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] += factor * b[i];
+}
+
+/** Below this share of the square of tau, the misfit is rounding. */
+constexpr double rounding = 1e-20;
+
+std::vector<unsigned int> pulling(const EdgeMesh &mesh,
+                                  const std::vector<unsigned int> &edges,
+                                  const std::vector<double> &moments)
+{
+  std::vector<unsigned int> result;
+  for (const unsigned int edge : edges)
+    if (pulls(normal_tractions(mesh.edges()[edge], edge, moments)))
+      result.push_back(edge);
+  return result;
+}
+} // namespace
+
+EquilibratedStress::Residual
+EquilibratedStress::residual(const std::vector<CellIntegrals> &integrals) const
+{
+  Residual result;
+  result.r.assign(moments_.size(), 0.);
+  for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
+  {
+    const CellSquares &squares = integrals[c].squares;
+    result.square += squares.misfit;
+    result.square_of_patches += squares.of_patches;
+    result.energy += squares.stress;
+    add_moments(mesh_.cells()[c], integrals[c].of_misfit, result.r);
+  }
+  if (!bubbles_)
+    result.square_of_patches = std::numeric_limits<double>::infinity();
+  return result;
+}
+
+std::vector<double> EquilibratedStress::improve(const ImprovementOptions &options,
+                                                const std::vector<CellIntegrals> &integrals,
+                                                const CellEnergies &energies)
+{
+  std::vector<double> change(moments_.size(), 0.);
+  if (options.most_steps == 0)
+    return change;
+  Residual at_start = residual(integrals);
+  std::vector<unsigned int> free;
+  if (bubbles_)
+    free = pressing_edges(mesh_, data_.multipliers, data_.P);
+  for (const unsigned int edge : free)
+  {
+    mesh_.set_freedom(edge, EdgeFreedom::normal);
+    // int_e b.delta tau n with delta tau n from its moments: what the residual of pi^{2h} u_h has
+    // more than that of u_h, for stresses without loads.
+    for (unsigned int i = 0; i < 4; ++i)
+      at_start.r[4 * edge + i] += 2. / 3. * bubbles_->on_edge(edge)[i % 2];
+  }
+  const std::vector<double> start = moments_;
+  if (at_start.square > rounding * at_start.energy)
+  {
+    StarSolver solver(mesh_, energies, n_threads());
+    for (;;)
+    {
+      const auto edges = iterate(at_start, solver, energies, free, options);
+      if (edges.empty())
+        break;
+      ++restarts_;
+      moments_ = start;
+      for (const unsigned int edge : edges)
+      {
+        free.erase(std::find(free.begin(), free.end(), edge));
+        mesh_.set_freedom(edge, EdgeFreedom::none);
+      }
+      for (const unsigned int edge : edges)
+        for (const unsigned int vertex : mesh_.edges()[edge].vertices)
+          solver.renew(vertex, energies);
+    }
+  }
+  for (const unsigned int edge : free)
+    given_.normal_rest[edge] = 0.;
+  for (std::size_t i = 0; i < change.size(); ++i)
+    change[i] = moments_[i] - start[i];
+  return change;
+}
+
+std::vector<unsigned int> EquilibratedStress::iterate(Residual left,
+                                                      const StarSolver &solver,
+                                                      const CellEnergies &energies,
+                                                      const std::vector<unsigned int> &free,
+                                                      const ImprovementOptions &options)
+{
+  const Steps steps = improve_step_by_step(left, solver, energies, free, options);
+  const std::size_t n_cells = mesh_.cells().size();
+  if (!steps.pulling.empty() || left.square <= rounding * left.energy ||
+      n_cells > options.most_cells_exactly || (steps.settled && n_cells > options.few_cells))
+    return steps.pulling;
+  const std::vector<double> change = best_change(mesh_, energies, left.r);
+  if (change.empty())
+    return {};
+  ++steps_;
+  add(moments_, 1., change);
+  return pulling(mesh_, free, moments_);
+}
+
+EquilibratedStress::Steps
+EquilibratedStress::improve_step_by_step(Residual &left,
+                                         const StarSolver &solver,
+                                         const CellEnergies &energies,
+                                         const std::vector<unsigned int> &free,
+                                         const ImprovementOptions &options)
+{
+  std::vector<double> z(left.r.size(), 0.), q(left.r.size(), 0.);
+  solver.apply(left.r, z);
+  std::vector<double> p = z;
+  double rz = product(left.r, z);
+  steps_ = 0;
+  while (rz > 0. && left.square > rounding * left.energy && steps_ < options.most_steps)
+  {
+    multiply(mesh_, energies, p, q);
+    const double alpha = rz / product(p, q), decrease = alpha * rz;
+    if (!(decrease > 0.))
+      return {{}, true};
+    ++steps_;
+    add(moments_, alpha, p);
+    add(left.r, -alpha, q);
+    if (const auto edges = pulling(mesh_, free, moments_); !edges.empty())
+      return {edges, false};
+    left.square -= decrease;
+    left.square_of_patches -= decrease;
+    // Rounding may make the square for pi^{2h} u_h negative.
+    const double least =
+      std::min(options.least_share * left.square,
+               options.least_share_of_patches * std::max(0., left.square_of_patches));
+    if (decrease < least || left.square < 0.)
+      return {{}, true};
+    solver.apply(left.r, z);
+    const double new_rz = product(left.r, z), beta = new_rz / rz;
+    rz = new_rz;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      p[i] = z[i] + beta * p[i];
+  }
+  return {};
+}
+} // namespace Signorini

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The system (5) checked with integrals over the cells: nothing here uses A or its factors.
+
+#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/error_control/estimate/certificate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace Signorini
+{
+namespace
+{
+double relative(const double value, const double scale)
+{
+  return scale > 0. ? std::abs(value) / scale : std::abs(value);
+}
+
+/** |T^T r|_2 relative to the largest term of r. */
+template <int dim>
+double stationarity(const DisplacementSpace<dim> &space, const NodalForces &forces)
+{
+  return relative(space.condense(forces.residual).l2_norm(), forces.scale());
+}
+
+/** The nodes whose degrees of freedom hold the body: number, position, component. */
+template <int dim>
+std::map<dealii::types::global_dof_index, std::pair<dealii::Point<dim>, unsigned int>>
+support_points(const DisplacementSpace<dim> &space)
+{
+  NodePositions<dim> positions(space);
+  std::map<dealii::types::global_dof_index, std::pair<dealii::Point<dim>, unsigned int>> points;
+  std::vector<dealii::types::global_dof_index> indices;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (cell->at_boundary())
+    {
+      const dealii::FiniteElement<dim> &element = cell->get_fe();
+      const std::vector<dealii::Point<dim>> &nodes = positions(cell);
+      indices.resize(element.n_dofs_per_cell());
+      cell->get_dof_indices(indices);
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        if (space.supports().is_element(indices[i]))
+        {
+          const auto [component, node] = element.system_to_component_index(i);
+          points[indices[i]] = {nodes[node], component};
+        }
+    }
+  return points;
+}
+
+/** Balance of forces and moments between reactions, loads and contact. */
+template <int dim>
+void balance(const DisplacementSpace<dim> &space,
+             const Scene<dim> &scene,
+             const Resultant<dim> &applied,
+             const Resultant<dim> &contact,
+             const double size_of_contact,
+             const NodalForces &forces,
+             Certificate &certificate)
+{
+  Resultant<dim> sum = applied;
+  sum += contact;
+  double sum_of_sizes = 0.;
+  for (const auto &[dof, place] : support_points(space))
+  {
+    dealii::Tensor<1, dim> reaction;
+    reaction[place.second] = forces.residual[dof];
+    sum_of_sizes += reaction.norm();
+    sum.add(reaction, place.first);
+  }
+  // About the centre of the body: the origin may be far away.
+  const dealii::Point<dim> centre =
+    scene.geometry.lower + 0.5 * (scene.geometry.upper - scene.geometry.lower);
+  const double largest = std::max({sum_of_sizes, applied.force.norm(), size_of_contact});
+  const double scale = forces.rigid ? std::max(forces.magnitude, largest) : largest;
+  certificate.force_balance = relative(sum.force.norm(), scale);
+  certificate.moment_balance =
+    relative(sum.moment_about(centre).norm(), scale * (scene.geometry.diameter() + centre.norm()));
+}
+
+/** The vertices of sides that hold the body, with how far U misses what is prescribed there. */
+template <int dim>
+double support_error(const DisplacementSpace<dim> &space,
+                     const Scene<dim> &scene,
+                     const NodalVector &U)
+{
+  double scale = U.linfty_norm();
+  // A vertex between two sides takes the displacement of one; on rollers alone, it obeys both.
+  std::map<unsigned int, double> of_displacement, of_rollers;
+  dealii::Vector<double> prescribed(dim);
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (cell->at_boundary())
+      for (const unsigned int f : cell->face_indices())
+      {
+        const auto face = cell->face(f);
+        if (!face->at_boundary())
+          continue;
+        const unsigned int number = face->boundary_id();
+        const BoundaryCondition<dim> &condition = scene.boundary[number];
+        const bool rolls = condition.role == Role::roller;
+        // The system takes other normals at the vertices of curved rollers.
+        if (rolls && space.mesh().is_curved())
+          continue;
+        if (!rolls && condition.role != Role::clamped && condition.role != Role::displacement)
+          continue;
+        for (const unsigned int v : face->vertex_indices())
+        {
+          prescribed = 0.;
+          if (condition.role == Role::displacement)
+            condition.data->vector_value(face->vertex(v), prescribed);
+          scale = std::max(scale, prescribed.linfty_norm());
+          dealii::Tensor<1, dim> rest;
+          for (unsigned int d = 0; d < dim; ++d)
+            rest[d] = U[face->vertex_dof_index(v, d, cell->active_fe_index())] - prescribed[d];
+          const unsigned int vertex = face->vertex_index(v);
+          if (rolls)
+          {
+            const Side<dim> &side = scene.geometry.sides[number];
+            // On straight sides the normal of a face is that at its middle.
+            const double normal = std::abs(rest * side.normal(side.coordinates(face->center())));
+            of_rollers[vertex] = std::max(of_rollers[vertex], normal);
+          }
+          else
+          {
+            const auto known = of_displacement.find(vertex);
+            of_displacement[vertex] =
+              known == of_displacement.end() ? rest.norm() : std::min(known->second, rest.norm());
+          }
+        }
+      }
+  double largest = 0.;
+  for (const auto &[vertex, error] : of_displacement)
+    largest = std::max(largest, error);
+  for (const auto &[vertex, error] : of_rollers)
+    if (of_displacement.count(vertex) == 0)
+      largest = std::max(largest, error);
+  return relative(largest, scale);
+}
+
+/** U without the translation of the whole body, and how much that is. */
+struct Deformation
+{
+  NodalVector V;
+  /** Certificate::translation. */
+  double translation = 1.;
+};
+
+/** The component to which every degree of freedom belongs. */
+template <int dim>
+std::vector<unsigned int> components_of(const DisplacementSpace<dim> &space)
+{
+  std::vector<unsigned int> component(space.dofs().n_dofs());
+  std::vector<dealii::types::global_dof_index> indices;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    const dealii::FiniteElement<dim> &element = cell->get_fe();
+    indices.resize(element.n_dofs_per_cell());
+    cell->get_dof_indices(indices);
+    for (unsigned int i = 0; i < indices.size(); ++i)
+      component[indices[i]] = element.system_to_component_index(i).first;
+  }
+  return component;
+}
+
+/** The translation is the middle of the range of each component. */
+template <int dim>
+Deformation deformation(const DisplacementSpace<dim> &space, const NodalVector &U)
+{
+  dealii::Tensor<1, dim> low, high;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    low[d] = std::numeric_limits<double>::max();
+    high[d] = -low[d];
+  }
+  const std::vector<unsigned int> component = components_of(space);
+  for (unsigned int i = 0; i < component.size(); ++i)
+  {
+    low[component[i]] = std::min(low[component[i]], U[i]);
+    high[component[i]] = std::max(high[component[i]], U[i]);
+  }
+  double range = 0.;
+  for (unsigned int d = 0; d < dim; ++d)
+    range = std::max(range, 0.5 * (high[d] - low[d]));
+  Deformation result = {U};
+  for (unsigned int i = 0; i < component.size(); ++i)
+    result.V[i] -= 0.5 * (low[component[i]] + high[component[i]]);
+  const double size = U.linfty_norm();
+  if (range < size)
+    result.translation = size / std::max(range, std::numeric_limits<double>::epsilon() * size);
+  return result;
+}
+
+/** Contact may leave less of the displacement without contact than rounding does. A residual of
+ * 1e-8 of this share of it is 50 times the unit roundoff. */
+constexpr double least_share_of_free_state = 1e-6;
+
+/** Signs, penetration and complementarity of P and W = D^T U - G. */
+template <int dim>
+void check_contact(const MultiplierSpace<dim> &multipliers,
+                   const ContactSolution<dim> &solution,
+                   const dealii::Vector<double> &W,
+                   const double energy_scale,
+                   Certificate &certificate)
+{
+  const unsigned int m = W.size();
+  const dealii::Vector<double> measures = multipliers.integrals();
+  double deepest = 0., largest_P = 0., tensile = 0.;
+  double length_scale =
+    std::max(solution.U.linfty_norm(), least_share_of_free_state * solution.free_U.linfty_norm());
+  for (unsigned int tau = 0; tau < m; ++tau)
+  {
+    deepest = std::max(deepest, W[tau] / measures[tau]);
+    length_scale = std::max(length_scale, std::abs(solution.G[tau]) / measures[tau]);
+    largest_P = std::max(largest_P, std::abs(solution.P[tau]));
+    tensile = std::max(tensile, solution.P[tau]);
+  }
+  certificate.penetration = relative(deepest, length_scale);
+  certificate.sign = relative(tensile, largest_P);
+  certificate.complementarity = relative(solution.P * W, energy_scale);
+  for (unsigned int tau = 0; tau < m; ++tau)
+  {
+    // Measured as lengths, so that they are known to be small where all pressures vanish.
+    const double pressed = solution.diagonal_P.size() == m ? solution.diagonal_P[tau] : 0.;
+    const double small = 1e-6 * length_scale * measures[tau];
+    if (std::abs(pressed) < small && std::abs(W[tau]) < small)
+      ++certificate.degenerate_patches;
+  }
+}
+
+/**
+ * Without contact the body has the energy Pi(U_0). With V = U - U_0, primal: Pi(U) - Pi(U_0) =
+ * a(V,V)/2 and a(V,V) = a(U,V) - f(V); dual: P^T F - P^T C P/2.
+ */
+template <int dim>
+double duality_gap(const ContactSolution<dim> &solution,
+                   const NodalForces &forces,
+                   const double energy_scale)
+{
+  NodalVector V = solution.U;
+  V -= solution.free_U;
+  const double primal = 0.5 * (V * forces.internal - V * forces.loads);
+  const double dual = solution.P * solution.F - 0.5 * (solution.P * solution.C_P);
+  return relative(primal - dual, std::max(energy_scale, std::abs(dual)));
+}
+} // namespace
+
+Columns<Certificate> Certificate::columns()
+{
+  return {{"energy", &Certificate::energy}};
+}
+
+template <int dim>
+Certificate certify(const DisplacementSpace<dim> &space,
+                    const Scene<dim> &scene,
+                    const LinearSystem<dim> &system,
+                    const MultiplierSpace<dim> &multipliers,
+                    const Coupling &D,
+                    const ContactSolution<dim> &solution,
+                    const NodalForces &forces)
+{
+  Certificate certificate;
+  certificate.moments_are_exact = !space.mesh().is_curved();
+  certificate.stationarity = stationarity(space, forces);
+  certificate.support = support_error(space, scene, solution.U);
+  const Deformation deformed = deformation(space, solution.U);
+  certificate.translation = deformed.translation;
+  Resultant<dim> contact;
+  // Pressures all around a hole have no resultant.
+  double size_of_contact = 0.;
+  for (const Piece<dim> &piece : multipliers.surface().pieces())
+  {
+    const Resultant<dim> of_piece = contact_resultant(multipliers, solution.P, piece);
+    contact += of_piece;
+    size_of_contact += of_piece.force.norm();
+  }
+  balance(space, scene, system.applied, contact, size_of_contact, forces, certificate);
+
+  dealii::Vector<double> W = D.transpose_product(solution.U);
+  W -= solution.G;
+  // A translation has no strain energy, but its product with rounding of forces may be large.
+  const double strain_energy = 0.5 * (deformed.V * forces.internal);
+  const double work_of_loads = solution.U * forces.loads;
+  const double work_of_gap = solution.P * solution.G;
+  const double energy_scale =
+    std::max({strain_energy,
+              std::abs(work_of_loads),
+              std::abs(work_of_gap),
+              least_share_of_free_state * std::abs(solution.P * solution.F),
+              forces.rigid_energy()});
+  check_contact(multipliers, solution, W, energy_scale, certificate);
+  // J of (22); [p, Bu - g] is P^T W.
+  certificate.energy = strain_energy - work_of_loads - solution.P * W;
+
+  if (solution.C_P.size() > 0)
+    certificate.duality_gap = duality_gap(solution, forces, energy_scale);
+  const double unit_roundoff = std::numeric_limits<double>::epsilon();
+  const double noise = unit_roundoff * forces.magnitude;
+  certificate.rounding = forces.rigid ? unit_roundoff
+                         : noise > 0. ? noise / std::max(noise, forces.largest())
+                                      : 0.;
+  return certificate;
+}
+
+template Certificate certify(const DisplacementSpace<2> &,
+                             const Scene<2> &,
+                             const LinearSystem<2> &,
+                             const MultiplierSpace<2> &,
+                             const Coupling &,
+                             const ContactSolution<2> &,
+                             const NodalForces &);
+template Certificate certify(const DisplacementSpace<3> &,
+                             const Scene<3> &,
+                             const LinearSystem<3> &,
+                             const MultiplierSpace<3> &,
+                             const Coupling &,
+                             const ContactSolution<3> &,
+                             const NodalForces &);
+} // namespace Signorini

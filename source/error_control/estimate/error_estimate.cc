@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What a better pressure than p_H does to the displacement.
+
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/error_control/estimate/error_estimate.h>
+#include <signorini/postprocessing/fields/contact_pressure.h>
+#include <signorini/postprocessing/fields/patch_interpolation.h>
+#include <signorini/solvers/contact/recovery.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace Signorini
+{
+namespace
+{
+/** Faces per patch of the partition that pressures are recovered from. */
+constexpr unsigned int recovery_ratio = 2;
+
+bool presses_nowhere(const dealii::Vector<double> &P)
+{
+  return std::none_of(P.begin(), P.end(), [](const double p) { return p < 0.; });
+}
+
+/** P of the dual problem on another partition; none where a patch sees no free node, or where the
+ * solver fails. */
+template <int dim>
+std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multipliers,
+                                               const PressureData<dim> &data)
+{
+  const Coupling D = assemble_coupling(data.space, multipliers);
+  const Coupling condensed_D = condense(D, data.space.constraints());
+  for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
+    if (condensed_D.column(k).empty())
+      return {};
+  FreeState free;
+  free.F = assemble_gap(multipliers, data.n_points);
+  free.F -= D.transpose_product(data.U_free);
+  if (free.nothing_touches())
+    return dealii::Vector<double>(multipliers.n_multipliers());
+  return data.solve_dual(D,
+                         condensed_D,
+                         free.F,
+                         transfer_pressure<dim>({data.multipliers.surface().patches(), data.P},
+                                                multipliers.surface().patches()));
+}
+
+/**
+ * The recovered pressure, shifted on every patch so that its mean is that of p_H, and nowhere
+ * positive. R^H p - p_H converges faster than p - p_H, see (25). The means of a line through the
+ * middles of patches do not, and whole patches act on the body far more than what varies on them.
+ */
+template <int dim>
+class ShiftedPressure
+{
+public:
+  ShiftedPressure(const MultiplierSpace<dim> &multipliers, const dealii::Vector<double> &P)
+    : recovered_(multipliers, P)
+    , shifts_(P)
+  {
+    dealii::Vector<double> integrals(P.size()), lengths(P.size());
+    for (const Piece<dim> &piece : multipliers.surface().pieces())
+      for (std::size_t q = 0; q < piece.on_mesh.size(); ++q)
+      {
+        const double weight = piece.on_mesh.weights[q];
+        lengths[piece.patch] += weight;
+        integrals[piece.patch] += recovered_(piece.patch, piece.on_mesh.on_side[q]) * weight;
+      }
+    for (unsigned int k = 0; k < P.size(); ++k)
+      shifts_[k] -= integrals[k] / lengths[k];
+  }
+  double operator()(const unsigned int patch, const dealii::Point<dim - 1> &s) const
+  {
+    return std::min(0., recovered_(patch, s) + shifts_[patch]);
+  }
+
+private:
+  RecoveredPressure<dim> recovered_;
+  dealii::Vector<double> shifts_;
+};
+
+/** z_h for a load. */
+template <int dim>
+PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &data)
+{
+  dealii::Vector<double> one(1);
+  one = 1.;
+  dealii::Vector<double> minus_P(data.P);
+  minus_P *= -1.;
+  DistributedVector forces = data.space.make_vector();
+  load.add_product(one, forces);
+  data.condensed_D.add_product(minus_P, forces);
+  PressureCorrection correction;
+  correction.z = solve_homogeneous(data.inverse, data.space, forces);
+  // b.z = a(z, z): z is in V^h with homogeneous conditions.
+  double work = 0.;
+  for (const auto i : data.space.locally_owned())
+    work += forces(i) * correction.z[i];
+  work = dealii::Utilities::MPI::sum(work, data.space.mesh().communicator());
+  correction.energy_norm = std::sqrt(std::max(0., work));
+  return correction;
+}
+} // namespace
+
+template <int dim>
+Coupling recovered_load(const DisplacementSpace<dim> &space,
+                        const MultiplierSpace<dim> &multipliers,
+                        const dealii::Vector<double> &P)
+{
+  const ContactSurface<dim> &surface = multipliers.surface();
+  const dealii::FEValuesExtractors::Vector displacement(0);
+  const ShiftedPressure<dim> recovered(multipliers, P);
+  TraceValues<dim> traces(space);
+  std::map<dealii::types::global_dof_index, double> forces;
+  for (const Piece<dim> &piece : surface.pieces())
+  {
+    const ContactFace<dim> &face = surface.faces()[piece.face];
+    const SurfaceRule<dim> &rule = piece.on_mesh;
+    const auto &values = traces.reinit(face, rule.on_face);
+    const auto indices = space.cell_dofs(face.cell);
+    for (std::size_t q = 0; q < rule.size(); ++q)
+    {
+      const double force = recovered(piece.patch, rule.on_side[q]) * rule.weights[q];
+      if (force != 0.)
+        for (unsigned int j = 0; j < indices.size(); ++j)
+          forces[indices[j]] += force * (values[displacement].value(j, q) * rule.normals[q]);
+    }
+  }
+  return condense(Coupling({Coupling::Column(forces.begin(), forces.end())}), space.constraints());
+}
+
+template <int dim>
+PressureCorrection correct_pressure(const PressureData<dim> &data)
+{
+  const ContactSurface<dim> &surface = data.multipliers.surface();
+  const ContactSurface<dim> finer(data.space.mesh(), data.scene, Partition{recovery_ratio, 0});
+  if (surface.has_unstable_patch())
+    return {};
+  if (data.solve_dual && finer.patches().size() > surface.patches().size())
+  {
+    const MultiplierSpace<dim> multipliers(finer);
+    if (const auto P = solve_on(multipliers, data))
+      return presses_nowhere(*P) && presses_nowhere(data.P)
+               ? PressureCorrection()
+               : correct_by<dim>(recovered_load(data.space, multipliers, *P), data);
+  }
+  return presses_nowhere(data.P)
+           ? PressureCorrection()
+           : correct_by<dim>(recovered_load(data.space, data.multipliers, data.P), data);
+}
+
+template Coupling recovered_load(const DisplacementSpace<2> &,
+                                 const MultiplierSpace<2> &,
+                                 const dealii::Vector<double> &);
+template PressureCorrection correct_pressure(const PressureData<2> &);
+template Coupling recovered_load(const DisplacementSpace<3> &,
+                                 const MultiplierSpace<3> &,
+                                 const dealii::Vector<double> &);
+template PressureCorrection correct_pressure(const PressureData<3> &);
+
+// Distances between interpolations of the nodal values; (24) and (31) make the first an estimate of
+// the error of the mesh.
+
+namespace
+{
+/** Squares of norms of v - w, of a cell or of the body. */
+struct Squares
+{
+  double values = 0.;
+  double gradients = 0.;
+  double energy = 0.;
+
+  Squares &operator+=(const Squares &other)
+  {
+    values += other.values;
+    gradients += other.gradients;
+    energy += other.energy;
+    return *this;
+  }
+};
+
+/** v is the patch interpolation over @p fine generations, w over one less; every chunk of cells
+ * has its own. */
+template <int dim>
+class Distance
+{
+public:
+  using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+  // Products of functions of degree two or four per direction: three or five points are exact on
+  // parallelograms.
+  Distance(const DisplacementSpace<dim> &space,
+           const Material<dim> *const material,
+           const NodalVector &U,
+           const unsigned int fine)
+    : material_(material)
+    , U_(U)
+    , values_(space.mesh().mapping(),
+              space.element(),
+              dealii::QGauss<dim>((space.element().degree << fine) + 1),
+              dealii::update_values | dealii::update_gradients | dealii::update_inverse_jacobians |
+                dealii::update_JxW_values | dealii::update_quadrature_points)
+    , v_(space, values_.get_quadrature(), fine)
+    , w_(space, values_.get_quadrature(), fine - 1)
+  {
+    if (material != nullptr && material->is_constant())
+      hooke_ = material->hooke(dealii::Point<dim>());
+  }
+  Squares integrate(const CellIterator &cell)
+  {
+    values_.reinit(cell);
+    const FieldValues<dim> &v = v_.evaluate(U_, cell, values_);
+    const FieldValues<dim> &w = w_.evaluate(U_, cell, values_);
+    Squares sum;
+    for (const unsigned int q : values_.quadrature_point_indices())
+    {
+      const double JxW = values_.JxW(q);
+      const dealii::Tensor<2, dim> gradient = v.gradients[q] - w.gradients[q];
+      const dealii::SymmetricTensor<2, dim> strain = symmetrize(gradient);
+      if (material_ != nullptr && !material_->is_constant())
+        hooke_ = material_->hooke(values_.quadrature_point(q));
+      sum += {(v.values[q] - w.values[q]).norm_square() * JxW,
+              gradient.norm_square() * JxW,
+              (hooke_ * strain) * strain * JxW};
+    }
+    return sum;
+  }
+
+private:
+  /** Null: energies are not wanted. */
+  const Material<dim> *material_;
+  const NodalVector &U_;
+  dealii::FEValues<dim> values_;
+  PatchInterpolation<dim> v_, w_;
+  dealii::SymmetricTensor<4, dim> hooke_;
+};
+
+/** The sums over all ranks; the threads' parts are added up in the order of cells. */
+template <int dim>
+Squares integrate(const DisplacementSpace<dim> &space,
+                  const Material<dim> *const material,
+                  const NodalVector &U,
+                  const unsigned int fine)
+{
+  Squares sum;
+  integrate_by_chunks<Squares, dim>(
+    space,
+    [&](const Cells<dim> &cells) {
+      Distance<dim> distance(space, material, U, fine);
+      Squares of_chunk;
+      for (const auto &cell : cells)
+        of_chunk += distance.integrate(cell);
+      return of_chunk;
+    },
+    [&sum](const Squares &of_chunk) { sum += of_chunk; });
+  for (double *const square : {&sum.values, &sum.gradients, &sum.energy})
+    *square = dealii::Utilities::MPI::sum(*square, space.mesh().communicator());
+  return sum;
+}
+
+/** ‖.‖_1 with lengths in the given unit, up to that unit's own power. */
+double norm_1(const Squares &squares, const double unit_of_length)
+{
+  return std::sqrt(squares.values / (unit_of_length * unit_of_length) + squares.gradients);
+}
+} // namespace
+
+template <int dim>
+ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
+                             const Scene<dim> &scene,
+                             const NodalVector &U,
+                             const PressureCorrection &correction,
+                             const OtherErrors &others)
+{
+  const Material<dim> *const material = scene.material.get();
+  const Squares of_U = integrate(space, material, U, 1);
+  double mesh_square = of_U.energy;
+  if (correction.z.size() > 0)
+  {
+    NodalVector corrected(U);
+    corrected += correction.z;
+    mesh_square = integrate(space, material, corrected, 1).energy;
+  }
+  ErrorEstimate estimate;
+  estimate.h1 = norm_1(of_U, 1.);
+  estimate.mesh = std::sqrt(mesh_square);
+  estimate.pressure = correction.energy_norm;
+  estimate.algebra = others.algebra;
+  estimate.contact = others.contact;
+  estimate.energy = std::hypot(std::sqrt(mesh_square), correction.energy_norm);
+  estimate.energy = std::hypot(estimate.energy, others.algebra, others.contact);
+  if (estimate.energy > 0.)
+    estimate.relative =
+      estimate.energy /
+      energy_scale(energy_norm(space, scene, U), estimate.energy, space, scene, U);
+  return estimate;
+}
+
+template <int dim>
+unsigned int best_interpolation(const DisplacementSpace<dim> &space, const NodalVector &U)
+{
+  if (space.mesh().n_nested_ancestors() < 2)
+    return space.mesh().n_nested_ancestors();
+  const auto change = [&](const unsigned int fine) {
+    return norm_1(integrate<dim>(space, nullptr, U, fine), space.mesh().size());
+  };
+  return change(2) < 2. / 3. * change(1) ? 2 : 1;
+}
+
+Columns<ErrorEstimate> ErrorEstimate::columns()
+{
+  return {{"estimated_h1", &ErrorEstimate::h1},
+          {"estimated_energy", &ErrorEstimate::energy},
+          {"estimated_relative", &ErrorEstimate::relative},
+          {"estimated_mesh", &ErrorEstimate::mesh},
+          {"estimated_pressure", &ErrorEstimate::pressure},
+          {"estimated_algebra", &ErrorEstimate::algebra},
+          {"estimated_contact", &ErrorEstimate::contact}};
+}
+
+template ErrorEstimate estimate_error(const DisplacementSpace<2> &,
+                                      const Scene<2> &,
+                                      const NodalVector &,
+                                      const PressureCorrection &,
+                                      const OtherErrors &);
+template ErrorEstimate estimate_error(const DisplacementSpace<3> &,
+                                      const Scene<3> &,
+                                      const NodalVector &,
+                                      const PressureCorrection &,
+                                      const OtherErrors &);
+template unsigned int best_interpolation(const DisplacementSpace<2> &, const NodalVector &);
+template unsigned int best_interpolation(const DisplacementSpace<3> &, const NodalVector &);
+} // namespace Signorini

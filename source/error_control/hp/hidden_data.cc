@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Layers and bumps between the points of the first mesh.
+
+#include <signorini/base/errors.h>
+#include <signorini/discretization/elasticity/cell_stiffness.h>
+#include <signorini/error_control/hp/hidden_data.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace Signorini
+{
+namespace
+{
+/** Layers that need more splits are refused, and what sides hide is left alone. */
+constexpr unsigned int most_splits_in_body = 16, most_splits_on_sides = 24, most_split_cells = 2000;
+
+/** The lines of a cell that are sampled. Near their ends the distances are 2^-k. */
+constexpr std::array<double, 5> sampled_lines = {{0.081, 0.293, 0.517, 0.714, 0.923}};
+constexpr unsigned int n_points_at_ends = 20;
+
+using Values = std::vector<double>;
+
+/** Positions between 0 and 1: @p n at equal distances, then those near the ends. */
+std::vector<double> sample_positions(const unsigned int n)
+{
+  std::vector<double> positions;
+  for (unsigned int i = 0; i < n; ++i)
+    positions.push_back((i + 0.5) / n);
+  for (unsigned int k = 2; k < n_points_at_ends; ++k)
+    positions.insert(positions.end(), {std::pow(0.5, k), 1. - std::pow(0.5, k)});
+  return positions;
+}
+
+/** A point of a cell, bilinear in its reference coordinates. */
+dealii::Point<2> point_of(const dealii::Triangulation<2>::active_cell_iterator &cell,
+                          const double s,
+                          const double t)
+{
+  return dealii::Point<2>((1. - s) * (1. - t) * cell->vertex(0) + s * (1. - t) * cell->vertex(1) +
+                          (1. - s) * t * cell->vertex(2) + s * t * cell->vertex(3));
+}
+
+/** Logarithms of moduli. */
+Values log_moduli(const Material<2> &material, const dealii::Point<2> &x)
+{
+  const dealii::SymmetricTensor<4, 2> E = material.relative_hooke(x);
+  return {std::log(E[0][0][0][0]), std::log(E[1][1][1][1]), std::log(E[0][1][0][1])};
+}
+
+/** E_a/E_h - 1 with the arithmetic and the harmonic mean of the moduli on a cell, the largest of
+ * them, where they jump; zero where they do not. */
+double jump_share(const Material<2> &material,
+                  const dealii::Triangulation<2>::active_cell_iterator &cell)
+{
+  constexpr unsigned int n = 16;
+  const double least_jump = std::log(1.5);
+  std::array<std::array<Values, n>, n> at;
+  std::array<double, 3> sum = {}, sum_of_inverses = {};
+  bool jumps = false;
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < n; ++j)
+    {
+      at[i][j] = log_moduli(material, point_of(cell, (i + 0.5) / n, (j + 0.5) / n));
+      for (unsigned int c = 0; c < sum.size(); ++c)
+      {
+        const double here = at[i][j][c];
+        sum[c] += std::exp(here);
+        sum_of_inverses[c] += std::exp(-here);
+        jumps = jumps || (i > 0 && std::abs(here - at[i - 1][j][c]) > least_jump) ||
+                (j > 0 && std::abs(here - at[i][j - 1][c]) > least_jump);
+      }
+    }
+  double share = 0.;
+  for (unsigned int c = 0; jumps && c < sum.size(); ++c)
+    share = std::max(share, sum[c] * sum_of_inverses[c] / std::pow(n, 4) - 1.);
+  return share;
+}
+
+/** The values that rules see, and whether another one is far from all of them. */
+class SeenRange
+{
+public:
+  void add(const Values &values)
+  {
+    if (low_.empty())
+      low_ = high_ = values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      low_[i] = std::min(low_[i], values[i]);
+      high_[i] = std::max(high_[i], values[i]);
+    }
+  }
+  bool is_far(const Values &values, const double tolerance) const
+  {
+    for (std::size_t i = 0; i < std::min(values.size(), low_.size()); ++i)
+    {
+      const double slack = 0.5 * (high_[i] - low_[i]) + tolerance;
+      if (values[i] < low_[i] - slack || values[i] > high_[i] + slack)
+        return true;
+    }
+    return false;
+  }
+
+private:
+  Values low_, high_;
+};
+
+/** Looks at cells while a mesh is made. */
+class DataProbe
+{
+public:
+  using Cell = dealii::Triangulation<2>::active_cell_iterator;
+
+  DataProbe(const Scene<2> &scene, MeshPlan &plan)
+    : scene_(scene)
+    , plan_(plan)
+  {
+    const auto positions = sample_positions(most_points);
+    for (std::size_t i = 0; i < scene.boundary.size(); ++i)
+    {
+      const double length = scene.geometry.sides[i].length();
+      double largest = 0., sum = 0.;
+      for (const double t : positions)
+        for (const double value : on_side(i, t * length))
+        {
+          largest = std::max(largest, std::abs(value));
+          sum += std::abs(value);
+        }
+      largest_on_side_.push_back(largest);
+      force_on_side_.push_back(sum * length / positions.size());
+    }
+  }
+
+  bool must_split(const Cell &cell, const unsigned int n_splits)
+  {
+    if (plan_.must_split(scene_, cell, n_splits))
+      return true;
+    if (!looked_at_.insert(cell->id()).second)
+      return false;
+    const unsigned int n =
+      std::clamp<unsigned int>(4e4 / cell->get_triangulation().n_active_cells(), 16, most_points);
+    const std::optional<dealii::Point<2>> place = hidden_in(cell, n);
+    if (!place && !hides_on_side(cell, n))
+      return false;
+    if (n_splits >= (place ? most_splits_in_body : most_splits_on_sides) ||
+        n_split_ >= most_split_cells)
+    {
+      hidden_ = place;
+      return false;
+    }
+    ++n_split_;
+    plan_.demands[cell->id()].split = true;
+    return true;
+  }
+  /** Where the material hides for good. */
+  const std::optional<dealii::Point<2>> &hidden() const
+  {
+    return hidden_;
+  }
+
+private:
+  static constexpr unsigned int most_points = 1000;
+
+  /** The data of a side; empty where there is none, or no value. */
+  Values on_side(const unsigned int side, const double s) const
+  {
+    const FunctionPointer<2> &data = scene_.boundary[side].data;
+    if (data == nullptr)
+      return {};
+    Values values;
+    try
+    {
+      for (unsigned int c = 0; c < data->n_components; ++c)
+        values.push_back(data->value(scene_.geometry.sides[side].point(s), c));
+    }
+    catch (const InputError &)
+    {
+      values.clear();
+    }
+    return values;
+  }
+
+  std::optional<dealii::Point<2>> hidden_in(const Cell &cell, const unsigned int n) const
+  {
+    if (scene_.material->is_constant())
+      return {};
+    const auto moduli = [this](const dealii::Point<2> &x) {
+      return log_moduli(*scene_.material, x);
+    };
+    constexpr double tolerance = 0.01;
+    SeenRange seen;
+    const dealii::QGauss<2> gauss(n_gauss);
+    for (const dealii::Point<2> &x : gauss.get_points())
+      seen.add(moduli(point_of(cell, x[0], x[1])));
+    for (const double s : sample_positions(n))
+      for (const double t : sampled_lines)
+        for (const dealii::Point<2> &x : {point_of(cell, s, t), point_of(cell, t, s)})
+          if (seen.is_far(moduli(x), tolerance))
+            return x;
+    return {};
+  }
+
+  /** Whether the data of a side hides on a face, or a rule does not find the force of a traction:
+   * it would act from step to step as another load. */
+  bool hides_on_side(const Cell &cell, const unsigned int n) const
+  {
+    for (const auto &face : cell->face_iterators())
+    {
+      if (!face->at_boundary())
+        continue;
+      const unsigned int number = face->boundary_id();
+      const Side<2> &side = scene_.geometry.sides[number];
+      const double first = side.arc_length(face->vertex(0));
+      double length = side.arc_length(face->vertex(1)) - first;
+      if (side.is_closed())
+        length -= side.length() * std::round(length / side.length());
+      if (hides_between(number, first, length, n))
+        return true;
+    }
+    return false;
+  }
+
+  bool hides_between(const unsigned int side,
+                     const double first,
+                     const double length,
+                     const unsigned int n) const
+  {
+    constexpr double tolerance = 1e-4;
+    const auto at = [&](const double t) { return on_side(side, first + t * length); };
+    SeenRange seen;
+    const dealii::QGauss<1> gauss(n_gauss);
+    for (const dealii::Point<1> &t : gauss.get_points())
+      seen.add(at(t[0]));
+    const std::vector<double> positions = sample_positions(n);
+    Values before, low, high;
+    double jump = 0., range = 0.;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+    {
+      const Values values = at(positions[i]);
+      if (seen.is_far(values, tolerance * largest_on_side_[side]))
+        return true;
+      if (i == 0)
+        low = high = values;
+      for (std::size_t c = 0; i < n && c < std::min(values.size(), low.size()); ++c)
+      {
+        low[c] = std::min(low[c], values[c]);
+        high[c] = std::max(high[c], values[c]);
+        range = std::max(range, high[c] - low[c]);
+        if (c < before.size())
+          jump = std::max(jump, std::abs(values[c] - before[c]));
+      }
+      before = values;
+    }
+    // Smooth functions change by a few times their range/n from sample to sample.
+    const double force = 0.25 * (jump - 8. * range / n) * std::abs(length);
+    return scene_.boundary[side].role == Role::traction && force > tolerance * force_on_side_[side];
+  }
+
+  static constexpr unsigned int n_gauss = 4;
+  const Scene<2> &scene_;
+  MeshPlan &plan_;
+  /** The largest component, and about the force of its absolute value. */
+  std::vector<double> largest_on_side_, force_on_side_;
+  /** Cells in which nothing hides. */
+  std::set<dealii::CellId> looked_at_;
+  unsigned int n_split_ = 0;
+  std::optional<dealii::Point<2>> hidden_;
+};
+} // namespace
+
+std::optional<dealii::Point<2>> show_hidden_data(const Scene<2> &scene, MeshPlan &plan)
+{
+  DataProbe probe(scene, plan);
+  const Mesh<2> mesh(
+    scene.geometry,
+    plan.base_level,
+    plan.lines,
+    [&probe](const DataProbe::Cell &cell, const unsigned int n_splits) {
+      return probe.must_split(cell, n_splits);
+    },
+    2);
+  return probe.hidden();
+}
+
+void add_jump_misfit(const DisplacementSpace<2> &space,
+                     const Scene<2> &scene,
+                     const NodalVector &U,
+                     std::vector<CellIndicator> &indicators)
+{
+  if (scene.material->is_constant())
+    return;
+  CellStiffness<2> stiffness(space, scene);
+  const double unit = stiffness_unit(space, *scene.material);
+  dealii::Vector<double> on_cell;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    const double share = jump_share(*scene.material, cell);
+    if (share == 0.)
+      continue;
+    on_cell.reinit(cell->get_fe().n_dofs_per_cell());
+    cell->get_dof_values(U, on_cell);
+    double &error = indicators[cell->active_cell_index()].error;
+    error = std::sqrt(error * error +
+                      share * unit * std::max(0., stiffness(cell).matrix_norm_square(on_cell)));
+  }
+}
+} // namespace Signorini

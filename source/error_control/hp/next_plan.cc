@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// From the findings of a step to the mesh of the next one.
+
+#include <signorini/error_control/hp/next_plan.h>
+#include <signorini/problem/scene/corners.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+/** By which the error shall fall in a full step. */
+constexpr double reduction = 12.;
+
+/** More layers in a full step at an end of contact, where u ~ r^{3/2}. */
+constexpr double layers_per_step = 3.;
+constexpr double exponent_at_ends = 1.5;
+
+/** Smaller exponents would ask for more layers than a mesh can have. */
+constexpr double smallest_exponent = 0.2;
+
+/** How much the degree rises far away from singularities in a full step. */
+constexpr double rise_per_step = 1.5;
+
+/** Above this decay a cell is split, below it gets a higher degree. */
+constexpr double slow_decay = 0.4;
+
+/** The share of a full step that leads to the goal. */
+double step_length(const double error, const double goal)
+{
+  return std::min(1., std::max(1. / 3., std::log(error / goal) / std::log(reduction)));
+}
+
+/** The part of the indicators that lies at a singularity. */
+double error_at(const Singularity &singularity,
+                const Scene<2> &scene,
+                const Mesh<2> &mesh,
+                const std::vector<CellIndicator> &indicators)
+{
+  double square = 0.;
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    if (singularity.touches(scene, cell))
+      square += std::pow(indicators[cell->active_cell_index()].error, 2);
+  return std::sqrt(square);
+}
+
+Singularity end_of_contact(const ContactBracket &bracket,
+                           const Scene<2> &scene,
+                           const double layers)
+{
+  return {Singularity::Kind::end_of_contact,
+          scene.geometry.sides[bracket.side].point(0.5 * (bracket.from + bracket.to)),
+          exponent_at_ends,
+          bracket.side,
+          bracket.from,
+          bracket.to,
+          layers};
+}
+
+/** What the next step wants, in units of the indicators. */
+struct Goal
+{
+  /** Of all cells together. */
+  double error;
+  /** Of one cell. */
+  double per_cell;
+  /** The share of a full step. */
+  double length;
+};
+
+/** lambda as the error at the place shows it: 2^{-lambda} per layer. */
+double observed_exponent(const Singularity &known, const double error)
+{
+  const double more_layers = known.layers - known.last_layers;
+  if (known.last_error <= 0. || more_layers < 1. || error <= 0.)
+    return known.exponent;
+  const double observed = std::log2(known.last_error / error) / more_layers;
+  return std::max(smallest_exponent, std::min(known.exponent, observed));
+}
+
+/** Whether u_h does not look analytic in the cells at a place. */
+bool is_rough(const Singularity &place,
+              const Scene<2> &scene,
+              const Mesh<2> &mesh,
+              const std::vector<CellIndicator> &indicators)
+{
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    if (place.touches(scene, cell) && indicators[cell->active_cell_index()].decay > slow_decay)
+      return true;
+  return false;
+}
+
+/** Corners and kinks with the layers of the next mesh. */
+std::vector<Singularity> grade_places(const MeshPlan &plan,
+                                      const Scene<2> &scene,
+                                      const Mesh<2> &mesh,
+                                      const StepFindings &findings,
+                                      const Goal &goal)
+{
+  std::vector<Singularity> places;
+  for (const Singularity &known : plan.singularities)
+  {
+    if (known.kind == Singularity::Kind::end_of_contact)
+      continue;
+    Singularity place = known;
+    const double error = error_at(known, scene, mesh, findings.indicators);
+    place.exponent = observed_exponent(known, error);
+    const bool needs_first_layers =
+      known.is_certain || (plan.rise > 0. && is_rough(known, scene, mesh, findings.indicators));
+    if (known.layers > 0. ? error > 0.25 * goal.error
+                          : needs_first_layers && error > 0.1 * goal.error)
+    {
+      place.last_error = error;
+      place.last_layers = known.layers;
+      place.layers += goal.length * layers_per_step * exponent_at_ends / place.exponent;
+    }
+    places.push_back(place);
+  }
+  return places;
+}
+
+/** The kink at which contact ends, if there is one in the bracket or next to it. */
+Singularity *kink_in(const ContactBracket &bracket, std::vector<Singularity> &places)
+{
+  const double width = bracket.to - bracket.from;
+  for (Singularity &place : places)
+    if (place.kind == Singularity::Kind::kink && place.side == bracket.side &&
+        place.from > bracket.from - 0.5 * width && place.to < bracket.to + 0.5 * width)
+      return &place;
+  return nullptr;
+}
+
+/** The end of contact of the mesh before that is nearest on the same side. */
+const Singularity *end_before(const Singularity &end, const MeshPlan &plan)
+{
+  const Singularity *found = nullptr;
+  for (const Singularity &known : plan.singularities)
+    if (known.kind == Singularity::Kind::end_of_contact && known.side == end.side &&
+        (found == nullptr || known.point.distance(end.point) < found->point.distance(end.point)))
+      found = &known;
+  return found;
+}
+
+/** The singular places of the next mesh with their layers. */
+void grade(const MeshPlan &plan,
+           const Scene<2> &scene,
+           const Mesh<2> &mesh,
+           const StepFindings &findings,
+           const Goal &goal,
+           MeshPlan &next)
+{
+  next.singularities = grade_places(plan, scene, mesh, findings, goal);
+  // An end that moves takes its layers along; a new one has as many as an old one of this age.
+  const double usual = layers_per_step * plan.rise / rise_per_step;
+  std::vector<Singularity> ends;
+  for (const ContactBracket &bracket : findings.brackets)
+  {
+    Singularity end = end_of_contact(bracket, scene, usual);
+    if (const Singularity *const before = end_before(end, plan))
+      end.layers = before->layers;
+    if (end.layers == 0. || error_at(end, scene, mesh, findings.indicators) > 0.2 * goal.error)
+      end.layers += goal.length * layers_per_step;
+    if (Singularity *const kink = kink_in(bracket, next.singularities))
+      kink->layers = std::max(kink->layers, end.layers);
+    else
+      ends.push_back(end);
+  }
+  next.singularities.insert(next.singularities.end(), ends.begin(), ends.end());
+}
+
+/** Splits or raises the degree of cells whose error the rest of the plan leaves too large. */
+void demand(const Scene<2> &scene,
+            const Mesh<2> &mesh,
+            const std::vector<unsigned int> &degrees,
+            const StepFindings &findings,
+            const Goal &goal,
+            MeshPlan &next)
+{
+  constexpr double margin = 2.;
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+  {
+    const CellIndicator &indicator = findings.indicators[cell->active_cell_index()];
+    if (next.must_split(scene, cell, mesh.splits(cell)))
+      continue;
+    const unsigned int degree = degrees[cell->active_cell_index()];
+    const unsigned int planned = std::max(degree, planned_degree(next, mesh, cell));
+    const double predicted = indicator.error * std::pow(indicator.decay, planned - degree);
+    if (predicted <= margin * goal.per_cell)
+      continue;
+    const double missing =
+      std::ceil(std::log(predicted / goal.per_cell) / std::log(1. / indicator.decay));
+    CellDemand &demand = next.demands[cell->id()];
+    if (indicator.decay < slow_decay && planned + missing <= next.largest_degree)
+      demand.degree = std::max(demand.degree, planned + static_cast<unsigned int>(missing));
+    else
+    {
+      demand.split = true;
+      demand.degree = std::max(demand.degree, degree);
+    }
+  }
+}
+
+/** A corner at which u may be singular. */
+void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan)
+{
+  constexpr double of_logarithm = 1.;
+  const auto is_homogeneous = [&](const unsigned int side) {
+    const Role role = scene.boundary[side].role;
+    return role == Role::free || role == Role::clamped || role == Role::roller;
+  };
+  double exponent = corner_exponent(scene, corner);
+  Singularity place = {Singularity::Kind::corner, corner.position};
+  if (is_homogeneous(corner.sides[0]) && is_homogeneous(corner.sides[1]))
+    place.is_certain = exponent < 1.;
+  else
+    // Data that does not fit together gives r log r; data of a smooth solution gives nothing.
+    exponent = std::min(exponent, of_logarithm);
+  place.exponent = std::max(exponent, smallest_exponent);
+  if (exponent < largest_corner_exponent)
+    plan.singularities.push_back(place);
+}
+
+/** The points of a side at which data has a kink: an end of contact, or the end of an interface. */
+void add_kinks(const unsigned int side, const Scene<2> &scene, MeshPlan &plan)
+{
+  const Side<2> &curve = scene.geometry.sides[side];
+  const std::vector<double> cuts = scene.kinks.cut(curve, 0., curve.length());
+  for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
+    plan.singularities.push_back(
+      {Singularity::Kind::kink, curve.point(cuts[i]), exponent_at_ends, side, cuts[i], cuts[i]});
+}
+} // namespace
+
+MeshPlan first_plan(const Scene<2> &scene,
+                    const unsigned int base_level,
+                    const unsigned int largest_degree)
+{
+  MeshPlan plan;
+  plan.base_level = base_level;
+  plan.largest_degree = largest_degree;
+  const dealii::Tensor<1, 2> box = scene.geometry.upper - scene.geometry.lower;
+  plan.base_size =
+    std::sqrt(box[0] * box[1] / scene.geometry.n_coarse_cells) / std::pow(2., base_level);
+  for (const KinkLine<2> &line : scene.kinks.lines())
+    for (unsigned int d = 0; d < 2; ++d)
+      if (std::abs(line.normal[1 - d]) < 1e-12)
+        plan.lines[d].push_back(line.position / line.normal[d]);
+  for (const Corner &corner : corners(scene.geometry))
+    add_corner(corner, scene, plan);
+  for (unsigned int side = 0; side < scene.boundary.size(); ++side)
+    if (scene.boundary[side].role == Role::contact || !scene.material->is_constant())
+      add_kinks(side, scene, plan);
+  return plan;
+}
+
+MeshPlan next_plan(const MeshPlan &plan,
+                   const Scene<2> &scene,
+                   const Mesh<2> &mesh,
+                   const std::vector<unsigned int> &degrees,
+                   const StepFindings &findings)
+{
+  MeshPlan next = plan;
+  const std::size_t n_cells = mesh.triangulation().n_active_cells();
+  if (!findings.unseen_contact.empty())
+  {
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (std::find(findings.unseen_contact.begin(),
+                    findings.unseen_contact.end(),
+                    cell->active_cell_index()) != findings.unseen_contact.end())
+        next.demands[cell->id()].split = true;
+    return next;
+  }
+  const double aim = std::max(0.6 * findings.target, findings.error / reduction);
+  Goal goal = {};
+  goal.length = step_length(findings.error, aim);
+  goal.error = findings.error > 0. ? total(findings.indicators) * aim / findings.error : 0.;
+  goal.per_cell = goal.error / std::sqrt(static_cast<double>(n_cells));
+  next.rise += goal.length * rise_per_step;
+  next.aim = findings.error > 0. ? aim / findings.error : 1.;
+  grade(plan, scene, mesh, findings, goal, next);
+  if (plan.rise > 0.)
+    demand(scene, mesh, degrees, findings, goal, next);
+  return next;
+}
+} // namespace Signorini

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// u_h on a cell, evaluated by sum factorisation.
+
+#include <signorini/error_control/hp/smoothness.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace Signorini
+{
+namespace
+{
+/** Where FE_Q has the node (i, j) of the grid, for i + (p + 1) j. */
+const std::vector<unsigned int> &numbers_on_grid(const unsigned int degree)
+{
+  thread_local std::map<unsigned int, std::vector<unsigned int>> known;
+  std::vector<unsigned int> &numbers = known[degree];
+  if (numbers.empty())
+    numbers = dealii::FETools::lexicographic_to_hierarchic_numbering<2>(degree);
+  return numbers;
+}
+} // namespace
+
+const std::vector<double> &nodes_of_edge(const unsigned int degree)
+{
+  thread_local std::map<unsigned int, std::vector<double>> known;
+  std::vector<double> &nodes = known[degree];
+  if (nodes.empty())
+  {
+    const dealii::QGaussLobatto<1> rule(degree + 1);
+    for (const dealii::Point<1> &x : rule.get_points())
+      nodes.push_back(x[0]);
+  }
+  return nodes;
+}
+
+LineTable make_line_table(const unsigned int degree, const std::vector<double> &points)
+{
+  const std::vector<double> &nodes = nodes_of_edge(degree);
+  const unsigned int n = nodes.size();
+  LineTable table = {{static_cast<unsigned int>(points.size()), n},
+                     {static_cast<unsigned int>(points.size()), n}};
+  for (unsigned int q = 0; q < points.size(); ++q)
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      double value = 1., derivative = 0.;
+      for (unsigned int j = 0; j < n; ++j)
+        if (j != i)
+        {
+          const double scale = 1. / (nodes[i] - nodes[j]);
+          derivative = derivative * (points[q] - nodes[j]) * scale + value * scale;
+          value *= (points[q] - nodes[j]) * scale;
+        }
+      table.values(q, i) = value;
+      table.derivatives(q, i) = derivative;
+    }
+  return table;
+}
+
+CellField::CellField(const dealii::DoFHandler<2>::active_cell_iterator &cell, const NodalVector &U)
+  : degree_(cell->get_fe().degree)
+{
+  const dealii::FiniteElement<2> &element = cell->get_fe();
+  dealii::Vector<double> nodal(element.n_dofs_per_cell());
+  cell->get_dof_values(U, nodal);
+  const std::vector<unsigned int> &numbers = numbers_on_grid(degree_);
+  const unsigned int n = degree_ + 1;
+  for (unsigned int c = 0; c < 2; ++c)
+  {
+    values_[c].reinit(n, n);
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        values_[c](j, i) = nodal[element.component_to_system_index(c, numbers[i + n * j])];
+  }
+}
+
+std::vector<dealii::Tensor<2, 2>> CellField::gradients(const LineTable &x, const LineTable &y) const
+{
+  const unsigned int n_x = x.values.m(), n_y = y.values.m(), n = degree_ + 1;
+  std::vector<dealii::Tensor<2, 2>> gradients(n_x * n_y);
+  dealii::FullMatrix<double> at_x(n, n_x), derivative_at_x(n, n_x), result(n_y, n_x);
+  for (unsigned int c = 0; c < 2; ++c)
+  {
+    values_[c].mTmult(at_x, x.values);
+    values_[c].mTmult(derivative_at_x, x.derivatives);
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      (d == 0 ? y.values : y.derivatives).mmult(result, d == 0 ? derivative_at_x : at_x);
+      for (unsigned int j = 0; j < n_y; ++j)
+        for (unsigned int i = 0; i < n_x; ++i)
+          gradients[i + n_x * j][c][d] = result(j, i);
+    }
+  }
+  return gradients;
+}
+
+// The decay of Legendre coefficients, cell by cell.
+
+namespace
+{
+/** Legendre's polynomial of degree n on [0, 1]. */
+double legendre(const unsigned int n, const double x)
+{
+  const double t = 2. * x - 1.;
+  double before = 0., value = 1.;
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    const double next = ((2. * k + 1.) * t * value - k * before) / (k + 1.);
+    before = value;
+    value = next;
+  }
+  return value;
+}
+
+/** From values at the nodes of an edge to the orthonormal Legendre coefficients 0, ..., p - 1 of
+ * the derivative, and the weights of Gauss and Lobatto at the nodes. */
+struct Analysis
+{
+  explicit Analysis(const unsigned int degree)
+    : coefficients(degree, degree + 1)
+    , weights(dealii::QGaussLobatto<1>(degree + 1).get_weights())
+  {
+    const dealii::QGauss<1> gauss(degree + 1);
+    std::vector<double> points;
+    for (const dealii::Point<1> &x : gauss.get_points())
+      points.push_back(x[0]);
+    const LineTable table = make_line_table(degree, points);
+    for (unsigned int i = 0; i < degree; ++i)
+      for (unsigned int k = 0; k <= degree; ++k)
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          coefficients(i, k) += std::sqrt(2. * i + 1.) * legendre(i, points[q]) *
+                                table.derivatives(q, k) * gauss.weight(q);
+  }
+
+  dealii::FullMatrix<double> coefficients;
+  std::vector<double> weights;
+};
+
+/** ‖s_i‖ of the reference cell along coordinate d. */
+std::vector<double> parts_along(const unsigned int d, const CellField &u, const Analysis &analysis)
+{
+  const unsigned int p = u.degree();
+  std::vector<double> squares(p, 0.);
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int across = 0; across <= p; ++across)
+      for (unsigned int i = 0; i < p; ++i)
+      {
+        double coefficient = 0.;
+        for (unsigned int k = 0; k <= p; ++k)
+          coefficient += analysis.coefficients(i, k) * (d == 0 ? u(c, k, across) : u(c, across, k));
+        squares[i] += analysis.weights[across] * coefficient * coefficient;
+      }
+  for (double &square : squares)
+    square = std::sqrt(square);
+  return squares;
+}
+
+/** The missing parts, from a line through the logarithms of the last ones. */
+CellIndicator extrapolate(const std::vector<double> &parts)
+{
+  constexpr unsigned int most_parts = 4;
+  constexpr double slowest = 0.9, fastest = 0.02;
+  const unsigned int p = parts.size();
+  const unsigned int first = p > most_parts ? p - most_parts : 0;
+  // What is rounding against the largest part carries no slope.
+  const double negligible = 1e-13 * *std::max_element(parts.begin(), parts.end());
+  double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
+  for (unsigned int i = first; i < p; ++i)
+  {
+    const double logarithm = std::log(std::max(parts[i], negligible + 1e-300));
+    n += 1.;
+    x += i;
+    y += logarithm;
+    xx += static_cast<double>(i) * i;
+    xy += i * logarithm;
+  }
+  const double slope = (n * xy - x * y) / (n * xx - x * x);
+  const double rho = std::min(slowest, std::max(fastest, std::exp(slope)));
+  const double by_line = std::exp((y - slope * x) / n + slope * p);
+  // A line through two parts of an odd or even function may be steeper than both.
+  const double next = std::max({std::min(by_line, parts[p - 1]), rho * parts[p - 1]});
+  return {next / std::sqrt(1. - rho * rho), rho};
+}
+
+/** The area of the quadrilateral of the vertices. From differences only: cells may be 1e-9 of their
+ * distance from the origin. */
+double area_of(const dealii::Triangulation<2>::active_cell_iterator &cell)
+{
+  const dealii::Tensor<1, 2> first = cell->vertex(3) - cell->vertex(0);
+  const dealii::Tensor<1, 2> second = cell->vertex(2) - cell->vertex(1);
+  return 0.5 * std::abs(first[0] * second[1] - first[1] * second[0]);
+}
+
+} // namespace
+
+double indicator_modulus(const Scene<2> &scene, const dealii::Point<2> &x)
+{
+  const dealii::SymmetricTensor<4, 2> E = scene.material->hooke(x);
+  return std::min(std::max(E[0][0][0][0], E[1][1][1][1]), 4. * E[0][1][0][1]);
+}
+
+std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
+                                    const Scene<2> &scene,
+                                    const NodalVector &U)
+{
+  std::map<unsigned int, Analysis> analyses;
+  std::vector<CellIndicator> indicators;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    const CellField u(cell, U);
+    const Analysis &analysis = analyses.try_emplace(u.degree(), u.degree()).first->second;
+    const double lengths[] = {0.5 * (cell->face(2)->diameter() + cell->face(3)->diameter()),
+                              0.5 * (cell->face(0)->diameter() + cell->face(1)->diameter())};
+    const double modulus = indicator_modulus(scene, cell->center());
+    CellIndicator indicator;
+    double square = 0.;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      const CellIndicator along = extrapolate(parts_along(d, u, analysis));
+      const double size = modulus * area_of(cell) / (lengths[d] * lengths[d]);
+      square += size * along.error * along.error;
+      // The direction that the error comes from decides.
+      indicator.decay += along.decay * size * along.error * along.error;
+    }
+    indicator.decay = square > 0. ? indicator.decay / square : 0.;
+    indicator.error = std::sqrt(square);
+    indicators.push_back(indicator);
+  }
+  return indicators;
+}
+
+double total(const std::vector<CellIndicator> &indicators)
+{
+  double square = 0.;
+  for (const CellIndicator &indicator : indicators)
+    square += indicator.error * indicator.error;
+  return std::sqrt(square);
+}
+} // namespace Signorini

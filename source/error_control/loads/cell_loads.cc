@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Body forces, cell by cell.
+
+#include <signorini/base/parallel.h>
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/error_control/loads/cell_loads.h>
+#include <signorini/problem/scene/functions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace Signorini
+{
+namespace
+{
+using Vector2 = dealii::Tensor<1, 2>;
+using Matrix2 = dealii::Tensor<2, 2>;
+
+Vector2 rotated(const Vector2 &a)
+{
+  return Vector2({-a[1], a[0]});
+}
+
+/** Components of a in the basis g_1, g_2. */
+Vector2 in_basis(const Vector2 &a, const Vector2 &g1, const Vector2 &g2)
+{
+  return Vector2({cross(a, g2), cross(g1, a)}) / cross(g1, g2);
+}
+
+Vector2 g1_of(const CellShape &shape)
+{
+  return 0.5 * (shape.corners[1] - shape.corners[0]);
+}
+Vector2 g2_of(const CellShape &shape)
+{
+  return 0.5 * (shape.corners[3] - shape.corners[0]);
+}
+
+/** int (x - x_K)(x - x_K)^T over the cell: per triangle A/12 times the sum over its vertices, about
+ * its own centre. */
+Matrix2 second_moments(const CellShape &shape)
+{
+  Matrix2 sum;
+  for (unsigned int k = 0; k < 4; ++k)
+  {
+    const dealii::Point<2> centre = shape.centre(k);
+    for (const auto &v : {shape.corners[k], shape.corners[(k + 1) % 4], shape.crossing})
+      sum += shape.areas[k] / 12. * outer_product(v - centre, v - centre);
+    const Vector2 arm = centre - shape.centre();
+    sum += shape.areas[k] * outer_product(arm, arm);
+  }
+  return sum;
+}
+
+/** c + G (x - x_K) with the force and the first moments of the nodal forces. */
+struct LinearForce
+{
+  LinearForce(const CellShape &shape, const std::array<Vector2, 4> &nodal)
+  {
+    const dealii::Point<2> centre = shape.centre();
+    for (unsigned int a = 0; a < 4; ++a)
+    {
+      mean += nodal[a] / shape.area();
+      first_moments += outer_product(nodal[a], shape.corners[a] - centre);
+    }
+    gradient = first_moments * invert(second_moments(shape));
+  }
+  Vector2 mean;
+  Matrix2 first_moments, gradient;
+};
+
+/** Sets the loads of the triangles. @return the square of the L2-distance from the linear force. */
+double distribute(const CellShape &shape, const LinearForce &force, CellLoad &load)
+{
+  double moment = force.first_moments[1][0] - force.first_moments[0][1], inertia = 0.;
+  std::array<Vector2, 4> arms;
+  for (unsigned int k = 0; k < 4; ++k)
+  {
+    arms[k] = shape.centre(k) - shape.centre();
+    moment -= shape.areas[k] * cross(arms[k], force.gradient * arms[k]);
+    inertia += shape.areas[k] * arms[k].norm_square();
+  }
+  const double omega = moment / inertia;
+  double square = 0.;
+  for (unsigned int k = 0; k < 4; ++k)
+  {
+    const Vector2 turn = omega * rotated(arms[k]);
+    const Vector2 value = force.mean + force.gradient * arms[k] + turn;
+    load.constant[2 * k] = value[0];
+    load.constant[2 * k + 1] = value[1];
+    square += shape.areas[k] * turn.norm_square();
+    for (const auto &v : {shape.corners[k], shape.corners[(k + 1) % 4], shape.crossing})
+      square += shape.areas[k] / 12. * (force.gradient * (v - shape.centre(k))).norm_square();
+  }
+  return square;
+}
+
+/** Whether finer quadrature gives the same load. */
+bool agree(const CellLoad &load, const CellLoad &finer)
+{
+  constexpr double tolerance = 1e-4;
+  double difference = 0., size = 0.;
+  for (unsigned int a = 0; a < 4; ++a)
+  {
+    difference = std::max(difference, (load.nodal[a] - finer.nodal[a]).norm());
+    size = std::max(size, load.nodal[a].norm());
+  }
+  return difference <= tolerance * size && finer.rest <= 1.01 * load.rest + tolerance * size;
+}
+
+/** Evaluates the body force at the Gauss points of cells. */
+class ForceSampler
+{
+public:
+  ForceSampler(const DisplacementSpace<2> &space,
+               const Scene<2> &scene,
+               const unsigned int n_points)
+    : force_(*scene.body_force)
+    , values_(space.mesh().mapping(),
+              space,
+              scene.kinks,
+              n_points,
+              dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values)
+  {
+  }
+  template <typename CellIterator>
+  const ForceAtPoints &sample(const CellIterator &cell)
+  {
+    const dealii::FEValues<2> &values = values_.reinit(cell);
+    const auto &points = values.get_quadrature_points();
+    if (sample_.values.size() != points.size())
+    {
+      sample_.values.assign(points.size(), dealii::Vector<double>(2));
+      sample_.offsets.resize(points.size());
+      sample_.shape_values.resize(points.size());
+      sample_.weights.resize(points.size());
+    }
+    force_.vector_value_list(points, sample_.values);
+    for (unsigned int i = 0; i < points.size(); ++i)
+    {
+      sample_.offsets[i] = points[i] - cell->vertex(0);
+      sample_.weights[i] = values.JxW(i);
+      // Corners counter-clockwise; the shape functions of a vertex follow each other.
+      constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}};
+      for (unsigned int a = 0; a < 4; ++a)
+        sample_.shape_values[i][a] = values.shape_value(2 * vertex_in_circle[a], i);
+    }
+    return sample_;
+  }
+
+private:
+  const dealii::Function<2> &force_;
+  CellValues<2> values_;
+  ForceAtPoints sample_;
+};
+
+/** The load of a cell, with the finer points where they are given and change it. */
+template <typename CellIterator>
+CellLoad checked_load(const CellShape &shape,
+                      const CellIterator &cell,
+                      ForceSampler &sampler,
+                      ForceSampler *const finer)
+{
+  const CellLoad load = make_load(shape, sampler.sample(cell));
+  if (finer == nullptr)
+    return load;
+  const CellLoad fine = make_load(shape, finer->sample(cell));
+  return agree(load, fine) ? load : fine;
+}
+} // namespace
+
+Components CellLoad::stress(const CellShape &shape, const dealii::Point<2> &reference) const
+{
+  const double xi = reference[0], eta = reference[1];
+  const double s1 = -0.5 * slope[0] * (xi * xi - 1.) - slope[1] * xi * eta;
+  const double s2 = -0.5 * slope[3] * (eta * eta - 1.) - slope[2] * xi * eta;
+  const Vector2 g1 = g1_of(shape), g2 = g2_of(shape);
+  return {{s1 * g1[0] * g1[0] + s2 * g2[0] * g2[0],
+           s1 * g1[1] * g1[1] + s2 * g2[1] * g2[1],
+           s1 * g1[0] * g1[1] + s2 * g2[0] * g2[1]}};
+}
+
+CellMoments CellLoad::moments(const CellShape &shape) const
+{
+  // The traction times |e| on edge 0 is -2 J slope[2] xi g_2, on edge 1 -2 J slope[1] eta g_1, with
+  // the opposite sign of xi and eta along the opposite edges.
+  const Vector2 g1 = g1_of(shape), g2 = g2_of(shape);
+  const double J = cross(g1, g2);
+  const Vector2 first = J * slope[2] / 3. * g2, second = J * slope[1] / 3. * g1;
+  CellMoments result;
+  for (unsigned int k = 0; k < 4; ++k)
+    for (unsigned int c = 0; c < 2; ++c)
+    {
+      const double sign = k < 2 ? 1. : -1.;
+      const double at_first_end = sign * (k % 2 == 0 ? first[c] : second[c]);
+      result[4 * k + c] = at_first_end;
+      result[4 * k + 2 + c] = -at_first_end;
+    }
+  return result;
+}
+
+CellLoad make_load(const CellShape &shape, const ForceAtPoints &force)
+{
+  CellLoad load;
+  for (std::size_t i = 0; i < force.weights.size(); ++i)
+    for (unsigned int a = 0; a < 4; ++a)
+      for (unsigned int c = 0; c < 2; ++c)
+        load.nodal[a][c] += force.values[i][c] * force.shape_values[i][a] * force.weights[i];
+  const LinearForce linear(shape, load.nodal);
+  double square = 0.;
+  const Vector2 to_centre = shape.centre() - shape.corners[0];
+  for (std::size_t i = 0; i < force.weights.size(); ++i)
+  {
+    const Vector2 f_h = linear.mean + linear.gradient * (force.offsets[i] - to_centre);
+    const Vector2 f({force.values[i][0], force.values[i][1]});
+    square += (f - f_h).norm_square() * force.weights[i];
+  }
+  load.rest = std::sqrt(square);
+  if (shape.affine)
+  {
+    for (unsigned int k = 0; k < 4; ++k)
+      for (unsigned int c = 0; c < 2; ++c)
+        load.constant[2 * k + c] = linear.mean[c];
+    const Vector2 g1 = g1_of(shape), g2 = g2_of(shape);
+    const Vector2 along_xi = in_basis(linear.gradient * g1, g1, g2);
+    const Vector2 along_eta = in_basis(linear.gradient * g2, g1, g2);
+    load.slope = {{along_xi[0], along_eta[0], along_xi[1], along_eta[1]}};
+  }
+  else
+    load.rest += std::sqrt(distribute(shape, linear, load));
+  return load;
+}
+
+double add_couple(const CellShape &shape, const double moment, CellLoad &load)
+{
+  std::array<Vector2, 4> arms;
+  double inertia = 0.;
+  for (unsigned int k = 0; k < 4; ++k)
+  {
+    arms[k] = shape.centre(k) - shape.centre();
+    inertia += shape.areas[k] * arms[k].norm_square();
+  }
+  for (unsigned int k = 0; k < 4; ++k)
+    for (unsigned int c = 0; c < 2; ++c)
+      load.constant[2 * k + c] += moment / inertia * rotated(arms[k])[c];
+  return std::abs(moment) / std::sqrt(inertia);
+}
+
+std::vector<dealii::Triangulation<2>::active_cell_iterator>
+cells_in_order(const DisplacementSpace<2> &space)
+{
+  std::vector<dealii::Triangulation<2>::active_cell_iterator> cells;
+  cells.reserve(space.mesh().triangulation().n_active_cells());
+  for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
+    cells.push_back(cell);
+  return cells;
+}
+
+std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
+                                 const Scene<2> &scene,
+                                 const EdgeMesh &mesh,
+                                 const unsigned int n_points)
+{
+  if (scene.body_force == nullptr)
+    return {};
+  const auto cells = cells_in_order(space);
+  std::vector<CellLoad> loads(cells.size());
+  // About 500000 points on the mesh, as long as these are more than the system has.
+  const unsigned int n_fine = std::clamp<unsigned int>(std::sqrt(5e5 / cells.size()), 1, 96);
+  // The rules of cells that are cut have that many points on each of up to hundreds of parts.
+  constexpr unsigned int most_points_on_parts = 8;
+  const bool check = n_fine > n_points && !is_constant(*scene.body_force);
+  work_on_ranges(number_of_threads(space.mesh().communicator()),
+                 cells.size(),
+                 [&](const std::size_t begin, const std::size_t end) {
+                   ForceSampler sampler(space, scene, n_points);
+                   std::unique_ptr<ForceSampler> finer, finer_on_parts;
+                   if (check)
+                   {
+                     finer = std::make_unique<ForceSampler>(space, scene, n_fine);
+                     finer_on_parts = std::make_unique<ForceSampler>(
+                       space, scene, std::min(n_fine, most_points_on_parts));
+                   }
+                   for (std::size_t i = begin; i < end; ++i)
+                   {
+                     const bool is_cut = needs_cuts<2>(scene.kinks, cells[i]);
+                     loads[i] = checked_load(CellShape(mesh.cells()[i].corners),
+                                             cells[i],
+                                             sampler,
+                                             (is_cut ? finer_on_parts : finer).get());
+                   }
+                 });
+  return loads;
+}
+} // namespace Signorini

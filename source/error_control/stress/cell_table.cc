@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Congruent cells share what stresses need.
+
+#include <signorini/base/parallel.h>
+#include <signorini/error_control/loads/cell_rule.h>
+#include <signorini/error_control/stress/cell_table.h>
+#include <signorini/error_control/stress/equilibrated_stress.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+namespace
+{
+/** The lines that run through the interior of a cell. */
+std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const EdgeCell &cell)
+{
+  std::vector<KinkLine<2>> result;
+  for (const KinkLine<2> &line : lines)
+  {
+    double low = 0., high = 0., size = 0.;
+    for (const auto &corner : cell.corners)
+    {
+      low = std::min(low, line.signed_distance(corner));
+      high = std::max(high, line.signed_distance(corner));
+      size = std::max(size, corner.distance(cell.corners[0]));
+    }
+    if (low < -Kinks<2>::tolerance * size && high > Kinks<2>::tolerance * size)
+      result.push_back(line);
+  }
+  return result;
+}
+} // namespace
+
+CellTable::CellTable(const EdgeMesh &mesh,
+                     const Scene<2> &scene,
+                     const bool quadratic,
+                     const PrescribedLift &lift)
+  : mesh_(mesh)
+  , material_(*scene.material)
+  , kind_{scene.material->is_constant(), quadratic}
+  , lift_(lift)
+{
+  if (!kind_.constant_law)
+  {
+    lines_ = scene.kinks.lines();
+    sampling_.emplace(material_, mesh.cells().size());
+    varied_.reserve(mesh.cells().size());
+    for (const EdgeCell &cell : mesh.cells())
+      varied_.push_back(LawSampling::varies(sampling_->scan(cell.corners)));
+  }
+  else
+    law_.emplace_back(material_.hooke(mesh.cells()[0].corners[0]));
+  shape_of_.reserve(mesh.cells().size());
+  for (unsigned int c = 0; c < mesh.cells().size(); ++c)
+    shape_of_.push_back(classify(c));
+}
+
+unsigned int CellTable::classify(const unsigned int cell)
+{
+  const auto &corners = mesh_.cells()[cell].corners;
+  const std::array<dealii::Tensor<1, 2>, 3> edges = {
+    {corners[1] - corners[0], corners[2] - corners[0], corners[3] - corners[0]}};
+  const double tolerance = 1e-12 * edges[1].norm();
+  const auto is_same = [&](const auto &others) {
+    for (unsigned int i = 0; i < 3; ++i)
+      if ((edges[i] - others[i]).norm() > tolerance)
+        return false;
+    return true;
+  };
+  const unsigned int alone = most_shapes + cell;
+  if (mesh_.cells()[cell].is_curved || lift_.cells()[cell] || (sampling_ && varied_[cell]) ||
+      !crossing(lines_, mesh_.cells()[cell]).empty())
+    return alone;
+  // The cell before is most likely of the same shape.
+  if (cell > 0 && shape_of_[cell - 1] < edges_of_shape_.size() &&
+      is_same(edges_of_shape_[shape_of_[cell - 1]]))
+    return shape_of_[cell - 1];
+  const auto found = std::find_if(edges_of_shape_.begin(), edges_of_shape_.end(), is_same);
+  if (found != edges_of_shape_.end())
+    return found - edges_of_shape_.begin();
+  if (edges_of_shape_.size() == most_shapes)
+    return alone;
+  edges_of_shape_.push_back(edges);
+  shared_.push_back(
+    std::make_unique<CellData>(CellShape(corners), kind_, std::vector<KinkLine<2>>()));
+  return edges_of_shape_.size() - 1;
+}
+
+const CellData &CellTable::data(const unsigned int cell, CellRoom &room) const
+{
+  if (shape_of_[cell] < most_shapes)
+    return *shared_[shape_of_[cell]];
+  const EdgeCell &here = mesh_.cells()[cell];
+  RuleKind kind = kind_;
+  kind.fine = lift_.cells()[cell];
+  const CellShape shape(here);
+  TriangleDivision divide;
+  LawSampling::Samples samples;
+  if (sampling_ && varied_[cell])
+  {
+    samples = sampling_->scan(here.corners);
+    divide = [&, least = shape.diameter() / sampling_->intervals()](const auto &triangle) {
+      return sampling_->divide(triangle, samples, least);
+    };
+  }
+  std::vector<KinkLine<2>> lines = crossing(lines_, here);
+  const std::vector<KinkLine<2>> of_lift = lift_.lines(cell, here);
+  lines.insert(lines.end(), of_lift.begin(), of_lift.end());
+  room.data = std::make_unique<CellData>(shape, kind, lines, divide);
+  return *room.data;
+}
+
+const std::vector<Law> &CellTable::laws(const unsigned int cell,
+                                        const CellData &data,
+                                        CellRoom &room) const
+{
+  if (kind_.constant_law)
+    return law_;
+  room.laws.clear();
+  for (const StressPoint &point : data.points)
+    room.laws.emplace_back(material_.hooke(mesh_.cells()[cell].corners[0] + point.offset));
+  return room.laws;
+}
+
+CellEnergy make_energy(const CellData &data, const std::vector<Law> &laws)
+{
+  // Per triangle the products of the nine components.
+  std::array<std::array<double, 81>, 4> products{};
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+  {
+    const StressPoint &point = data.points[i];
+    const Law &law = laws[laws.size() == 1 ? 0 : i];
+    for (unsigned int m = 0; m < 3; ++m)
+      for (unsigned int l = 0; l < 3; ++l)
+      {
+        const double factor = point.weight * point.psi[m] * point.psi[l];
+        for (unsigned int r = 0; r < 3; ++r)
+          for (unsigned int s = 0; s < 3; ++s)
+            products[point.triangle][9 * (3 * m + r) + 3 * l + s] += factor * law.compliance[r][s];
+      }
+  }
+  // Row by row, T with the columns of the composite cell.
+  constexpr unsigned int n = CompositeCell::n_moments;
+  std::array<std::array<double, n>, CompositeCell::n_stresses> rows;
+  for (unsigned int j = 0; j < n; ++j)
+    for (unsigned int i = 0; i < rows.size(); ++i)
+      rows[i][j] = data.composite.column(j)[i];
+  CellEnergy energy{};
+  for (unsigned int k = 0; k < 4; ++k)
+    for (unsigned int r = 0; r < 9; ++r)
+    {
+      std::array<double, n> strain{};
+      for (unsigned int s = 0; s < 9; ++s)
+        for (unsigned int j = 0; j < n; ++j)
+          strain[j] += products[k][9 * r + s] * rows[9 * k + s][j];
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          energy[n * j + i] += strain[j] * rows[9 * k + r][i];
+    }
+  return energy;
+}
+
+// What is integrated over the cells of a stress in equilibrium.
+
+Components EquilibratedStress::strain(const unsigned int cell,
+                                      const StressPoint &point,
+                                      const CornerValues &u) const
+{
+  const Components of_u_h = strain_of(point.gradients, u);
+  if (!lift_.cells()[cell])
+    return of_u_h;
+  return sum(of_u_h, lift_.strain(cell, point));
+}
+
+EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned int cell,
+                                                                CellRoom &room,
+                                                                const bool from_above,
+                                                                CellEnergies *const energies) const
+{
+  const CellData &data = table_.data(cell, room);
+  const CellState state = {cell,
+                           data,
+                           table_.laws(cell, data, room),
+                           stress(cell, data),
+                           deformation(mesh_.cells()[cell]),
+                           from_above};
+  CellIntegrals result;
+  UpperSum misfit_square(from_above), stress_square(from_above), lift_square(from_above);
+  double &smallest_eigenvalue = result.squares.smallest_eigenvalue;
+  smallest_eigenvalue = state.laws[0].smallest_eigenvalue;
+  CompositeCell::Stresses dual_of_misfit{}, dual_of_stress{};
+  for (std::size_t i = 0; i < data.points.size(); ++i)
+  {
+    const StressPoint &point = data.points[i];
+    const Law &law = law_at(state.laws, i);
+    const Components &tau = state.tau[i];
+    const Components misfit = difference(law.stress(strain(cell, point, state.u)), tau);
+    const Components of_misfit = law.strain(misfit), of_stress = law.strain(tau);
+    misfit_square.add(point, contraction(misfit, of_misfit));
+    stress_square.add(point, contraction(tau, of_stress));
+    add_dual(point, of_misfit, dual_of_misfit);
+    add_dual(point, of_stress, dual_of_stress);
+    if (lift_.cells()[cell])
+    {
+      const Components e = lift_.strain(cell, point);
+      lift_square.add(point, contraction(e, law.stress(e)));
+    }
+    smallest_eigenvalue = std::min(smallest_eigenvalue, law.smallest_eigenvalue);
+    result.is_resolved = result.is_resolved && point.unresolved_part == StressPoint::resolved;
+  }
+  result.squares.misfit = misfit_square.value();
+  result.squares.stress = stress_square.value();
+  result.squares.lift = lift_square.value();
+  result.of_misfit = data.composite.transposed(dual_of_misfit);
+  result.of_stress = data.composite.transposed(dual_of_stress);
+  if (bubbles_)
+    integrate_patches(state, result);
+  if (energies != nullptr && energies->is_first(cell))
+    energies->set(cell, make_energy(data, state.laws));
+  return result;
+}
+
+std::vector<EquilibratedStress::CellIntegrals>
+EquilibratedStress::integrate_all(CellEnergies &energies) const
+{
+  std::vector<CellIntegrals> all(mesh_.cells().size());
+  work_on_ranges(n_threads(), all.size(), [&](const std::size_t begin, const std::size_t end) {
+    CellRoom room;
+    for (std::size_t c = begin; c < end; ++c)
+      all[c] = integrate(c, room, false, &energies);
+  });
+  return all;
+}
+
+void EquilibratedStress::update(const std::vector<CellIntegrals> &integrals,
+                                const CellEnergies &energies,
+                                const std::vector<double> &change)
+{
+  // Where more digits than that are lost, the cell is integrated again.
+  constexpr double least_share = 1e-3;
+  squares_.resize(integrals.size());
+  work_on_ranges(
+    n_threads(), integrals.size(), [&](const std::size_t begin, const std::size_t end) {
+      CellRoom room;
+      for (std::size_t c = begin; c < end; ++c)
+      {
+        const CellIntegrals &before = integrals[c];
+        CellSquares &squares = squares_[c] = before.squares;
+        const CellMoments b = moments_on(mesh_.cells()[c], change), Sb = multiply(energies(c), b);
+        for (unsigned int j = 0; j < b.size(); ++j)
+        {
+          squares.misfit += b[j] * (Sb[j] - 2. * before.of_misfit[j]);
+          squares.of_patches += b[j] * (Sb[j] - 2. * before.of_patches[j]);
+          squares.stress += b[j] * (Sb[j] + 2. * before.of_stress[j]);
+        }
+        if (!before.is_resolved || squares.misfit < least_share * before.squares.misfit ||
+            squares.of_patches < least_share * before.squares.of_patches ||
+            squares.stress < least_share * before.squares.stress)
+          squares = integrate(c, room, true).squares;
+      }
+    });
+}
+} // namespace Signorini

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The left-hand sides of (13), (24) and (31), in one pass over the cells.
+
+#include <signorini/base/errors.h>
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/postprocessing/errors/displacement_errors.h>
+#include <signorini/postprocessing/fields/patch_interpolation.h>
+
+#include <array>
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+/** Squares of the norms, of a cell or of the body. */
+struct Squares
+{
+  double l2 = 0.;
+  double h1_seminorm = 0.;
+  double energy = 0.;
+  double superclose = 0.;
+  /** With one and two generations. */
+  std::array<double, 2> post = {};
+
+  Squares &operator+=(const Squares &other)
+  {
+    l2 += other.l2;
+    h1_seminorm += other.h1_seminorm;
+    energy += other.energy;
+    superclose += other.superclose;
+    for (unsigned int g = 0; g < post.size(); ++g)
+      post[g] += other.post[g];
+    return *this;
+  }
+};
+
+/** What all threads read. */
+template <int dim>
+struct Fields
+{
+  const DisplacementSpace<dim> &space;
+  const Scene<dim> &scene;
+  const NodalVector &U;
+  const NodalVector &interpolant_minus_U;
+  unsigned int n_points;
+};
+
+/** The exact solution at the quadrature points of a cell. */
+template <int dim>
+struct ExactValues
+{
+  void evaluate(const dealii::Function<dim> &exact, const std::vector<dealii::Point<dim>> &points)
+  {
+    values.resize(points.size(), dealii::Vector<double>(dim));
+    gradients.resize(points.size(), std::vector<dealii::Tensor<1, dim>>(dim));
+    exact.vector_value_list(points, values);
+    exact.vector_gradient_list(points, gradients);
+  }
+  dealii::Tensor<1, dim> value(const unsigned int q) const
+  {
+    dealii::Tensor<1, dim> u;
+    for (unsigned int c = 0; c < dim; ++c)
+      u[c] = values[q][c];
+    return u;
+  }
+  dealii::Tensor<2, dim> gradient(const unsigned int q) const
+  {
+    dealii::Tensor<2, dim> du;
+    for (unsigned int c = 0; c < dim; ++c)
+      du[c] = gradients[q][c];
+    return du;
+  }
+
+  std::vector<dealii::Vector<double>> values;
+  std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
+};
+
+/** Integrates over one cell after the other; every chunk of cells has its own. */
+template <int dim>
+class ErrorIntegrals
+{
+public:
+  using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+  explicit ErrorIntegrals(const Fields<dim> &fields)
+    : fields_(fields)
+    , cell_values_(fields.space.mesh().mapping(),
+                   fields.space,
+                   fields.scene.kinks,
+                   fields.n_points,
+                   dealii::update_values | dealii::update_gradients |
+                     dealii::update_quadrature_points | dealii::update_JxW_values |
+                     dealii::update_inverse_jacobians)
+  {
+    const unsigned int n_generations =
+      std::min<unsigned int>(Squares().post.size(), fields.space.mesh().n_nested_ancestors());
+    for (unsigned int g = 1; g <= n_generations; ++g)
+      interpolations_.emplace_back(fields.space, dealii::QGauss<dim>(fields.n_points), g);
+  }
+  Squares integrate(const CellIterator &cell)
+  {
+    const dealii::FEValues<dim> &values = cell_values_.reinit(cell);
+    const dealii::FEValuesExtractors::Vector displacement(0);
+    const unsigned int n = values.n_quadrature_points;
+    u_.resize(n);
+    du_.resize(n);
+    e_.resize(n);
+    de_.resize(n);
+    values[displacement].get_function_values(fields_.U, u_);
+    values[displacement].get_function_gradients(fields_.U, du_);
+    values[displacement].get_function_values(fields_.interpolant_minus_U, e_);
+    values[displacement].get_function_gradients(fields_.interpolant_minus_U, de_);
+    exact_.evaluate(*fields_.scene.exact_displacement, values.get_quadrature_points());
+    Squares squares;
+    for (unsigned int q = 0; q < n; ++q)
+    {
+      const double weight = values.JxW(q);
+      const dealii::Tensor<2, dim> gradient = exact_.gradient(q) - du_[q];
+      const dealii::SymmetricTensor<2, dim> strain = symmetrize(gradient);
+      squares.l2 += (exact_.value(q) - u_[q]).norm_square() * weight;
+      squares.h1_seminorm += gradient.norm_square() * weight;
+      squares.energy +=
+        (fields_.scene.material->hooke(values.quadrature_point(q)) * strain) * strain * weight;
+      squares.superclose += (e_[q].norm_square() + de_[q].norm_square()) * weight;
+    }
+    for (unsigned int g = 0; g < interpolations_.size(); ++g)
+      squares.post[g] = distance(interpolations_[g].evaluate(fields_.U, cell, values), values);
+    return squares;
+  }
+
+private:
+  /** ‖u - v‖_1^2 on the cell. */
+  double distance(const FieldValues<dim> &v, const dealii::FEValues<dim> &values) const
+  {
+    double square = 0.;
+    for (const unsigned int q : values.quadrature_point_indices())
+      square += ((exact_.value(q) - v.values[q]).norm_square() +
+                 (exact_.gradient(q) - v.gradients[q]).norm_square()) *
+                values.JxW(q);
+    return square;
+  }
+
+  const Fields<dim> &fields_;
+  CellValues<dim> cell_values_;
+  std::vector<PatchInterpolation<dim>> interpolations_;
+  ExactValues<dim> exact_;
+  std::vector<dealii::Tensor<1, dim>> u_, e_;
+  std::vector<dealii::Tensor<2, dim>> du_, de_;
+};
+
+/** The sum over this rank's cells, added up in their order whatever the number of threads. */
+template <int dim>
+Squares integrate_errors(const Fields<dim> &fields)
+{
+  Squares sum;
+  integrate_by_chunks<Squares, dim>(
+    fields.space,
+    [&](const Cells<dim> &cells) {
+      ErrorIntegrals<dim> integrals(fields);
+      Squares squares;
+      for (const auto &cell : cells)
+        squares += integrals.integrate(cell);
+      return squares;
+    },
+    [&sum](const Squares &squares) { sum += squares; });
+  return sum;
+}
+} // namespace
+
+template <int dim>
+DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &space,
+                                               const Scene<dim> &scene,
+                                               const NodalVector &U,
+                                               const unsigned int n_points)
+{
+  const MPI_Comm communicator = space.mesh().communicator();
+  NodalVector interpolant_minus_U = interpolate_at_nodes(space, *scene.exact_displacement);
+  interpolant_minus_U -= U;
+  const Squares squares = integrate_errors<dim>({space, scene, U, interpolant_minus_U, n_points});
+  const auto root_of_sum = [&](const double square) {
+    return std::sqrt(dealii::Utilities::MPI::sum(square, communicator));
+  };
+  DisplacementErrors errors;
+  errors.l2 = root_of_sum(squares.l2);
+  errors.h1 = root_of_sum(squares.l2 + squares.h1_seminorm);
+  errors.energy = root_of_sum(squares.energy);
+  errors.superclose_h1 = root_of_sum(squares.superclose);
+  if (space.mesh().n_nested_ancestors() >= 1)
+    errors.post_h1 = root_of_sum(squares.post[0]);
+  if (space.mesh().n_nested_ancestors() >= 2)
+    errors.post4_h1 = root_of_sum(squares.post[1]);
+  if (!std::isfinite(errors.h1))
+    throw InputError("the exact displacement or its gradient has no finite value at a quadrature "
+                     "point, allowed: finite values on the whole body; give 'Displacement "
+                     "gradient' where differences leave the body.");
+  return errors;
+}
+
+Columns<DisplacementErrors> DisplacementErrors::columns()
+{
+  return {{"u_h1", &DisplacementErrors::h1},
+          {"u_l2", &DisplacementErrors::l2},
+          {"u_superclose_h1", &DisplacementErrors::superclose_h1},
+          {"u_post_h1", &DisplacementErrors::post_h1},
+          {"u_post4_h1", &DisplacementErrors::post4_h1},
+          {"u_energy", &DisplacementErrors::energy}};
+}
+
+template DisplacementErrors compute_displacement_errors(const DisplacementSpace<2> &,
+                                                        const Scene<2> &,
+                                                        const NodalVector &,
+                                                        unsigned int);
+template DisplacementErrors compute_displacement_errors(const DisplacementSpace<3> &,
+                                                        const Scene<3> &,
+                                                        const NodalVector &,
+                                                        unsigned int);
+} // namespace Signorini

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// tr eps(u_h) without what alternates from cell to cell.
+
+#include <signorini/postprocessing/fields/stress.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <cmath>
+#include <map>
+
+namespace Signorini
+{
+template <int dim>
+std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const NodalVector &U)
+{
+  std::vector<double> means;
+  const dealii::QGauss<dim> gauss(2);
+  dealii::FEValues<dim> values(space.mesh().mapping(),
+                               space.element(),
+                               gauss,
+                               dealii::update_gradients | dealii::update_JxW_values);
+  std::vector<double> divergences(gauss.size());
+  using CellId = std::pair<int, int>;
+  const auto group = [&](const auto &cell) {
+    return space.mesh().has_parents() ? CellId(cell->level() - 1, cell->parent_index())
+                                      : CellId(cell->level(), cell->index());
+  };
+  std::map<CellId, std::pair<double, double>> integral_and_volume;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    values.reinit(cell);
+    values[dealii::FEValuesExtractors::Vector(0)].get_function_divergences(U, divergences);
+    auto &sums = integral_and_volume[group(cell)];
+    for (const unsigned int q : values.quadrature_point_indices())
+    {
+      sums.first += divergences[q] * values.JxW(q);
+      sums.second += values.JxW(q);
+    }
+  }
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    const auto &sums = integral_and_volume[group(cell)];
+    means.push_back(sums.first / sums.second);
+  }
+  return means;
+}
+
+template std::vector<double> mean_dilatations(const DisplacementSpace<2> &, const NodalVector &);
+template std::vector<double> mean_dilatations(const DisplacementSpace<3> &, const NodalVector &);
+
+// Polynomials at the points of tensor product rules, direction by direction.
+
+namespace
+{
+/** sum_k row[k] v[k * stride]. */
+dealii::Tensor<1, 3> along(const double *const row,
+                           const unsigned int n,
+                           const dealii::Tensor<1, 3> *const v,
+                           const std::size_t stride)
+{
+  double x = 0., y = 0., z = 0.;
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    const dealii::Tensor<1, 3> &value = v[k * stride];
+    x += row[k] * value[0];
+    y += row[k] * value[1];
+    z += row[k] * value[2];
+  }
+  dealii::Tensor<1, 3> sum;
+  sum[0] = x;
+  sum[1] = y;
+  sum[2] = z;
+  return sum;
+}
+} // namespace
+
+TensorEvaluation::TensorEvaluation(
+  const std::vector<dealii::Polynomials::Polynomial<double>> &basis,
+  const std::array<dealii::Quadrature<1>, 3> &rule,
+  const unsigned int n_cells)
+  : n_nodes_(basis.size())
+{
+  std::vector<double> value_and_derivative(2);
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    n_points_[d] = rule[d].size();
+    lines_[d].resize(n_cells);
+    for (unsigned int c = 0; c < n_cells; ++c)
+      for (unsigned int q = 0; q < n_points_[d]; ++q)
+        for (const auto &polynomial : basis)
+        {
+          polynomial.value((rule[d].point(q)[0] + c) / n_cells, value_and_derivative);
+          lines_[d][c].values.push_back(value_and_derivative[0]);
+          lines_[d][c].derivatives.push_back(value_and_derivative[1] / n_cells);
+        }
+  }
+  const std::size_t n = n_nodes_;
+  for (auto &stage : first_)
+    stage.resize(n_points_[0] * n * n);
+  for (auto &stage : second_)
+    stage.resize(static_cast<std::size_t>(n_points_[0]) * n_points_[1] * n);
+}
+
+void TensorEvaluation::evaluate(const std::vector<Vector3> &nodal_values,
+                                const std::array<unsigned int, 3> &place,
+                                std::vector<Vector3> &values,
+                                std::vector<dealii::Tensor<2, 3>> &gradients)
+{
+  const unsigned int n = n_nodes_;
+  const auto [n_x, n_y, n_z] = n_points_;
+  const Line &x = lines_[0][place[0]], &y = lines_[1][place[1]], &z = lines_[2][place[2]];
+  for (unsigned int k = 0; k < n * n; ++k)
+    for (unsigned int q = 0; q < n_x; ++q)
+    {
+      const Vector3 *const row = &nodal_values[k * n];
+      first_[0][k * n_x + q] = along(&x.values[q * n], n, row, 1);
+      first_[1][k * n_x + q] = along(&x.derivatives[q * n], n, row, 1);
+    }
+  for (unsigned int k = 0; k < n; ++k)
+    for (unsigned int q = 0; q < n_y; ++q)
+      for (unsigned int i = 0; i < n_x; ++i)
+      {
+        const std::size_t from = static_cast<std::size_t>(k) * n * n_x + i,
+                          to = (static_cast<std::size_t>(k) * n_y + q) * n_x + i;
+        second_[0][to] = along(&y.values[q * n], n, &first_[0][from], n_x);
+        second_[1][to] = along(&y.values[q * n], n, &first_[1][from], n_x);
+        second_[2][to] = along(&y.derivatives[q * n], n, &first_[0][from], n_x);
+      }
+  const std::size_t in_plane = static_cast<std::size_t>(n_x) * n_y;
+  values.resize(in_plane * n_z);
+  gradients.resize(in_plane * n_z);
+  for (unsigned int q = 0; q < n_z; ++q)
+    for (std::size_t i = 0; i < in_plane; ++i)
+    {
+      const double *const row = &z.values[q * n];
+      values[q * in_plane + i] = along(row, n, &second_[0][i], in_plane);
+      const std::array<Vector3, 3> slopes = {
+        {along(row, n, &second_[1][i], in_plane),
+         along(row, n, &second_[2][i], in_plane),
+         along(&z.derivatives[q * n], n, &second_[0][i], in_plane)}};
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int d = 0; d < 3; ++d)
+          gradients[q * in_plane + i][c][d] = slopes[d][c];
+    }
+}
+
+// The stress in space, and what is read off it.
+
+template <int dim>
+SpatialStress stress_in_space(const Material<dim> &material,
+                              const dealii::Point<dim> &x,
+                              const dealii::SymmetricTensor<2, dim> &strain)
+{
+  const dealii::SymmetricTensor<2, dim> stress = material.hooke(x) * strain;
+  SpatialStress in_space;
+  for (unsigned int i = 0; i < dim; ++i)
+    for (unsigned int j = i; j < dim; ++j)
+      in_space[i][j] = stress[i][j];
+  if (dim == 2)
+    in_space[2][2] = material.out_of_plane_stress(x, strain);
+  return in_space;
+}
+
+double von_mises(const SpatialStress &stress)
+{
+  return std::sqrt(1.5) * deviator(stress).norm();
+}
+
+std::array<double, 3> principal_stresses(const SpatialStress &stress)
+{
+  // Jacobi's method keeps all digits where eigenvalues are equal.
+  const auto pairs = dealii::eigenvectors(stress, dealii::SymmetricTensorEigenvectorMethod::jacobi);
+  return {pairs[0].first, pairs[1].first, pairs[2].first};
+}
+
+template SpatialStress stress_in_space(const Material<2> &,
+                                       const dealii::Point<2> &,
+                                       const dealii::SymmetricTensor<2, 2> &);
+template SpatialStress stress_in_space(const Material<3> &,
+                                       const dealii::Point<3> &,
+                                       const dealii::SymmetricTensor<2, 3> &);
+} // namespace Signorini

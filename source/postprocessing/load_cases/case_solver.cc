@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Many loads on one body: the factors, C and B are those of all cases.
+
+#include <signorini/discretization/elasticity/cell_stiffness.h>
+#include <signorini/postprocessing/fields/contact_pressure.h>
+#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/load_cases/case_solver.h>
+#include <signorini/postprocessing/quantities/contact_zones.h>
+#include <signorini/postprocessing/quantities/peak_pressure.h>
+#include <signorini/solvers/contact/recovery.h>
+#include <signorini/solvers/kinematics/motion_modes.h>
+
+namespace Signorini
+{
+namespace
+{
+double share_of(const LoadCase &load_case, const LoadKind kind)
+{
+  switch (kind)
+  {
+  case LoadKind::force:
+    return load_case.force;
+  case LoadKind::weight:
+    return load_case.weight;
+  case LoadKind::travel:
+    break;
+  }
+  return load_case.travel;
+}
+} // namespace
+
+CaseSolver::CaseSolver(CaseData data)
+  : data_(std::move(data))
+  , C_(make_compliance(data_.inverse, data_.condensed_D, seconds_))
+  , B_(data_.modes.couple(data_.D))
+  , G_(data_.gap(data_.scene))
+{
+  for (const LoadKind kind : {LoadKind::force, LoadKind::weight, LoadKind::travel})
+    if (has_load(data_.scene, kind))
+      responses_.push_back(respond(kind));
+}
+
+CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const
+{
+  const Scene<2> scene = with_only(data_.scene, kind);
+  const DisplacementSpace<2> &space = data_.space;
+  const NodalVector loads = kind == LoadKind::travel
+                              ? NodalVector(space.dofs().n_dofs())
+                              : NodalVector(assemble_loads(space, scene, data_.n_points));
+  const NodalVector k = space.prescribed(scene);
+  NodalVector r = loads;
+  if (kind == LoadKind::travel)
+    r -= NodalVector(internal_forces(space, scene, k).forces);
+  LoadResponse response;
+  response.kind = kind;
+  response.U = solve_prescribed(data_.inverse, space, k, r);
+  response.closing = data_.D.transpose_product(response.U);
+  response.loads = loads;
+  response.work = data_.modes.work(scene.plates, loads, response.U);
+  return response;
+}
+
+dealii::Vector<double> CaseSolver::gap_of(const LoadCase &load_case) const
+{
+  if (load_case.shift.norm() > 0.)
+    return data_.gap(scene_of_case(data_.scene, load_case));
+  dealii::Vector<double> G = G_;
+  G *= load_case.gap;
+  return G;
+}
+
+bool CaseSolver::slides(const LoadCase &load_case) const
+{
+  if (data_.modes.unseen.empty())
+    return false;
+  NodalVector loads(data_.space.dofs().n_dofs());
+  for (const LoadResponse &response : responses_)
+    loads.add(share_of(load_case, response.kind), response.loads);
+  const std::vector<Plate> plates = plates_of_case(data_.scene.plates, load_case);
+  return data_.modes.driven_unseen(plates, loads).has_value();
+}
+
+CaseResult CaseSolver::solve_dual(const LoadCase &load_case)
+{
+  CaseResult result;
+  result.load_case = last_ = load_case;
+  dealii::Vector<double> F = gap_of(load_case);
+  FreeMotions motions = {B_,
+                         data_.modes.K,
+                         dealii::Vector<double>(data_.modes.size()),
+                         dealii::Vector<double>(data_.modes.size())};
+  for (const LoadResponse &response : responses_)
+  {
+    const double share = share_of(load_case, response.kind);
+    F.add(-share, response.closing);
+    motions.b.add(share, response.work.value);
+    motions.b_magnitude.add(std::abs(share), response.work.magnitude);
+  }
+  QPResult qp;
+  if (data_.modes.size() == 0)
+    qp = solve_dual_problem(C_, F, P_, data_.options);
+  else
+  {
+    const MotionResult solved = solve_dual_problem(C_, F, motions, P_, data_.options);
+    if (solved.escape)
+      result.escape =
+        word_for_escape(rigid_part(data_.modes, *solved.escape), opens(B_, *solved.escape));
+    qp = solved.qp;
+    q_ = solved.q;
+  }
+  P_ = qp.P;
+  result.iterations = qp.iterations;
+  result.kkt = qp.kkt_residual;
+  result.converged = qp.converged;
+  return result;
+}
+
+CaseResult CaseSolver::solve(const LoadCase &load_case)
+{
+  CaseResult result = solve_dual(load_case);
+  if (slides(load_case))
+    result.escape = "it slides";
+  if (!result.escape.empty())
+    return result;
+  for (const Piece<2> &piece : data_.multipliers.surface().pieces())
+    result.contact += contact_resultant(data_.multipliers, P_, piece);
+  if (const auto peak = peak_pressure(data_.multipliers, P_))
+    result.peak_pressure = peak->value;
+  for (const ContactZone &zone : contact_zones(data_.multipliers, P_))
+  {
+    result.zone_length += zone.length;
+    ++result.n_zones;
+  }
+  result.active = summarise_contact(data_.multipliers, P_).active;
+  result.plates = data_.modes.plate_motions(plates_of_case(data_.scene.plates, load_case), q_);
+  return result;
+}
+
+NodalVector CaseSolver::displacement() const
+{
+  DistributedVector forces = data_.space.make_vector();
+  data_.condensed_D.add_product(P_, forces);
+  NodalVector U = solve_homogeneous(data_.inverse, data_.space, forces);
+  for (const LoadResponse &response : responses_)
+    U.add(share_of(last_, response.kind), response.U);
+  if (data_.modes.size() > 0)
+    data_.modes.add_to(U, q_);
+  return U;
+}
+} // namespace Signorini

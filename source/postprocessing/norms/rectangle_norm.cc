@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// |||.|||_{-1/2} on rectangles by cosine series in both directions.
+
+#include <signorini/base/errors.h>
+#include <signorini/postprocessing/norms/polynomial_gram.h>
+#include <signorini/postprocessing/norms/rectangle_norm.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+/** Periods 2 n of modes that are summed one by one. */
+constexpr unsigned int n_periods = 16;
+
+/** The cosines on an edge that is divided into n equal intervals. */
+class EdgeModes
+{
+public:
+  /** @param at_least as many modes are taken one by one, and whole periods. */
+  EdgeModes(const double length, const unsigned int n, const unsigned int at_least)
+    : length_(length)
+    , n_(n)
+    , size_(2 * n * std::max(n_periods, (at_least + 2 * n - 1) / (2 * n)))
+  {
+  }
+  unsigned int size() const
+  {
+    return size_;
+  }
+  double frequency(const unsigned int i) const
+  {
+    return i * dealii::numbers::PI / length_;
+  }
+  /** p: what mode i looks like on the middles of the intervals; n: it vanishes there. */
+  unsigned int alias(const unsigned int i) const
+  {
+    const unsigned int rest = i % (2 * n_);
+    return rest <= n_ ? rest : 2 * n_ - rest;
+  }
+  /** The coefficient of mode i of the function with the value cos(p pi (a + 1/2)/n) on interval a,
+   * divided by the sum of the squares of these cosines. */
+  double amplitude(const unsigned int i) const
+  {
+    if (i == 0)
+      return std::sqrt(length_) / n_;
+    const double sign = i % (2 * n_) <= n_ ? 1. : -1.;
+    return sign * std::sqrt(2. / length_) * 2. / frequency(i) * sine(alias(i));
+  }
+  /** The sum of amplitude² k² over the modes like p from size() on, for each unit of frequency. */
+  double density(const unsigned int p) const
+  {
+    return 8. * sine(p) * sine(p) / (dealii::numbers::PI * n_);
+  }
+  /** The first frequency that is not summed by itself. */
+  double end() const
+  {
+    return frequency(size_);
+  }
+
+private:
+  double sine(const unsigned int p) const
+  {
+    return std::sin(0.5 * p * dealii::numbers::PI / n_);
+  }
+
+  double length_;
+  unsigned int n_, size_;
+};
+
+/** The integral of k^-2 (1 + a² + k²)^{-1/2} over k > K. */
+double edge_tail(const double a, const double K)
+{
+  return 1. / (K * (std::sqrt(1. + a * a + K * K) + K));
+}
+
+/** The integral of k_1^-2 k_2^-2 |k|^{-1} over k_1 > A, k_2 > B. */
+double corner_tail(const double A, const double B)
+{
+  const double c = std::pow(A * A + B * B, 1.5) - A * A * A - B * B * B;
+  return c / (3. * A * A * A * B * B * B);
+}
+
+/** cos(p pi (a + 1/2)/n), row p and column a. */
+dealii::FullMatrix<double> cosine_transform(const unsigned int n)
+{
+  dealii::FullMatrix<double> cosines(n, n);
+  for (unsigned int p = 0; p < n; ++p)
+    for (unsigned int a = 0; a < n; ++a)
+      cosines(p, a) = std::cos(dealii::numbers::PI * p * (a + 0.5) / n);
+  return cosines;
+}
+
+/** The columns of the cells of every patch added up. */
+dealii::FullMatrix<double> sum_over_patches(const dealii::FullMatrix<double> &of_cells,
+                                            const std::vector<unsigned int> &ends)
+{
+  dealii::FullMatrix<double> sums(of_cells.m(), ends.size() - 1);
+  for (unsigned int p = 0; p < sums.m(); ++p)
+    for (unsigned int i = 0; i < sums.n(); ++i)
+      for (unsigned int a = ends[i]; a < ends[i + 1]; ++a)
+        sums(p, i) += of_cells(p, a);
+  return sums;
+}
+
+/** More cells than this along an edge are not common divisors but rounding. */
+constexpr double most_cells = 1e5;
+/** Relative to an edge. */
+constexpr double edge_rounding = 1e-9;
+
+/** Euclid's, of two lengths that are known up to @p rounding. */
+double common_divisor(double a, double b, const double rounding)
+{
+  while (b > rounding)
+  {
+    const double rest = std::abs(std::remainder(a, b));
+    a = b;
+    b = rest;
+  }
+  return a;
+}
+
+/** A B C^T. */
+dealii::FullMatrix<double> transform(const dealii::FullMatrix<double> &A,
+                                     const dealii::FullMatrix<double> &B,
+                                     const dealii::FullMatrix<double> &C)
+{
+  dealii::FullMatrix<double> product(A.m(), B.n()), result(A.m(), C.m());
+  A.mmult(product, B);
+  product.mTmult(result, C);
+  return result;
+}
+
+/** Adds what the modes beyond those of both edges leave. */
+void add_tails(const EdgeModes &first, const EdgeModes &second, dealii::FullMatrix<double> &sums)
+{
+  const auto add = [&](const EdgeModes &along, const EdgeModes &across, const bool transposed) {
+    for (unsigned int i = 0; i < along.size(); ++i)
+    {
+      const unsigned int p = along.alias(i), n_p = transposed ? sums.n() : sums.m();
+      if (p == n_p)
+        continue;
+      const double factor =
+        std::pow(along.amplitude(i), 2) * edge_tail(along.frequency(i), across.end());
+      for (unsigned int q = 1; q < (transposed ? sums.m() : sums.n()); ++q)
+        (transposed ? sums(q, p) : sums(p, q)) += factor * across.density(q);
+    }
+  };
+  add(first, second, false);
+  add(second, first, true);
+  const double corner = corner_tail(first.end(), second.end());
+  for (unsigned int p = 1; p < sums.m(); ++p)
+    for (unsigned int q = 1; q < sums.n(); ++q)
+      sums(p, q) += corner * first.density(p) * second.density(q);
+}
+} // namespace
+
+RectangleNorm::RectangleNorm(const std::array<double, 2> &lengths)
+  : lengths_(lengths)
+{
+}
+
+RectangleNorm::Matrix
+RectangleNorm::coefficients(const std::array<std::vector<double>, 2> &positions,
+                            const Matrix &weighted_values) const
+{
+  std::array<Matrix, 2> cosines;
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    cosines[d].reinit(n_modes, positions[d].size());
+    for (unsigned int i = 0; i < n_modes; ++i)
+    {
+      const double c = std::sqrt((i == 0 ? 1. : 2.) / lengths_[d]);
+      for (std::size_t a = 0; a < positions[d].size(); ++a)
+        cosines[d](i, a) = c * std::cos(dealii::numbers::PI * i * positions[d][a] / lengths_[d]);
+    }
+  }
+  return transform(cosines[0], weighted_values, cosines[1]);
+}
+
+RectangleNorm::Matrix RectangleNorm::eigenvalues(const Counts &n_patches,
+                                                 const unsigned int n_without) const
+{
+  const EdgeModes first(lengths_[0], n_patches[0], n_without);
+  const EdgeModes second(lengths_[1], n_patches[1], n_without);
+  std::vector<double> squares(second.size());
+  for (unsigned int j = 0; j < second.size(); ++j)
+    squares[j] = std::pow(second.amplitude(j), 2);
+  Matrix sums(n_patches[0], n_patches[1]);
+  for (unsigned int i = 0; i < first.size(); ++i)
+  {
+    const unsigned int p = first.alias(i);
+    if (p == n_patches[0] || (p == 0 && i > 0))
+      continue;
+    const double square = std::pow(first.amplitude(i), 2);
+    const double one_and_k1 = 1. + std::pow(first.frequency(i), 2);
+    for (unsigned int j = i < n_without ? n_without : 0; j < second.size(); ++j)
+    {
+      const unsigned int q = second.alias(j);
+      if (q != n_patches[1])
+        sums(p, q) +=
+          square * squares[j] / std::sqrt(one_and_k1 + std::pow(second.frequency(j), 2));
+    }
+  }
+  add_tails(first, second, sums);
+  return sums;
+}
+
+RectangleNorm::Matrix RectangleNorm::eigenvalues(const Counts &n_patches) const
+{
+  return eigenvalues(n_patches, 0);
+}
+
+double RectangleNorm::distance(const Matrix &f, const Matrix &values) const
+{
+  const Counts n = {{static_cast<unsigned int>(values.m()), static_cast<unsigned int>(values.n())}};
+  const Matrix Q = transform(cosine_transform(n[0]), values, cosine_transform(n[1]));
+  const EdgeModes first(lengths_[0], n[0], n_modes), second(lengths_[1], n[1], n_modes);
+  double square = 0.;
+  for (unsigned int i = 0; i < f.m(); ++i)
+    for (unsigned int j = 0; j < f.n(); ++j)
+    {
+      const unsigned int p = first.alias(i), q = second.alias(j);
+      const double q_H =
+        p == n[0] || q == n[1] ? 0. : first.amplitude(i) * second.amplitude(j) * Q(p, q);
+      const double k = std::hypot(first.frequency(i), second.frequency(j));
+      square += std::pow(f(i, j) - q_H, 2) / std::hypot(1., k);
+    }
+  const Matrix beyond = eigenvalues(n, f.m());
+  for (unsigned int p = 0; p < n[0]; ++p)
+    for (unsigned int q = 0; q < n[1]; ++q)
+      square += beyond(p, q) * Q(p, q) * Q(p, q);
+  return std::sqrt(square);
+}
+
+double RectangleNorm::norm(const Matrix &values) const
+{
+  return distance(Matrix(), values);
+}
+
+RectangleNorm::Matrix
+RectangleNorm::gram_matrix(const std::array<std::vector<unsigned int>, 2> &ends) const
+{
+  const Counts n_cells = {{ends[0].back(), ends[1].back()}};
+  const Matrix lambda = eigenvalues(n_cells);
+  const Matrix x = sum_over_patches(cosine_transform(n_cells[0]), ends[0]);
+  const Matrix y = sum_over_patches(cosine_transform(n_cells[1]), ends[1]);
+  const unsigned int m = x.n() * y.n();
+  Matrix weighted(m, n_cells[0] * n_cells[1]), gram(m, m);
+  for (unsigned int j = 0; j < y.n(); ++j)
+    for (unsigned int i = 0; i < x.n(); ++i)
+      for (unsigned int q = 0; q < n_cells[1]; ++q)
+        for (unsigned int p = 0; p < n_cells[0]; ++p)
+          weighted(i + x.n() * j, p + n_cells[0] * q) = std::sqrt(lambda(p, q)) * x(p, i) * y(q, j);
+  weighted.mTmult(gram, weighted);
+  return gram;
+}
+
+RectangleNorm rectangle_norm_on(const PatchGrid &grid)
+{
+  const std::array<double, 2> lengths = {{grid.length(0), grid.length(1)}};
+  return RectangleNorm(lengths);
+}
+
+std::array<std::vector<unsigned int>, 2> equal_cells(const PatchGrid &grid)
+{
+  std::array<std::vector<unsigned int>, 2> numbers;
+  for (unsigned int d = 0; d < 2; ++d)
+  {
+    const std::vector<double> &ends = grid.ends[d];
+    double cell = grid.length(d);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+      cell = common_divisor(cell, ends[i + 1] - ends[i], edge_rounding * grid.length(d));
+    for (const double s : ends)
+    {
+      const double number = (s - ends[0]) / cell;
+      if (std::abs(number - std::round(number)) > 0.01 || number > most_cells)
+        throw ComputationError(
+          "The norm of order -1/2 in space needs patches that are unions of equal cells.");
+      numbers[d].push_back(static_cast<unsigned int>(std::round(number)));
+    }
+  }
+  return numbers;
+}
+
+dealii::FullMatrix<double> values_on(const PatchGrid &grid, const dealii::Vector<double> &P)
+{
+  const auto ends = equal_cells(grid);
+  dealii::FullMatrix<double> values(ends[0].back(), ends[1].back());
+  for (unsigned int i = 0; i < grid.n(0); ++i)
+    for (unsigned int j = 0; j < grid.n(1); ++j)
+      for (unsigned int a = ends[0][i]; a < ends[0][i + 1]; ++a)
+        for (unsigned int b = ends[1][j]; b < ends[1][j + 1]; ++b)
+          values(a, b) = P[grid.at(i, j)];
+  return values;
+}
+
+dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<3> &surface)
+{
+  dealii::FullMatrix<double> gram(surface.patches().size(), surface.patches().size());
+  for (const PatchGrid &grid : patch_grids(surface.patches()))
+  {
+    const auto of_side = rectangle_norm_on(grid).gram_matrix(equal_cells(grid));
+    for (std::size_t k = 0; k < grid.patches.size(); ++k)
+      for (std::size_t l = 0; l < grid.patches.size(); ++l)
+        gram(grid.patches[k], grid.patches[l]) = of_side(k, l);
+  }
+  return gram;
+}
+
+dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers)
+{
+  return dual_gram_matrix(multipliers.surface());
+}
+} // namespace Signorini

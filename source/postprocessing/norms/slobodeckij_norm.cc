@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// |||.|||_{-1/2,Gamma_c} as the paper defines it, on one side.
+
+#include <signorini/postprocessing/norms/slobodeckij_norm.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <array>
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+/** Values at the two nodes of a first and of a second cell. */
+using PairMatrix = std::array<std::array<double, 4>, 4>;
+
+/** Adds weight * w w^T. */
+void add_square(const std::array<double, 4> &w, const double weight, PairMatrix &matrix)
+{
+  for (unsigned int i = 0; i < 4; ++i)
+    for (unsigned int j = 0; j < 4; ++j)
+      matrix[i][j] += weight * w[i] * w[j];
+}
+
+/** Both orders of two different cells whose first nodes are @p d >= 1 cells apart. In one dimension
+ * the double integral does not depend on the size of the cells. */
+PairMatrix pair_matrix(const unsigned int d)
+{
+  PairMatrix matrix = {};
+  if (d == 1)
+  {
+    // With al = v0 - v1, be = v2 - v1: 2 [(1 - ln 2)(al² + be²) - 2 (ln 2 - 1/2) al be].
+    const double same = 2. * (1. - std::log(2.)), mixed = -2. * (std::log(2.) - 0.5);
+    const std::array<double, 4> al = {1., -1., 0., 0.}, be = {0., 0., -1., 1.};
+    add_square(al, same - mixed, matrix);
+    add_square(be, same - mixed, matrix);
+    add_square({al[0], al[1], be[2], be[3]}, mixed, matrix);
+    return matrix;
+  }
+  static const dealii::QGauss<1> gauss(12);
+  for (unsigned int p = 0; p < gauss.size(); ++p)
+    for (unsigned int q = 0; q < gauss.size(); ++q)
+    {
+      const double x = gauss.point(p)[0], y = gauss.point(q)[0];
+      const double distance = d + y - x;
+      add_square({1. - x, x, -(1. - y), -y},
+                 2. * gauss.weight(p) * gauss.weight(q) / (distance * distance),
+                 matrix);
+    }
+  return matrix;
+}
+
+/** Gram matrix of the seminorm. */
+dealii::FullMatrix<double> seminorm_matrix(const unsigned int n_cells)
+{
+  dealii::FullMatrix<double> matrix(n_cells + 1, n_cells + 1);
+  for (unsigned int c = 0; c < n_cells; ++c)
+  {
+    matrix(c, c) += 1.;
+    matrix(c + 1, c + 1) += 1.;
+    matrix(c, c + 1) -= 1.;
+    matrix(c + 1, c) -= 1.;
+  }
+  for (unsigned int d = 1; d < n_cells; ++d)
+  {
+    const PairMatrix pair = pair_matrix(d);
+    for (unsigned int c = 0; c + d < n_cells; ++c)
+    {
+      const std::array<unsigned int, 4> nodes = {c, c + 1, c + d, c + d + 1};
+      for (unsigned int i = 0; i < 4; ++i)
+        for (unsigned int j = 0; j < 4; ++j)
+          matrix(nodes[i], nodes[j]) += pair[i][j];
+    }
+  }
+  return matrix;
+}
+} // namespace
+
+SlobodeckijNorm::SlobodeckijNorm(const double length, const unsigned int n_cells)
+  : length_(length)
+  , n_cells_(n_cells)
+  , seminorm_(seminorm_matrix(n_cells))
+  , factor_(n_cells + 1, n_cells + 1)
+{
+  factor_ = seminorm_;
+  const double h = length / n_cells;
+  for (unsigned int c = 0; c < n_cells; ++c)
+  {
+    factor_(c, c) += h / 3.;
+    factor_(c + 1, c + 1) += h / 3.;
+    factor_(c, c + 1) += h / 6.;
+    factor_(c + 1, c) += h / 6.;
+  }
+  factor_.set_property(dealii::LAPACKSupport::symmetric);
+  factor_.compute_cholesky_factorization();
+}
+
+double SlobodeckijNorm::dual_norm(const std::vector<double> &arc_lengths,
+                                  const std::vector<double> &weighted_values) const
+{
+  dealii::Vector<double> b(n_cells_ + 1);
+  for (std::size_t q = 0; q < arc_lengths.size(); ++q)
+  {
+    const double t = arc_lengths[q] / length_ * n_cells_;
+    const unsigned int cell = std::min(static_cast<unsigned int>(std::max(t, 0.)), n_cells_ - 1);
+    b[cell] += (1. - (t - cell)) * weighted_values[q];
+    b[cell + 1] += (t - cell) * weighted_values[q];
+  }
+  dealii::Vector<double> x = b;
+  factor_.solve(x);
+  return std::sqrt(std::max(b * x, 0.));
+}
+
+double SlobodeckijNorm::squared_seminorm(const dealii::Vector<double> &nodal_values) const
+{
+  return seminorm_.matrix_norm_square(nodal_values);
+}
+} // namespace Signorini

@@ -1,0 +1,391 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The norm of V^h as a matrix.
+
+#include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/postprocessing/norms/spectral_norm.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace Signorini
+{
+namespace
+{
+/**
+ * grad phi_i . grad phi_j on a cell is a polynomial divided by the determinant of the cell's map. A
+ * determinant that falls linearly by the factor @p r along an edge vanishes outside of it, where
+ * the ellipse around the edge on which Gauss' rule with n points converges like rho^{-2n} has
+ * rho = (sqrt(r) + 1)/(sqrt(r) - 1).
+ *
+ * @return n with rho^{-2n} below 1e-10, and as many points more for the polynomial as the element's
+ * degree says; from degree + 2, which is enough for r = 1, to 39 + degree.
+ */
+unsigned int points_for_ratio(const double r, const unsigned int degree)
+{
+  constexpr double most = 39.;
+  const double root = std::sqrt(std::max(r, 1.));
+  const double logarithm = std::log((root + 1.) / (root - 1.));
+  const double n = std::min(most, std::ceil(0.5 * std::log(1e10) / logarithm));
+  return degree + std::max(2U, static_cast<unsigned int>(n));
+}
+
+/** Shape functions at as many Gauss points as the shape of a cell asks for. */
+template <int dim>
+class ValuesByShape
+{
+public:
+  explicit ValuesByShape(const DisplacementSpace<dim> &space)
+    : shape_(space.mesh().mapping(),
+             no_functions_,
+             dealii::QIterated<dim>(dealii::QTrapezoid<1>(), 2),
+             dealii::update_jacobians)
+  {
+  }
+
+  const dealii::FEValues<dim> &
+  reinit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell)
+  {
+    const dealii::FiniteElement<dim> &element = cell->get_fe();
+    const unsigned int n = points_for_ratio(ratio_of_determinants(cell), element.degree);
+    std::unique_ptr<dealii::FEValues<dim>> &values = values_[{element.degree, n}];
+    if (values == nullptr)
+      values = std::make_unique<dealii::FEValues<dim>>(
+        shape_.get_mapping(),
+        element,
+        dealii::QGauss<dim>(n),
+        dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
+    values->reinit(cell);
+    return *values;
+  }
+
+private:
+  /** The largest over the smallest, at the vertices and the middles between them. */
+  double
+  ratio_of_determinants(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
+  {
+    shape_.reinit(cell);
+    double smallest = shape_.jacobian(0).determinant(), largest = smallest;
+    for (const unsigned int q : shape_.quadrature_point_indices())
+    {
+      smallest = std::min(smallest, shape_.jacobian(q).determinant());
+      largest = std::max(largest, shape_.jacobian(q).determinant());
+    }
+    return largest / smallest;
+  }
+
+  dealii::FE_Nothing<dim> no_functions_;
+  dealii::FEValues<dim> shape_;
+  /** By the degree and the number of points per direction. */
+  std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<dealii::FEValues<dim>>> values_;
+};
+} // namespace
+
+template <int dim>
+dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space)
+{
+  dealii::TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
+  ValuesByShape<dim> values_by_shape(space);
+  dealii::FullMatrix<double> cell_matrix;
+  std::vector<dealii::types::global_dof_index> indices;
+  MatrixScatter<dim> scatter(space, A_1);
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    if (!cell->is_locally_owned())
+      continue;
+    const dealii::FEValues<dim> &values = values_by_shape.reinit(cell);
+    const dealii::FiniteElement<dim> &element = cell->get_fe();
+    const unsigned int n = element.n_dofs_per_cell();
+    cell_matrix.reinit(n, n);
+    indices.resize(n);
+    // The same block for every component.
+    for (unsigned int v = 0; v < n / dim; ++v)
+      for (unsigned int w = 0; w <= v; ++w)
+      {
+        const unsigned int i = element.component_to_system_index(0, v);
+        const unsigned int j = element.component_to_system_index(0, w);
+        double product = 0.;
+        for (const unsigned int q : values.quadrature_point_indices())
+          product += (values.shape_value(i, q) * values.shape_value(j, q) +
+                      values.shape_grad(i, q) * values.shape_grad(j, q)) *
+                     values.JxW(q);
+        for (unsigned int d = 0; d < dim; ++d)
+        {
+          const unsigned int i_d = element.component_to_system_index(d, v);
+          const unsigned int j_d = element.component_to_system_index(d, w);
+          cell_matrix(i_d, j_d) = cell_matrix(j_d, i_d) = product;
+        }
+      }
+    cell->get_dof_indices(indices);
+    scatter.add(cell_matrix, indices);
+  }
+  A_1.compress(dealii::VectorOperation::add);
+  return A_1;
+}
+
+template dealii::TrilinosWrappers::SparseMatrix
+assemble_h1_gram_matrix(const DisplacementSpace<2> &);
+template dealii::TrilinosWrappers::SparseMatrix
+assemble_h1_gram_matrix(const DisplacementSpace<3> &);
+
+// |||.|||_{-1/2,Gamma_c} by cosine or Fourier series, side by side.
+
+namespace
+{
+using dealii::numbers::PI;
+
+/**
+ * Sums up amount * sin(k theta) (or cos) for k = 1..n_modes over many theta. With k = a + A b,
+ *
+ *     cos(k theta) = cos(a theta) cos(A b theta) - sin(a theta) sin(A b theta),
+ *
+ * and the sums over theta for all a and b are products of matrices.
+ */
+template <bool sine>
+class Harmonics
+{
+public:
+  explicit Harmonics(const unsigned int n_modes)
+    : n_modes_(n_modes)
+    , n_blocks_(n_modes / block + 1)
+    , products_(n_blocks_, block)
+  {
+  }
+  void add(const double theta, const double amount)
+  {
+    theta_.push_back(theta);
+    amount_.push_back(amount);
+    if (theta_.size() == 256)
+      flush();
+  }
+
+  /** sums[first + k - 1] += the sum of mode k, for all modes. */
+  void add_to(dealii::Vector<double> &sums, const unsigned int first)
+  {
+    flush();
+    for (unsigned int k = 1; k <= n_modes_ && used_; ++k)
+      sums[first + k - 1] += products_(k / block, k % block);
+  }
+
+private:
+  /** A. */
+  static constexpr unsigned int block = 128;
+
+  /** cos(i step theta) and sin(i step theta), row i. Unit vectors are rotated by step theta; their
+   * errors add up to 1e-16 per row only. */
+  void tabulate(const unsigned int step,
+                dealii::FullMatrix<double> &cosines,
+                dealii::FullMatrix<double> &sines) const
+  {
+    for (unsigned int q = 0; q < theta_.size(); ++q)
+    {
+      cosines(0, q) = 1.;
+      sines(0, q) = 0.;
+      cosines(1, q) = std::cos(step * theta_[q]);
+      sines(1, q) = std::sin(step * theta_[q]);
+    }
+    for (unsigned int i = 2; i < cosines.m(); ++i)
+      for (unsigned int q = 0; q < theta_.size(); ++q)
+      {
+        cosines(i, q) = cosines(i - 1, q) * cosines(1, q) - sines(i - 1, q) * sines(1, q);
+        sines(i, q) = sines(i - 1, q) * cosines(1, q) + cosines(i - 1, q) * sines(1, q);
+      }
+  }
+
+  void flush()
+  {
+    const unsigned int n = theta_.size();
+    if (n == 0)
+      return;
+    used_ = true;
+    dealii::FullMatrix<double> fine_cos(block, n), fine_sin(block, n);
+    dealii::FullMatrix<double> coarse_cos(n_blocks_, n), coarse_sin(n_blocks_, n);
+    tabulate(1, fine_cos, fine_sin);
+    tabulate(block, coarse_cos, coarse_sin);
+    for (unsigned int b = 0; b < n_blocks_; ++b)
+      for (unsigned int q = 0; q < n; ++q)
+      {
+        coarse_cos(b, q) *= amount_[q];
+        coarse_sin(b, q) *= sine ? amount_[q] : -amount_[q];
+      }
+    coarse_cos.mTmult(products_, sine ? fine_sin : fine_cos, true);
+    coarse_sin.mTmult(products_, sine ? fine_cos : fine_sin, true);
+    theta_.clear();
+    amount_.clear();
+  }
+
+  unsigned int n_modes_;
+  /** The number of b. */
+  unsigned int n_blocks_;
+  bool used_ = false;
+  /** The sum for k = a + A b in row b and column a. */
+  dealii::FullMatrix<double> products_;
+  std::vector<double> theta_, amount_;
+};
+} // namespace
+
+SpectralNorm::SpectralNorm(const double length, const bool closed)
+  : length_(length)
+  , closed_(closed)
+  , omega_((closed ? 2. : 1.) * PI / length)
+  // The highest frequency is the same for both kinds.
+  , n_modes_(closed ? 4096 : 8192)
+{
+}
+
+unsigned int SpectralNorm::mode(const unsigned int coefficient) const
+{
+  return coefficient <= n_modes_ ? coefficient : coefficient - n_modes_;
+}
+
+double SpectralNorm::weight(const unsigned int k) const
+{
+  const double frequency = k * omega_;
+  return 1. / std::sqrt(1. + frequency * frequency);
+}
+
+unsigned int SpectralNorm::n_tail_modes(const unsigned int m) const
+{
+  // S_k has this period on equal intervals.
+  const unsigned int period = std::max(1U, (closed_ ? 1U : 2U) * m);
+  return period < n_modes_ / 2 ? period * ((n_modes_ / 2) / period) : n_modes_ / 2;
+}
+
+double SpectralNorm::tail() const
+{
+  return 2. / length_ / std::pow(omega_, 3) / (2. * double(n_modes_) * (n_modes_ + 1.));
+}
+
+SpectralNorm::Vector SpectralNorm::coefficients(const std::vector<double> &arc_lengths,
+                                                const std::vector<double> &weighted_values) const
+{
+  Vector sums(1 + (closed_ ? 2 : 1) * n_modes_);
+  Harmonics<false> cosines(n_modes_);
+  Harmonics<true> sines(n_modes_);
+  for (std::size_t q = 0; q < arc_lengths.size(); ++q)
+  {
+    sums[0] += weighted_values[q];
+    cosines.add(omega_ * arc_lengths[q], weighted_values[q]);
+    if (closed_)
+      sines.add(omega_ * arc_lengths[q], weighted_values[q]);
+  }
+  cosines.add_to(sums, 1);
+  sines.add_to(sums, 1 + n_modes_);
+  sums *= std::sqrt(2. / length_);
+  sums[0] /= std::sqrt(2.);
+  return sums;
+}
+
+SpectralNorm::Vector SpectralNorm::coefficients_of_constants(const std::vector<double> &ends,
+                                                             const Vector &values) const
+{
+  // int q cos(k omega s) = -sum of jumps times sin / (k omega): on an open side the sines vanish at
+  // both ends. int q sin = +sum of jumps times cos / (k omega).
+  Vector sums(1 + (closed_ ? 2 : 1) * n_modes_);
+  Harmonics<true> sines(n_modes_);
+  Harmonics<false> cosines(n_modes_);
+  for (unsigned int i = closed_ ? 0 : 1; i < values.size(); ++i)
+  {
+    const double jump = values[i] - (i > 0 ? values[i - 1] : values[values.size() - 1]);
+    if (jump == 0.)
+      continue;
+    sines.add(omega_ * ends[i], -jump);
+    if (closed_)
+      cosines.add(omega_ * ends[i], jump);
+  }
+  sines.add_to(sums, 1);
+  cosines.add_to(sums, 1 + n_modes_);
+  for (unsigned int c = 1; c < sums.size(); ++c)
+    sums[c] *= std::sqrt(2. / length_) / (mode(c) * omega_);
+  for (unsigned int i = 0; i < values.size(); ++i)
+    sums[0] += values[i] * (ends[i + 1] - ends[i]) / std::sqrt(length_);
+  return sums;
+}
+
+double SpectralNorm::distance(const Vector &f,
+                              const std::vector<double> &ends,
+                              const Vector &values) const
+{
+  const Vector q_H = coefficients_of_constants(ends, values);
+  const unsigned int n_last = n_tail_modes(values.size());
+  double square = 0., mean = 0.;
+  for (unsigned int c = 0; c < q_H.size(); ++c)
+  {
+    const unsigned int k = mode(c);
+    square += weight(k) * (f[c] - q_H[c]) * (f[c] - q_H[c]);
+    // q_k = (2/L)^{1/2} S_k/(k omega): the mean of S_k² gives the rest of the sum.
+    if (k > n_modes_ - n_last)
+      mean += std::pow(q_H[c] * k * omega_, 2) * length_ / 2. / n_last;
+  }
+  return std::sqrt(square + tail() * mean);
+}
+
+double SpectralNorm::primal_norm(const Vector &f, const unsigned int n_pieces) const
+{
+  const unsigned int n_last = n_tail_modes(n_pieces);
+  double square = 0., mean = 0.;
+  for (unsigned int c = 0; c < f.size(); ++c)
+  {
+    const unsigned int k = mode(c);
+    square += f[c] * f[c] / weight(k);
+    if (k > n_modes_ - n_last)
+      mean += std::pow(k, 4) * f[c] * f[c] / n_last;
+  }
+  // The sum of (k omega) k^-4 over k > K is about omega/(2 K²).
+  return std::sqrt(square + omega_ * mean / (2. * double(n_modes_) * (n_modes_ + 1.)));
+}
+
+dealii::FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &ends) const
+{
+  const unsigned int m = ends.size() - 1;
+  const unsigned int n_last = n_tail_modes(m);
+  dealii::FullMatrix<double> weighted(m, 1 + (closed_ ? 2 : 1) * n_modes_);
+  Vector unit(m);
+  for (unsigned int i = 0; i < m; ++i)
+  {
+    unit = 0.;
+    unit[i] = 1.;
+    const Vector q = coefficients_of_constants(ends, unit);
+    for (unsigned int c = 0; c < q.size(); ++c)
+    {
+      const unsigned int k = mode(c);
+      double square = weight(k);
+      // The last modes count for the infinitely many after them, too.
+      if (k > n_modes_ - n_last)
+        square += tail() * std::pow(k * omega_, 2) * length_ / 2. / n_last;
+      weighted(i, c) = std::sqrt(square) * q[c];
+    }
+  }
+  dealii::FullMatrix<double> gram(m, m);
+  weighted.mTmult(gram, weighted);
+  return gram;
+}
+
+std::vector<double> patch_ends(const std::vector<Patch<2>> &patches,
+                               const unsigned int first,
+                               const unsigned int last)
+{
+  std::vector<double> ends = {patches[first].lower[0]};
+  for (unsigned int t = first; t < last; ++t)
+    ends.push_back(patches[t].upper[0]);
+  return ends;
+}
+
+dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface)
+{
+  const std::vector<Patch<2>> &patches = surface.patches();
+  dealii::FullMatrix<double> gram(patches.size(), patches.size());
+  for_each_side(patches, [&](const unsigned int first, const unsigned int last) {
+    const SpectralNorm norm = spectral_norm_on(surface.side(patches[first]));
+    gram.fill(norm.gram_matrix(patch_ends(patches, first, last)), first, first, 0, 0);
+  });
+  return gram;
+}
+} // namespace Signorini

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/postprocessing/quantities/contact_zones.h>
+#include <signorini/postprocessing/quantities/peak_pressure.h>
+
+namespace Signorini
+{
+/** contact_zones() and peak_pressure() where patches have polynomials. */
+std::vector<ContactZone> zones_of_polynomial(const MultiplierSpace<2> &multipliers,
+                                             const dealii::Vector<double> &P);
+std::optional<PressureMaximum> peak_of_polynomial(const MultiplierSpace<2> &multipliers,
+                                                  const dealii::Vector<double> &P,
+                                                  const std::vector<SingularPlace<2>> &outside_of);
+} // namespace Signorini

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Segments, circular arcs and chains of them by arc length.
+
+#include <signorini/problem/geometry/curve.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "curve_chain.h"
+
+namespace Signorini
+{
+using dealii::numbers::PI;
+
+namespace
+{
+dealii::Tensor<1, 2> direction(const double angle)
+{
+  return dealii::Tensor<1, 2>({std::cos(angle), std::sin(angle)});
+}
+} // namespace
+
+Curve::Curve(const dealii::Point<2> &start,
+             const dealii::Point<2> &end,
+             const dealii::Tensor<1, 2> &normal)
+  : start_(start)
+  , end_(end)
+  , length_(start.distance(end))
+  , normal_(normal)
+{
+}
+
+Curve Curve::arc(const dealii::Point<2> &centre,
+                 const double radius,
+                 const double first,
+                 const double last,
+                 const Body body)
+{
+  const double orientation = body == Body::inside ? 1. : -1.;
+  Curve curve(centre + radius * direction(first),
+              centre + radius * direction(last),
+              orientation * direction(first));
+  curve.length_ = radius * std::abs(last - first);
+  curve.circle_ = Circle{centre, radius, first, orientation, last < first ? -1. : 1.};
+  return curve;
+}
+
+Curve Curve::chain(const std::vector<Curve> &pieces)
+{
+  const auto chain = std::make_shared<const Chain>(pieces);
+  if (chain->n_pieces() == 1)
+    return chain->piece(0);
+  Curve curve(
+    chain->piece(0).start(), chain->piece(chain->n_pieces() - 1).end(), chain->piece(0).normal(0.));
+  curve.length_ = chain->length();
+  curve.chain_ = chain;
+  return curve;
+}
+
+bool Curve::is_closed() const
+{
+  if (chain_)
+    return chain_->is_closed();
+  return circle_ && length_ > (2. * PI - 1e-12) * circle_->radius;
+}
+
+unsigned int Curve::n_pieces() const
+{
+  return chain_ ? chain_->n_pieces() : 1;
+}
+
+const Curve &Curve::piece(const unsigned int k) const
+{
+  return chain_ ? chain_->piece(k) : *this;
+}
+
+double Curve::start_of(const unsigned int k) const
+{
+  if (chain_)
+    return chain_->start_of(k);
+  return k == 0 ? 0. : length_;
+}
+
+const std::vector<double> &Curve::corners() const
+{
+  static const std::vector<double> none;
+  return chain_ ? chain_->corners() : none;
+}
+
+bool Curve::has_corner(const double s) const
+{
+  if (corners().empty())
+    return false;
+  const double margin = 1e-9 * length_;
+  const double on_first_turn = is_closed() ? s - length_ * std::floor((s + margin) / length_) : s;
+  const auto next = std::lower_bound(corners().begin(), corners().end(), on_first_turn - margin);
+  return next != corners().end() && *next <= on_first_turn + margin;
+}
+
+std::vector<unsigned int> Curve::pieces_near(const dealii::Point<2> &x, const double distance) const
+{
+  return chain_ ? chain_->pieces_near(x, distance) : std::vector<unsigned int>{0};
+}
+
+dealii::Point<2> Curve::point(const double s) const
+{
+  if (chain_)
+  {
+    const auto [k, s_on_piece] = chain_->place(s);
+    return chain_->piece(k).point(s_on_piece);
+  }
+  if (!circle_)
+    return start_ + (s / length_) * (end_ - start_);
+  return circle_->centre +
+         circle_->radius * direction(circle_->first + circle_->turn * s / circle_->radius);
+}
+
+dealii::Tensor<1, 2> Curve::normal(const double s) const
+{
+  if (chain_)
+  {
+    const auto [k, s_on_piece] = chain_->place(s);
+    return chain_->piece(k).normal(s_on_piece);
+  }
+  if (!circle_)
+    return normal_;
+  return circle_->orientation * direction(circle_->first + circle_->turn * s / circle_->radius);
+}
+
+dealii::Tensor<1, 2> Curve::normal(const double s, const double towards) const
+{
+  if (!chain_)
+    return normal(s);
+  const auto [k, s_on_piece] = chain_->place(s, towards);
+  return chain_->piece(k).normal(s_on_piece);
+}
+
+dealii::Tensor<1, 2> Curve::normal_at(const dealii::Point<2> &x,
+                                      const dealii::Point<2> &inside) const
+{
+  const Curve &on = chain_ ? chain_->piece(chain_->place(arc_length(inside)).first) : *this;
+  return on.normal(on.arc_length(x));
+}
+
+dealii::Tensor<1, 2> Curve::tangent(const double s, const double towards) const
+{
+  if (chain_)
+  {
+    const auto [k, s_on_piece] = chain_->place(s, towards);
+    return chain_->piece(k).tangent(s_on_piece, s_on_piece);
+  }
+  if (!circle_)
+    return (end_ - start_) / length_;
+  const dealii::Tensor<1, 2> outwards = circle_->orientation * normal(s);
+  return circle_->turn * dealii::Tensor<1, 2>({-outwards[1], outwards[0]});
+}
+
+double Curve::arc_length(const dealii::Point<2> &x) const
+{
+  if (chain_)
+    return chain_->arc_length(x);
+  if (!circle_)
+    return (x - start_) * (end_ - start_) / length_;
+  const dealii::Tensor<1, 2> from_centre = x - circle_->centre;
+  double angle = circle_->turn * (std::atan2(from_centre[1], from_centre[0]) - circle_->first);
+  // The end of an arc may come out a little before its start: only points far behind the middle of
+  // the missing piece lie there.
+  const double missing = 2. * PI - length_ / circle_->radius;
+  const double lowest = is_closed() ? 0. : -0.5 * missing;
+  angle -= 2. * PI * std::floor((angle - lowest) / (2. * PI));
+  return circle_->radius * angle;
+}
+
+std::vector<double> Curve::crossings(const dealii::Tensor<1, 2> &m,
+                                     const double position,
+                                     const double from,
+                                     const double to) const
+{
+  if (chain_)
+    return chain_->crossings(m, position, from, to);
+  std::vector<double> found;
+  const auto add = [&](const double s) {
+    if (s >= from && s <= to)
+      found.push_back(s);
+  };
+  if (!circle_)
+  {
+    const double slope = m * (end_ - start_) / length_;
+    if (std::abs(slope) > 1e-14)
+      add((position - m * (start_ - dealii::Point<2>())) / slope);
+    return found;
+  }
+  // m.(centre + R e(angle)) = position
+  const double cosine = (position - m * (circle_->centre - dealii::Point<2>())) / circle_->radius;
+  if (std::abs(cosine) >= 1.)
+    return found;
+  const double around = 2. * PI * circle_->radius;
+  for (const double sign : {-1., 1.})
+  {
+    const double angle =
+      circle_->turn * (std::atan2(m[1], m[0]) + sign * std::acos(cosine) - circle_->first);
+    const double s = circle_->radius * angle;
+    for (double k = std::ceil((from - s) / around); s + k * around <= to; ++k)
+      add(s + k * around);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+} // namespace Signorini

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/problem/geometry/arc_cell.h>
+
+#include <deal.II/grid/tria_description.h>
+
+#include <optional>
+#include <vector>
+
+#include "outline_internal.h"
+
+namespace Signorini
+{
+/** A coarse mesh between sides. */
+struct OutlineMesh
+{
+  std::vector<dealii::Point<2>> vertices;
+  std::vector<dealii::CellData<2>> cells;
+  /** Edges on sides, with the numbers of the sides. */
+  dealii::SubCellData lines;
+  /** The centres of arcs: edges on circles[k] have the manifold k. */
+  std::vector<dealii::Point<2>> circles;
+  /** Those with an arc: the k-th has the manifold circles.size() + k. */
+  std::vector<ArcCell> curved_cells;
+};
+
+/**
+ * The mesh of make_outlined_body(), with chords of at most @p step (radians) on arcs; none if
+ * chords cross or a cell comes out folded.
+ * @throws InputError beginning with @p where if there are more than @p most_cells.
+ */
+std::optional<OutlineMesh> mesh_outline(const std::vector<Side<2>> &sides,
+                                        const std::vector<Loop> &loops,
+                                        double mesh_size,
+                                        double step,
+                                        std::size_t most_cells,
+                                        const std::string &where);
+} // namespace Signorini

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Scene/Name = described: every piece of problem (1) from the expressions of the parameter file.
+
+#include <signorini/base/errors.h>
+#include <signorini/base/text.h>
+#include <signorini/problem/input/described.h>
+#include <signorini/problem/scene/functions.h>
+
+#include "foundation_input.h"
+#include "geometry_input.h"
+#include "scene_checks.h"
+#include "side_lists.h"
+
+namespace Signorini
+{
+namespace
+{
+/** Reads the entries of one parameter file that hold expressions. */
+template <int dim>
+class SceneReader
+{
+public:
+  explicit SceneReader(const Given<std::string> &constants)
+    : constants_(read_constants(constants.value, constants.where()))
+  {
+  }
+
+  /** The components of a vector, separated by ';'. @p text is all of the entry or a part of it. */
+  std::vector<Expression<dim>> components(const std::string &text,
+                                          const unsigned int n,
+                                          const Entry &entry) const
+  {
+    const std::vector<std::string> parts = split_list(text, ';');
+    if (parts.size() != n)
+      throw InputError(entry.where() + ": found " + std::to_string(parts.size()) +
+                       " component(s) in " + quote(text) + ", allowed: " + std::to_string(n) +
+                       (n == 1 ? " expression." : " expressions separated by ';'."));
+    std::vector<Expression<dim>> expressions;
+    expressions.reserve(n);
+    for (const std::string &part : parts)
+      expressions.emplace_back(part, constants_, entry.where());
+    return expressions;
+  }
+  std::vector<Expression<dim>> components(const Given<std::string> &given,
+                                          const unsigned int n) const
+  {
+    return components(given.value, n, given);
+  }
+
+  /** Data of the problem. */
+  FunctionPointer<dim> function(const std::string &text,
+                                const unsigned int n,
+                                const Entry &entry) const
+  {
+    return std::make_shared<ExpressionFunction<dim>>(components(text, n, entry));
+  }
+
+  const Constants &constants() const
+  {
+    return constants_;
+  }
+
+private:
+  Constants constants_;
+};
+
+/** Entries that a law does not use contradict it. */
+void refuse_foreign_moduli(const MaterialParameters &given)
+{
+  const std::vector<std::pair<const Entry *, MaterialLaw>> laws_of_entries = {
+    {&given.youngs_modulus, MaterialLaw::isotropic},
+    {&given.poissons_ratio, MaterialLaw::isotropic},
+    {&given.plane_state, MaterialLaw::isotropic},
+    {&given.hooke_tensor, MaterialLaw::general},
+    {&given.orthotropic_moduli, MaterialLaw::orthotropic},
+    {&given.orientation, MaterialLaw::orthotropic},
+    {&given.moduli_across,
+     given.law == MaterialLaw::general ? MaterialLaw::general : MaterialLaw::orthotropic}};
+  for (const auto &[entry, law] : laws_of_entries)
+    if (law != given.law && entry->changed)
+      throw InputError(entry->where() + ": this entry belongs to Law = " + to_text(law) +
+                       ", found Law = " + to_text(given.law.value) + ".");
+}
+
+/** The expressions of moduli, with plausible values on the body. */
+template <int dim>
+std::vector<Expression<dim>> read_moduli(const Given<std::string> &entry,
+                                         const unsigned int n,
+                                         const SceneReader<dim> &reader,
+                                         const Geometry<dim> &geometry)
+{
+  std::vector<Expression<dim>> expressions = reader.components(entry, n);
+  check_moduli(expressions, geometry);
+  return expressions;
+}
+
+/** Those of the stress normal to the plane; empty in plane stress. */
+std::vector<Expression<2>> read_moduli_across(const MaterialParameters &given,
+                                              const unsigned int n,
+                                              const SceneReader<2> &reader,
+                                              const Geometry<2> &geometry)
+{
+  return given.moduli_across.value.empty() ? std::vector<Expression<2>>()
+                                           : read_moduli(given.moduli_across, n, reader, geometry);
+}
+
+template <int dim>
+std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &given,
+                                                   const SceneReader<dim> &reader,
+                                                   const Geometry<dim> &geometry)
+{
+  refuse_foreign_moduli(given);
+  const dealii::Point<dim> reference = geometry.inner_point();
+  if constexpr (dim == 2)
+  {
+    if (given.law == MaterialLaw::general)
+      return make_general(read_moduli(given.hooke_tensor, 6, reader, geometry),
+                          read_moduli_across(given, 3, reader, geometry),
+                          reference);
+    if (given.law == MaterialLaw::orthotropic)
+      return make_orthotropic(read_moduli(given.orthotropic_moduli, 4, reader, geometry),
+                              given.orientation,
+                              read_moduli_across(given, 2, reader, geometry),
+                              reference);
+  }
+  else if (given.law == MaterialLaw::general)
+    return make_general_in_space(read_moduli(given.hooke_tensor, 21, reader, geometry), reference);
+  const Expression<dim> youngs_modulus =
+    read_moduli(given.youngs_modulus, 1, reader, geometry).front();
+  const Expression<dim> poissons_ratio = reader.components(given.poissons_ratio, 1).front();
+  return make_isotropic<dim>(youngs_modulus, poissons_ratio, given.plane_state, reference);
+}
+
+/** Gives sides their roles; a side has one role only. */
+template <int dim>
+class RoleReader
+{
+public:
+  explicit RoleReader(Scene<dim> &scene)
+    : scene_(scene)
+    , entries_(scene.geometry.sides.size())
+  {
+    scene_.boundary.resize(scene.geometry.sides.size());
+  }
+
+  /** @p entry is the one that names the side. */
+  BoundaryCondition<dim> &assign(const std::string &name, const Role role, const Entry &entry)
+  {
+    const std::size_t side = scene_.geometry.find_side(name);
+    if (side == scene_.geometry.sides.size())
+      throw InputError(entry.where() + ": found the side " + quote(name) +
+                       ", allowed: " + join(scene_.geometry.side_names()) + ".");
+    if (entries_[side] != nullptr)
+      throw InputError(entry.where() + ": the side '" + name + "' is listed in " +
+                       entries_[side]->name + " already; every side has exactly one role.");
+    entries_[side] = &entry;
+    scene_.boundary[side].role = role;
+    return scene_.boundary[side];
+  }
+
+private:
+  Scene<dim> &scene_;
+  /** Where each side was named; null: nowhere yet. */
+  std::vector<const Entry *> entries_;
+};
+
+template <int dim>
+void read_boundary(const BoundaryParameters &given,
+                   const LoadParameters &load,
+                   const SceneReader<dim> &reader,
+                   Scene<dim> &scene)
+{
+  const std::vector<std::string> sides = scene.geometry.side_names();
+  RoleReader<dim> roles(scene);
+  const auto assign = [&](const Given<std::string> &names, const Role role) {
+    for (const std::string &name : split_words(names))
+    {
+      const std::vector<std::string> called = sides_called(name, sides);
+      for (const std::string &side : called.empty() ? std::vector<std::string>{name} : called)
+        roles.assign(side, role, names);
+    }
+  };
+  assign(given.clamped, Role::clamped);
+  assign(given.rollers, Role::roller);
+  assign(given.contact, Role::contact);
+  const auto assign_data = [&](const Given<std::string> &list, const Role role) {
+    for (const auto &[name, text] : read_side_list(list.value, list.where(), sides))
+      roles.assign(name, role, list).data = reader.function(text, dim, list);
+  };
+  assign_data(given.displacement, Role::displacement);
+  assign_data(given.traction, Role::traction);
+  if constexpr (dim == 2)
+  {
+    scene.plates = read_plates(given.plates, load, scene.geometry);
+    for (const Plate &plate : scene.plates)
+      roles.assign(scene.geometry.sides[plate.side].name(), Role::displacement, given.plates).data =
+        plate_displacement(plate, PlateMotion{plate.travel, 0.});
+  }
+  if (scene.contact_sides().empty())
+    throw InputError(given.contact.where() +
+                     ": no contact side is given, allowed: one or more of " + join(sides) + ".");
+}
+
+template <int dim>
+std::vector<std::string> names_of_contact_sides(const Scene<dim> &scene)
+{
+  std::vector<std::string> names;
+  for (const unsigned int side : scene.contact_sides())
+    names.push_back(scene.geometry.sides[side].name());
+  return names;
+}
+
+/** The gaps of all contact sides: rigid things or expressions. */
+template <int dim>
+void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Scene<dim> &scene)
+{
+  const ContactParameters &given = parameters.contact;
+  SideTexts gaps;
+  if constexpr (dim == 2)
+  {
+    const bool moves = parameters.load_cases.cases.value.find("shift") != std::string::npos;
+    read_foundation(given, reader.constants(), moves, scene);
+    gaps = gaps_without_foundation(given, scene);
+  }
+  else
+    gaps = read_contact_list(given.gap.value,
+                             given.gap.where(),
+                             scene.geometry.side_names(),
+                             names_of_contact_sides(scene));
+  for (const auto &[side, text] : gaps)
+    scene.boundary[scene.geometry.find_side(side)].data = reader.function(text, 1, given.gap);
+}
+
+/** One expression for all contact sides, or one per side. */
+template <int dim>
+void read_exact_pressure(const Given<std::string> &given,
+                         const SceneReader<dim> &reader,
+                         Scene<dim> &scene)
+{
+  if (given.value.empty())
+    return;
+  for (const auto &[side, text] : read_contact_list(
+         given.value, given.where(), scene.geometry.side_names(), names_of_contact_sides(scene)))
+    scene.boundary[scene.geometry.find_side(side)].exact_pressure =
+      std::make_shared<ExpressionFunction<dim>>(reader.components(text, 1, given),
+                                                std::vector<Expression<dim>>(),
+                                                1e-4 * scene.geometry.shortest_extent());
+}
+
+template <int dim>
+void read_exact_displacement(const ExactSolutionParameters &given,
+                             const SceneReader<dim> &reader,
+                             Scene<dim> &scene)
+{
+  if (given.displacement.value.empty())
+  {
+    if (!given.displacement_gradient.value.empty())
+      throw InputError(given.displacement_gradient.where() + ": it needs " +
+                       given.displacement.name + ", which is not given.");
+    return;
+  }
+  std::vector<Expression<dim>> gradients;
+  if (!given.displacement_gradient.value.empty())
+    gradients = reader.components(given.displacement_gradient, dim * dim);
+  scene.exact_displacement = std::make_shared<ExpressionFunction<dim>>(
+    reader.components(given.displacement, dim),
+    gradients,
+    // Differences of slender bodies must not leave them far behind.
+    1e-4 * scene.geometry.shortest_extent());
+}
+
+/** Zero body forces need no volume integrals. */
+template <int dim>
+bool is_zero(const std::vector<Expression<dim>> &force)
+{
+  for (const Expression<dim> &component : force)
+    if (!component.is_constant() || component(dealii::Point<dim>()) != 0.)
+      return false;
+  return true;
+}
+} // namespace
+
+template <int dim>
+Scene<dim> make_described_scene(const Parameters &parameters)
+{
+  const SceneReader<dim> reader(parameters.constants.values);
+  Scene<dim> scene;
+  scene.name = "described";
+  scene.title = "described by expressions";
+  scene.geometry = make_geometry<dim>(parameters.geometry);
+  scene.material = read_material(parameters.material, reader, scene.geometry);
+  read_boundary(parameters.boundary, parameters.load, reader, scene);
+  read_gaps(parameters, reader, scene);
+  read_exact_pressure(parameters.exact.pressure, reader, scene);
+  const Given<std::string> &body_force = parameters.load.body_force;
+  if (dim == 2 || body_force.changed)
+  {
+    const std::vector<Expression<dim>> force = reader.components(body_force, dim);
+    if (!is_zero(force))
+      scene.body_force = std::make_shared<ExpressionFunction<dim>>(force);
+  }
+  read_exact_displacement(parameters.exact, reader, scene);
+  check_described_scene(parameters.exact, scene);
+  return scene;
+}
+
+template Scene<2> make_described_scene(const Parameters &);
+template Scene<3> make_described_scene(const Parameters &);
+} // namespace Signorini

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include "geometry_input.h"
+
+#include <signorini/base/errors.h>
+#include <signorini/base/text.h>
+#include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/mesh_file/file_geometry.h>
+#include <signorini/problem/parameters/parameter_text.h>
+#include <signorini/problem/parameters/parameters.h>
+#include <signorini/problem/scene/scene.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "polygon_input.h"
+
+namespace Signorini
+{
+/** The body of Geometry/File. @throws InputError */
+Geometry<2> read_mesh_file(const GeometryParameters &given);
+
+// Coordinates, and the sizes of bodies that can be computed with.
+
+namespace
+{
+/** The distance of the body from the origin. */
+double distance_from_origin(const Geometry<2> &geometry)
+{
+  double distance = 0.;
+  for (const Side<2> &side : geometry.sides)
+    distance = std::max(distance, side.start().norm());
+  return distance;
+}
+double distance_from_origin(const Geometry<3> &geometry)
+{
+  return std::max(geometry.lower.norm(), geometry.upper.norm());
+}
+
+/** The length of the shortest side, in space of the shortest edge. */
+double shortest_side(const Geometry<2> &geometry)
+{
+  double shortest = geometry.diameter();
+  for (const Side<2> &side : geometry.sides)
+    shortest = std::min(shortest, side.length());
+  return shortest;
+}
+double shortest_side(const Geometry<3> &geometry)
+{
+  return geometry.shortest_extent();
+}
+} // namespace
+
+std::vector<double> read_coordinates(const std::string &text,
+                                     const unsigned int n,
+                                     const Entry &entry)
+{
+  std::vector<double> numbers;
+  if (!read_numbers(text, numbers) || numbers.size() != n)
+    throw InputError(
+      entry.where() + ": found " + quote(text) + ", allowed: " +
+      (n == 2 ? "two numbers separated by a comma." : "three numbers separated by commas."));
+  return numbers;
+}
+
+template <int dim>
+void check_coordinates(const std::vector<dealii::Point<dim>> &points, const std::string &where)
+{
+  for (const dealii::Point<dim> &x : points)
+    for (unsigned int d = 0; d < dim; ++d)
+      if (!(std::abs(x[d]) <= largest_magnitude))
+        throw InputError(where + ": found the coordinate " + number_text(x[d]) +
+                         ", allowed: coordinates up to " + number_text(largest_magnitude) +
+                         "; take other units.");
+}
+
+template <int dim>
+void check_size(const Geometry<dim> &geometry, const std::string &where)
+{
+  const double size = geometry.diameter();
+  const double distance = distance_from_origin(geometry), shortest = shortest_side(geometry);
+  if (!(size >= smallest_magnitude && size <= largest_magnitude))
+    throw InputError(where + ": found a body of the size " + number_text(size) +
+                     ", allowed: sizes from " + number_text(smallest_magnitude) + " to " +
+                     number_text(largest_magnitude) + "; take other units.");
+  if (!(distance <= largest_distance * size))
+    throw InputError(where + ": found a body of the size " + number_text(size) +
+                     " at the distance " + number_text(distance) +
+                     " from the origin, allowed: at most " + number_text(largest_distance) +
+                     " times its size; put the origin near the body.");
+  if (!(shortest * largest_slenderness >= size))
+    throw InputError(where + ": found a side of the length " + number_text(shortest) +
+                     " on a body of the size " + number_text(size) +
+                     ", allowed: sides of at least " + number_text(1. / largest_slenderness) +
+                     " of the size.");
+}
+
+template void check_coordinates(const std::vector<dealii::Point<2>> &, const std::string &);
+template void check_coordinates(const std::vector<dealii::Point<3>> &, const std::string &);
+template void check_size(const Geometry<2> &, const std::string &);
+template void check_size(const Geometry<3> &, const std::string &);
+
+// What is not there in space.
+
+namespace
+{
+/** Entries that must stay at their defaults. */
+std::vector<const Entry *> entries_of_the_plane(const Parameters &parameters)
+{
+  return {&parameters.geometry.arcs,
+          &parameters.material.plane_state,
+          &parameters.material.orthotropic_moduli,
+          &parameters.material.orientation,
+          &parameters.material.moduli_across,
+          &parameters.boundary.plates,
+          &parameters.load.plate_force,
+          &parameters.load.plate_moment,
+          &parameters.load.plate_travel,
+          &parameters.contact.foundation,
+          &parameters.contact.foundation_position,
+          &parameters.load_cases.cases,
+          &parameters.load_cases.fields,
+          &parameters.discretization.kinks_at_x,
+          &parameters.discretization.kinks_at_y,
+          &parameters.discretization.patches,
+          &parameters.output.lemmas,
+          &parameters.output.pictures};
+}
+
+template <typename Option>
+void refuse_option(const Given<Option> &given, const Option option, const std::string &allowed)
+{
+  if (given == option)
+    throw InputError(given.where() + ": found '" + to_text(given.value) +
+                     "' with Dimension = 3, allowed: " + allowed + ".");
+}
+} // namespace
+
+void refuse_what_is_plane(const Parameters &parameters)
+{
+  for (const Entry *entry : entries_of_the_plane(parameters))
+    if (entry->changed)
+      throw InputError(entry->where() +
+                       ": this entry exists with Dimension = 2 only, found Dimension = 3.");
+  refuse_option(parameters.material.law, MaterialLaw::orthotropic, "isotropic, general");
+  refuse_option(parameters.discretization.strategy, Strategy::hp, to_text(Strategy::nested));
+  refuse_option(parameters.discretization.element, Element::q1_b_bar, to_text(Element::q1));
+  const Given<unsigned int> &ratio = parameters.discretization.patch_ratio;
+  if (ratio < 2)
+    throw InputError(ratio.where() + ": found '" + std::to_string(ratio.value) +
+                     "' with Dimension = 3, allowed: 2 or more; in space the inf-sup constant of "
+                     "H = h falls like h^2.");
+}
+
+// Geometry/Shape = file: from the name of a mesh file to a body.
+
+namespace
+{
+/** In bytes: some millions of cells. */
+constexpr std::size_t largest_mesh_file = 500000000;
+} // namespace
+
+Geometry<2> read_mesh_file(const GeometryParameters &given)
+{
+  if (given.distortion.changed)
+    throw InputError(given.distortion.where() +
+                     ": meshes from files are not distorted, found Shape = file.");
+  const std::filesystem::path path(given.file.value);
+  std::error_code error;
+  if (given.file.value.empty())
+    throw InputError(given.file.where() + ": found '', allowed: a mesh file of Gmsh (.msh).");
+  if (!std::filesystem::exists(path, error))
+    throw InputError(given.file.where() + ": found " + quote(given.file) +
+                     ", which is neither in the folder of the parameter file" +
+                     (given.folder.empty() ? "" : " (" + shorten_path(given.folder) + ")") +
+                     " nor in the working folder, allowed: a mesh file of Gmsh (.msh).");
+  const std::string text =
+    read_whole_file(path.string(), given.file.where() + ": ", "mesh file", largest_mesh_file);
+  const std::string name = given.file.where() + ": " + shorten_path(path.filename().string());
+  return make_geometry(
+    make_file_mesh(read_gmsh(text, name)), split_words(given.arcs), given.arcs.where());
+}
+
+// The subsection Geometry: bodies from parameters, checked before they are made.
+
+namespace
+{
+/** An entry says what belongs to another shape. */
+void refuse_foreign_entries(const GeometryParameters &given)
+{
+  const Shape shape = given.shape;
+  const bool is_round = shape == Shape::half_disc || shape == Shape::disc || shape == Shape::ring;
+  const auto refuse = [&](const Entry &entry, const bool belongs, const std::string &owner) {
+    if (entry.changed && !belongs)
+      throw InputError(entry.where() + ": this entry belongs to Shape = " + owner +
+                       ", found Shape = " + to_text(shape) + ".");
+  };
+  for (const Entry *entry :
+       std::initializer_list<const Entry *>{&given.lower_left, &given.upper_right, &given.cells})
+    refuse(*entry, shape == Shape::rectangle || shape == Shape::box, "rectangle or box");
+  for (const Entry *entry :
+       std::initializer_list<const Entry *>{&given.vertices, &given.holes, &given.mesh_size})
+    refuse(*entry, shape == Shape::polygon, "polygon");
+  refuse(given.centre, is_round, "half disc, disc or ring");
+  refuse(given.radius, is_round, "half disc, disc or ring");
+  refuse(given.inner_radius, shape == Shape::ring, "ring");
+  refuse(given.file, shape == Shape::file, "file");
+  refuse(given.arcs, shape == Shape::file, "file");
+}
+
+/** Opposite corners and coarse cells of a rectangle or a box. */
+template <int dim>
+struct Block
+{
+  dealii::Point<dim> lower, upper;
+  std::vector<unsigned int> cells;
+};
+
+/** A point; what is not given is that of the unit square or cube. */
+template <int dim>
+dealii::Point<dim> read_corner(const Given<std::string> &given, const double by_default)
+{
+  const std::vector<double> numbers = given.changed ? read_coordinates(given.value, dim, given)
+                                                    : std::vector<double>(dim, by_default);
+  dealii::Point<dim> corner;
+  std::copy(numbers.begin(), numbers.end(), corner.begin_raw());
+  check_coordinates<dim>({corner}, given.where());
+  return corner;
+}
+
+template <int dim>
+Block<dim> read_block(const GeometryParameters &given)
+{
+  Block<dim> block;
+  const std::vector<double> cells = given.cells.changed
+                                      ? read_coordinates(given.cells, dim, given.cells)
+                                      : std::vector<double>(dim, 1.);
+  for (const double n : cells)
+  {
+    if (n < 1 || n > 10000 || n != std::floor(n))
+      throw InputError(given.cells.where() + ": found " + quote(given.cells) +
+                       ", allowed: " + (dim == 2 ? "two" : "three") + " integers from 1 to 10000.");
+    block.cells.push_back(static_cast<unsigned int>(n));
+  }
+  block.lower = read_corner<dim>(given.lower_left, 0.);
+  block.upper = read_corner<dim>(given.upper_right, 1.);
+  for (unsigned int d = 0; d < dim; ++d)
+    if (!(block.upper[d] > block.lower[d]))
+      throw InputError(given.upper_right.where() + ": found " + quote(given.upper_right) +
+                       ", allowed: a point to the right of and above " +
+                       (dim == 2 ? "" : "and behind ") + "Lower left = " + given.lower_left.value +
+                       ".");
+  return block;
+}
+
+Geometry<2> read_round_body(const GeometryParameters &given)
+{
+  const auto xy = read_coordinates(given.centre, 2, given.centre);
+  const dealii::Point<2> centre(xy[0], xy[1]);
+  check_coordinates<2>({centre}, given.centre.where());
+  if (given.shape == Shape::half_disc)
+    return make_half_disc(given.radius, centre);
+  if (given.shape == Shape::disc)
+    return make_disc(given.radius, centre);
+  if (!(given.inner_radius < given.radius * (1. - 1. / largest_slenderness)))
+    throw InputError(given.inner_radius.where() + ": found " + number_text(given.inner_radius) +
+                     ", allowed: less than Radius = " + number_text(given.radius) + ".");
+  return make_ring(given.inner_radius, given.radius, centre);
+}
+} // namespace
+
+template <>
+Geometry<3> make_geometry(const GeometryParameters &given)
+{
+  if (given.shape != Shape::box && given.shape.changed)
+    throw InputError(given.shape.where() + ": found '" + to_text(given.shape.value) +
+                     "' with Dimension = 3, allowed: " + to_text(Shape::box) + ".");
+  GeometryParameters of_box = given;
+  of_box.shape.value = Shape::box;
+  refuse_foreign_entries(of_box);
+  const Block<3> block = read_block<3>(given);
+  Geometry<3> geometry = make_box(block.lower, block.upper, block.cells);
+  check_size(geometry, given.upper_right.where());
+  geometry.distortion = given.distortion;
+  geometry.where_distortion = given.distortion.where();
+  return geometry;
+}
+
+template <>
+Geometry<2> make_geometry(const GeometryParameters &given)
+{
+  refuse_foreign_entries(given);
+  Geometry<2> geometry;
+  switch (given.shape.value)
+  {
+  case Shape::rectangle:
+  {
+    const Block<2> block = read_block<2>(given);
+    geometry = make_rectangle(block.lower, block.upper, block.cells);
+    check_size(geometry, given.upper_right.where());
+    break;
+  }
+  case Shape::box:
+    throw InputError(given.shape.where() +
+                     ": found 'box' with Dimension = 2, allowed: Dimension = 3, or another shape.");
+  case Shape::polygon:
+    geometry = read_polygon(given);
+    check_size(geometry, given.vertices.where());
+    break;
+  case Shape::half_disc:
+  case Shape::disc:
+  case Shape::ring:
+    geometry = read_round_body(given);
+    check_size(geometry, given.radius.where());
+    break;
+  case Shape::file:
+    geometry = read_mesh_file(given);
+    check_size(geometry, given.file.where());
+    break;
+  }
+  geometry.distortion = given.distortion;
+  geometry.where_distortion = given.distortion.where();
+  return geometry;
+}
+} // namespace Signorini

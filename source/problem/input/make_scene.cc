@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Problem (1) from the parameters: out of the catalogue, or described by expressions.
+
+#include <signorini/base/errors.h>
+#include <signorini/base/text.h>
+#include <signorini/problem/catalogue/catalogue.h>
+#include <signorini/problem/input/described.h>
+#include <signorini/problem/input/make_scene.h>
+#include <signorini/problem/scene/contradictions.h>
+#include <signorini/problem/scene/rigid_motions.h>
+
+#include <algorithm>
+
+#include "geometry_input.h"
+#include "load_case_input.h"
+
+namespace Signorini
+{
+namespace
+{
+/** The name of the scene that the other entries describe. */
+const std::string described = "described";
+
+/** A catalogue scene fixes what describes a scene; those entries must stay at their defaults. */
+void refuse_description(const Parameters &parameters)
+{
+  if (parameters.changes_of_scene.empty())
+    return;
+  const Given<std::string> &name = parameters.scene.name;
+  throw InputError(parameters.changes_of_scene.front().where() + ": the catalogue scene '" +
+                   name.value + "' fixes this entry; leave it out, or set " + name.name + " = " +
+                   described + ".");
+}
+
+/** Whether the body begins inside the foundation somewhere on a side. */
+bool begins_inside(const Side<2> &side, const dealii::Function<2> &gap)
+{
+  constexpr unsigned int n_samples = 64;
+  for (unsigned int i = 0; i < n_samples; ++i)
+    if (gap.value(side.point((i + 0.5) / n_samples * side.length())) < 0.)
+      return true;
+  return false;
+}
+
+/** Whether anything could press the body onto the foundation. */
+bool is_loaded(const Scene<2> &scene)
+{
+  for (const unsigned int side : scene.contact_sides())
+    if (begins_inside(scene.geometry.sides[side], *scene.boundary[side].data))
+      return true;
+  const bool is_pushed = std::any_of(scene.plates.begin(), scene.plates.end(), [](const auto &p) {
+    return p.force != 0. || p.moment != 0.;
+  });
+  const bool has_data =
+    std::any_of(scene.boundary.begin(), scene.boundary.end(), [](const auto &condition) {
+      return condition.role == Role::traction || condition.role == Role::displacement;
+    });
+  return is_pushed || has_data || scene.body_force != nullptr;
+}
+
+/** Where supports leave the body free, contact has to hold it against a load. */
+void judge_free_motions(Scene<2> &scene, const std::string &where)
+{
+  scene.is_held_by_contact = !free_rigid_motions(scene, Plates::held).empty();
+  std::vector<std::string> names;
+  for (const RigidMotion &motion : free_rigid_motions(scene, Plates::released))
+    names.push_back(motion.name());
+  if (!names.empty() && !is_loaded(scene))
+    throw InputError(where + ": the clamped, prescribed and roller sides leave " +
+                     join(names, " and ") +
+                     " of the body free, and no load presses it onto the foundation; hold the "
+                     "body with Clamped, Displacement or Rollers, or load it.");
+}
+
+/** Kinks that are closer than this share of the body cut off slivers, each of which is integrated
+ * on parts that shrink towards it. */
+constexpr double smallest_distance_of_kinks = 1e-3;
+
+/** @p positions are sorted. */
+void refuse_close_kinks(const std::vector<double> &positions,
+                        const double extent,
+                        const std::string &where)
+{
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i)
+    if (!(positions[i + 1] - positions[i] >= smallest_distance_of_kinks * extent))
+      throw InputError(where + ": found kinks at " + number_text(positions[i]) +
+                       " at a distance of " + number_text(positions[i + 1] - positions[i]) +
+                       " from each other, allowed: distances of at least " +
+                       number_text(smallest_distance_of_kinks * extent) +
+                       " (a thousandth of the body).");
+}
+
+/** A position that misses the body is a mistake: it would have no effect. */
+void refuse_bad_kinks(const Scene<2> &scene, const DiscretizationParameters &given)
+{
+  const auto check = [&](const Given<std::vector<double>> &positions, const unsigned int d) {
+    std::vector<double> sorted = positions;
+    std::sort(sorted.begin(), sorted.end());
+    refuse_close_kinks(
+      sorted, scene.geometry.upper[d] - scene.geometry.lower[d], positions.where());
+    for (const double position : positions.value)
+      if (!(position >= scene.geometry.lower[d] && position <= scene.geometry.upper[d]))
+        throw InputError(positions.where() + ": found " + number_text(position) +
+                         ", allowed: positions on the body, from " +
+                         number_text(scene.geometry.lower[d]) + " to " +
+                         number_text(scene.geometry.upper[d]) + ".");
+  };
+  check(given.kinks_at_x, 0);
+  check(given.kinks_at_y, 1);
+}
+
+/** Supports of which no displacement of finite energy obeys all. */
+template <int dim>
+void refuse_contradiction(const Scene<dim> &scene, const std::string &where)
+{
+  const std::string contradiction = find_contradiction(scene);
+  if (!contradiction.empty())
+    throw InputError(where + ": " + contradiction + ".");
+}
+
+/** The scene that the parameters name. */
+template <int dim>
+Scene<dim> read_scene(const Parameters &parameters)
+{
+  const std::string &name = parameters.scene.name;
+  if (name == described)
+    return make_described_scene<dim>(parameters);
+  std::vector<std::string> names = {described};
+  for (const CatalogueEntry<dim> &entry : catalogue<dim>())
+  {
+    names.push_back(entry.name);
+    if (entry.name != name)
+      continue;
+    refuse_description(parameters);
+    Scene<dim> scene = entry.make();
+    scene.name = entry.name;
+    scene.title = entry.title;
+    scene.description = describe_scene(name);
+    return scene;
+  }
+  throw InputError(parameters.scene.name.where() + ": found " + quote(name) +
+                   (dim == 2 ? "" : " with Dimension = 3") + ", allowed: " + join(names) + ".");
+}
+} // namespace
+
+unsigned int dimension_of(const Parameters &parameters)
+{
+  if (parameters.dimension.changed)
+    return parameters.dimension;
+  const auto &in_space = catalogue<3>();
+  const bool is_in_space = std::any_of(in_space.begin(), in_space.end(), [&](const auto &entry) {
+    return entry.name == parameters.scene.name.value;
+  });
+  return is_in_space ? 3 : parameters.dimension.value;
+}
+
+template <>
+Scene<2> make_scene(const Parameters &parameters)
+{
+  Scene<2> scene = read_scene<2>(parameters);
+  refuse_contradiction(scene, parameters.boundary.where);
+  judge_free_motions(scene, parameters.boundary.where);
+  const DiscretizationParameters &discretization = parameters.discretization;
+  refuse_bad_kinks(scene, discretization);
+  std::vector<KinkLine<2>> lines = scene.kinks.lines();
+  const std::vector<KinkLine<2>> more =
+    lines_at<2>({{discretization.kinks_at_x.value, discretization.kinks_at_y.value}});
+  lines.insert(lines.end(), more.begin(), more.end());
+  scene.kinks = Kinks<2>(lines);
+  for (const unsigned int side : scene.contact_sides())
+    scene.kinks.add_ends_on(scene.geometry.sides[side]);
+  scene.load_cases = read_load_cases(parameters.load_cases, scene);
+  return scene;
+}
+
+template <>
+Scene<3> make_scene(const Parameters &parameters)
+{
+  refuse_what_is_plane(parameters);
+  const Scene<3> scene = read_scene<3>(parameters);
+  refuse_contradiction(scene, parameters.boundary.where);
+  const std::vector<std::string> names = free_rigid_motions(scene);
+  if (!names.empty())
+    throw InputError(parameters.boundary.where +
+                     ": the clamped, prescribed and roller sides leave " + join(names, " and ") +
+                     " of the body free; in space, hold the body with Clamped, Displacement or "
+                     "Rollers.");
+  return scene;
+}
+} // namespace Signorini

@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Every parameter: its name, its default (from parameters.h), its unit, what is allowed, what for.
+
+#include "declarations.h"
+
+#include <signorini/base/text.h>
+
+#include <limits>
+
+namespace Signorini
+{
+namespace Patterns = dealii::Patterns;
+
+void Declarations::add_entry(const std::string &name, const std::string &allowed, Entry &entry)
+{
+  entry.name = section_ + name;
+  entry.place = file_name_;
+  declared_[entry.name] = {allowed, handler_.get(name), &entry};
+}
+
+void Declarations::add(const std::string &name, Given<std::string> &given, const std::string &help)
+{
+  handler_.add_parameter(name, given.value, help, Patterns::Anything());
+  add_entry(name, "any text", given);
+}
+
+void Declarations::add(const std::string &name, Given<TableFormats> &given, const std::string &help)
+{
+  const std::string allowed = "nothing, markdown, latex, or both separated by a comma";
+  handler_.declare_entry(
+    name, "", Patterns::MultipleSelection("markdown|latex"), help + " Allowed: " + allowed + ".");
+  handler_.add_action(name, [&given](const std::string &text) {
+    given.value = TableFormats();
+    for (const std::string &format : split_words(text))
+      (format == "latex" ? given.value.latex : given.value.markdown) = true;
+  });
+  add_entry(name, allowed, given);
+}
+
+void Declarations::enter(const std::string &section)
+{
+  handler_.enter_subsection(section);
+  section_ = section + "/";
+}
+
+void Declarations::leave()
+{
+  handler_.leave_subsection();
+  section_.clear();
+}
+
+Declarations::Declarations(Parameters &parameters)
+  : file_name_(parameters.file_name)
+{
+  parameters.boundary.where = file_name_ + ": Boundary";
+  declare_scene(parameters);
+  declare_geometry(parameters.geometry);
+  declare_material(parameters.material);
+  declare_boundary(parameters.boundary);
+  declare_data(parameters);
+  declare_discretization(parameters.discretization);
+  declare_solver(parameters.solver);
+  declare_output(parameters.output);
+}
+
+void Declarations::declare_scene(Parameters &parameters)
+{
+  add("Dimension",
+      parameters.dimension,
+      "2: the plane; 3: space, where bodies are boxes. A scene of the catalogue has its own.",
+      Patterns::Integer(2, 3),
+      "2 or 3");
+  enter("Scene");
+  add("Name",
+      parameters.scene.name,
+      "'described', or a scene of the catalogue (see --list-scenes), which then fixes everything "
+      "from Geometry to Exact solution.");
+  leave();
+  enter("Constants");
+  add("Values",
+      parameters.constants.values,
+      "Names for the expressions: E=1, nu=0.3 (separated by commas; pi is known).");
+  leave();
+}
+
+void Declarations::declare_material(MaterialParameters &material)
+{
+  enter("Material");
+  add("Law", material.law, "Hooke's law.");
+  add("Young's modulus",
+      material.youngs_modulus,
+      "Expression in x, y (in space x, y, z) (force/area), positive everywhere.");
+  add("Poisson's ratio",
+      material.poissons_ratio,
+      "Expression in x, y (in space x, y, z), between -1 and 0.5 (both excluded) everywhere.");
+  add("Hooke tensor",
+      material.hooke_tensor,
+      "General law: C11; C12; C13; C22; C23; C33 (force/area), expressions in Voigt's notation "
+      "with the strains e11, e22, 2*e12. In space the 21 entries C11; C12; ... C16; C22; ... C66 "
+      "of the upper triangle, row by row, with the strains e11, e22, e33, 2*e23, 2*e13, 2*e12.");
+  add("Orthotropic moduli",
+      material.orthotropic_moduli,
+      "Orthotropic law: Q11; Q22; Q12; Q66 (force/area), expressions in the material's own axes.");
+  add("Orientation",
+      material.orientation,
+      "Degrees from the x-axis to the first axis of an orthotropic material.",
+      Patterns::Double(),
+      "a number");
+  add("Moduli across the plane",
+      material.moduli_across,
+      "Orthotropic law in plane strain: Q31; Q32 (force/area), sigma_zz = Q31*e11 + Q32*e22 in the "
+      "material's own axes. General law: Z1; Z2; Z3, sigma_zz = Z1*e11 + Z2*e22 + Z3*2*e12. Only "
+      "the stresses that are written need them. Empty: plane stress, sigma_zz = 0.");
+  add("Plane state",
+      material.plane_state,
+      "What the third direction does (isotropic law; the others are given for the plane).");
+  leave();
+}
+
+void Declarations::declare_boundary(BoundaryParameters &boundary)
+{
+  enter("Boundary");
+  add("Clamped", boundary.clamped, "Sides that do not move: names separated by blanks.");
+  add("Rollers",
+      boundary.rollers,
+      "Sides with zero normal displacement and zero shear: names separated by blanks.");
+  add("Contact",
+      boundary.contact,
+      "Sides that may touch the foundation: names separated by blanks; at least one.");
+  add("Displacement",
+      boundary.displacement,
+      "Prescribed displacement (length) by side: top: 0; -0.1 | left: 0; 0. In space three "
+      "components: top: 0; 0; -0.1.");
+  add("Traction",
+      boundary.traction,
+      "Surface traction (force/area) by side: left: tx; ty | right: tx; ty; in space tx; ty; tz. "
+      "Sides without a role are free.");
+  add(
+    "Plates",
+    boundary.plates,
+    "Sides to which rigid plates are bonded, with the direction in which each travels: "
+    "top: 0, -1 | right: 1, 0 turning. A plate that is turning may also rotate about its middle.");
+  leave();
+}
+
+void Declarations::declare_data(Parameters &parameters)
+{
+  enter("Load");
+  add("Body force",
+      parameters.load.body_force,
+      "Force per volume: fx; fy, in space fx; fy; fz, expressions in x, y, z (force/volume).");
+  add("Plate force",
+      parameters.load.plate_force,
+      "Force on a plate along its direction (force per thickness) by side: top: 35.");
+  add("Plate moment",
+      parameters.load.plate_moment,
+      "Moment on a turning plate about its middle, counter-clockwise (force x length per "
+      "thickness) by side; zero where nothing is given.");
+  add("Plate travel",
+      parameters.load.plate_travel,
+      "Travel of a plate along its direction (length) by side, in the place of a force.");
+  leave();
+  enter("Contact");
+  add("Gap",
+      parameters.contact.gap,
+      "Initial gap along the outward normal (length), an expression for all contact sides, or "
+      "per side: bottom: ... | left: ...");
+  add("Foundation",
+      parameters.contact.foundation,
+      "Rigid things in place of the gap, separated by '|': plane x,y normal nx,ny; circle x,y "
+      "radius r; circle x,y radius r inside (the body lies in a round hole); parabola x,y normal "
+      "nx,ny curvature k (with k < 0 it bends away from the body). Numbers may be formulas of the "
+      "constants. Normals point towards the body and may have any length. 'bottom: circle ...' is "
+      "for one contact side, others are for all. The gap is the distance along the outward normal "
+      "of the body, at most ten diameters of the body.");
+  add("Foundation position",
+      parameters.contact.foundation_position,
+      "dx, dy by which the whole foundation is moved (length).");
+  leave();
+  enter("Load cases");
+  add("Cases",
+      parameters.load_cases.cases,
+      "Other loads that the finest level is solved for, from the same factorisation: factors of "
+      "force (tractions, plates), weight (body force), travel (prescribed displacements) and gap, "
+      "and shift x, shift y of the foundation (length): force 0.5, weight 2 | force 0 to 3 in 100 "
+      "cases. What is not named keeps the factor 1 and the shift 0.");
+  add("Fields",
+      parameters.load_cases.fields,
+      "Numbers of the cases for which VTU files are written, separated by blanks; the first is 1.");
+  leave();
+  enter("Exact solution");
+  add("Displacement",
+      parameters.exact.displacement,
+      "u1; u2, in space u1; u2; u3, as expressions (length); turns the columns u_... on.");
+  add("Displacement gradient",
+      parameters.exact.displacement_gradient,
+      "du1/dx; du1/dy; du2/dx; du2/dy, in space all nine derivatives in this order; without it "
+      "fourth-order differences are taken.");
+  add("Pressure",
+      parameters.exact.pressure,
+      "p = sigma_n, negative in compression (force/area), an expression for all contact sides or "
+      "per side; turns the columns p_... on.");
+  leave();
+}
+
+void Declarations::declare_discretization(DiscretizationParameters &discretization)
+{
+  enter("Discretization");
+  add(
+    "Strategy",
+    discretization.strategy,
+    "nested: every cell is split from level to level, degree one, patches of length H. hp: the "
+    "mesh of every step is graded to the ends of contact and to other singularities that the step "
+    "before has shown, and the degree rises away from them; Finest level, Element, Patch ratio "
+    "and Patches have no meaning then. One process.");
+  add("Coarsest level",
+      discretization.coarsest_level,
+      "Refinements of the coarse mesh on the first level.",
+      Patterns::Integer(0, 14),
+      "an integer from 0 to 14");
+  add("Finest level",
+      discretization.finest_level,
+      "Refinements of the coarse mesh on the last level.",
+      Patterns::Integer(0, 14),
+      "an integer from 0 to 14");
+  add("Element",
+      discretization.element,
+      "Bilinear displacement; with B-bar its dilatation is averaged over cells, which keeps the "
+      "order for nearly incompressible bodies (Poisson's ratio near 0.5), where plain Q1 locks.");
+  add("Patch ratio",
+      discretization.patch_ratio,
+      "H/h: faces per contact patch; where it does not divide the faces of a side, the last patch "
+      "is the longer one.",
+      Patterns::Integer(1, 1 << 14),
+      "an integer from 1 to 16384");
+  add("Patches",
+      discretization.patches,
+      "If positive: this many equal patches per contact side, aligned with nothing.",
+      Patterns::Integer(0, 1 << 14),
+      "an integer from 0 to 16384");
+  add("Target error",
+      discretization.target_error,
+      "If positive: stop refining when the relative error of u_h in the energy norm is below it: "
+      "its guaranteed bound, or, where there is no bound, its estimate. Where none is given, hp "
+      "aims at 1e-3, and an estimate below Tolerated error suffices.",
+      Patterns::Double(0., 1.),
+      "a number from 0 to 1");
+  declare_graded_meshes(discretization);
+  add("Quadrature points",
+      discretization.quadrature_points,
+      "Gauss points per direction for loads; errors take one more. Meshes of at most 16384 cells "
+      "take one more, of at most 1024 cells three more, of at most 64 cells six more.",
+      Patterns::Integer(1, 16),
+      "an integer from 1 to 16");
+  const Patterns::List positions(Patterns::Double(), 0, 100, ",");
+  add("Kinks at x",
+      discretization.kinks_at_x,
+      "Positions x where the data is not smooth (length): cells and patches crossed by one are "
+      "integrated on the pieces.",
+      positions,
+      "at most 100 numbers separated by commas");
+  add("Kinks at y",
+      discretization.kinks_at_y,
+      "The same for positions y.",
+      positions,
+      "at most 100 numbers separated by commas");
+  leave();
+}
+
+void Declarations::declare_graded_meshes(DiscretizationParameters &discretization)
+{
+  add("Maximum unknowns",
+      discretization.maximum_unknowns,
+      "hp: no mesh with more unknowns is solved.",
+      Patterns::Integer(100, 100000000),
+      "an integer from 100 to 100000000");
+  add("Maximum degree",
+      discretization.maximum_degree,
+      "hp: the highest degree of an element.",
+      Patterns::Integer(2, 12),
+      "an integer from 2 to 12");
+  add("Multipliers",
+      discretization.multipliers,
+      "hp: gauss (polynomials of degree p - 2 on every contact face, with the sign condition at "
+      "Gauss points) or nodal (no penetration at the nodes of the contact faces).");
+}
+
+void Declarations::declare_solver(SolverParameters &solver)
+{
+  enter("Solver");
+  add("Contact solver",
+      solver.contact_solver,
+      "Method for contact. psor (projected SOR), active set (primal-dual) and mprgp (conjugate "
+      "gradients with projections) solve the dual problem. multigrid forms none: every V-cycle is "
+      "followed by a small problem on the contact sides (one process, nested meshes, Linear solver "
+      "= multigrid or automatic). automatic is multigrid on levels with 1e5 unknowns and more (in "
+      "space 5e3), where nothing forbids it, else active set.");
+  add("Relaxation",
+      solver.relaxation,
+      "Relaxation parameter omega of projected SOR.",
+      Patterns::Double(std::numeric_limits<double>::min(), 2. - 1e-15),
+      "a number between 0 and 2 (both excluded)");
+  add("Tolerance",
+      solver.tolerance,
+      "On the relative KKT residual of the dual problem.",
+      Patterns::Double(1e-15, 1e-2),
+      "a number from 1e-15 to 0.01");
+  add(
+    "Stop at",
+    solver.stop_at,
+    "Where Contact solver = multigrid ends: at Tolerance, or, from the second level on, at a tenth "
+    "of the error of the discretisation that the estimate of the level before lets expect.");
+  add(
+    "Maximum iterations",
+    solver.maximum_iterations,
+    "Sweeps of projected SOR, steps of the active set, products of MPRGP or V-cycles before giving "
+    "up; a level that needs more is the last one, and is not certified.",
+    Patterns::Integer(1, std::numeric_limits<int>::max()),
+    "a positive integer");
+  add("Linear solver",
+      solver.linear_solver,
+      "How systems with the stiffness matrix are solved. condensed (CHOLMOD, one process only) "
+      "eliminates the contact unknowns last and reads the compliance C from the factor; "
+      "amesos_mumps (on all processes) and amesos_klu (gathered on one) take one solve for every "
+      "contact patch that can touch. multigrid (one process, nested meshes) assembles and "
+      "factorises nothing: conjugate gradients with V-cycles. automatic is multigrid where Contact "
+      "solver is that, else condensed on one process and amesos_mumps on several.");
+  add("Warm start",
+      solver.warm_start,
+      "Start a level from the pressure of the level before.",
+      Patterns::Bool(),
+      "true, false");
+  add(
+    "Tolerated error",
+    solver.tolerated_error,
+    "Relative error in the energy norm up to which an answer is certified: the bound on the finest "
+    "level, or its estimate where there is no bound, must not be larger.",
+    Patterns::Double(0., 10.),
+    "a number from 0 to 10");
+  add("Require stability",
+      solver.require_stability,
+      "Refuse patches of a single face (H = h), which are not inf-sup stable, instead of warning.",
+      Patterns::Bool(),
+      "true, false");
+  leave();
+}
+
+void Declarations::declare_output(OutputParameters &output)
+{
+  enter("Output");
+  add("VTU", output.vtu, "Levels for which solution-LL.vtu and contact-LL.vtu are written.");
+  add("Tables",
+      output.tables,
+      "Forms in which the most important columns of convergence.csv are written for people, too: "
+      "convergence.md, convergence.tex.");
+  add("Inf-sup constant",
+      output.inf_sup_constant,
+      "Whether the constant beta of Lemma 1 is measured (automatic: on nested meshes of up to 1e5 "
+      "unknowns, in space 5000; it needs its own factorisation).");
+  add("Compliance",
+      output.compliance,
+      "Write the dual problem and its solution as Matrix Market files: C, F, P, and A, D, f, G "
+      "behind them.",
+      Patterns::Bool(),
+      "true, false");
+  add("Errors",
+      output.errors,
+      "Compute the errors in the norms of the theorems where the exact solution is known; without "
+      "them a run takes the time of its solution.",
+      Patterns::Bool(),
+      "true, false");
+  add(
+    "Lemmas",
+    output.lemmas,
+    "Fill the columns lemma_... and bound_...: the left-hand sides of Lemmas 2, 3, 5 and of (26), "
+    "(27), (30), where the exact solution is known.",
+    Patterns::Bool(),
+    "true, false");
+  add("Pictures",
+      output.pictures,
+      "Draw the finest level as pressure.svg, deformed.svg and convergence.svg, with gnuplot if it "
+      "is installed.",
+      Patterns::Bool(),
+      "true, false");
+  leave();
+}
+
+// The subsection Geometry.
+
+namespace Patterns = dealii::Patterns;
+
+void Declarations::declare_geometry(GeometryParameters &geometry)
+{
+  enter("Geometry");
+  add("Shape",
+      geometry.shape,
+      "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
+      "side1, ... in the order of its vertices; a half disc (the lower half) flat and arc, a disc "
+      "arc, a ring inner and outer; a file those that are named in it; a box, the shape in space, "
+      "left, right (x), front, back (y), bottom, top (z).");
+  add("Lower left",
+      geometry.lower_left,
+      "Corner of the rectangle: x, y; of the box: x, y, z (length).");
+  add("Upper right",
+      geometry.upper_right,
+      "Opposite corner of the rectangle: x, y; of the box: x, y, z (length).");
+  add("Cells",
+      geometry.cells,
+      "Coarse cells per direction, of the rectangle: nx, ny; of the box: nx, ny, nz.");
+  add(
+    "Vertices",
+    geometry.vertices,
+    "Polygon: x0,y0; x1,y1; ... (length). 'x,y fillet r' rounds the corner with a side of its own, "
+    "fillet<number of the vertex>; between two vertices, 'arc cx,cy ccw' (or cw) makes an arc "
+    "about "
+    "(cx,cy) of the edge. A convex polygon without arcs has one coarse cell if it has four "
+    "vertices, otherwise one per vertex; all others are filled with triangles, which are split "
+    "into quadrilaterals.");
+  add("Holes",
+      geometry.holes,
+      "Polygon: holes separated by '|', each 'circle cx,cy,r' or vertices as above (length). Their "
+      "sides are hole0, hole1, ...");
+  add("Mesh size",
+      geometry.mesh_size,
+      "Polygon: longest edge of the triangles that level 0 is made from (length); 0: as coarse as "
+      "the shape allows.",
+      Patterns::Double(0., 1e30),
+      "a number from 0 to 1e+30");
+  add("Centre", geometry.centre, "Of a half disc, a disc or a ring: x, y (length).");
+  add("Radius",
+      geometry.radius,
+      "Of a half disc, a disc or a ring (length).",
+      Patterns::Double(1e-30, 1e30),
+      "a number from 1e-30 to 1e+30");
+  add("Inner radius",
+      geometry.inner_radius,
+      "Of a ring (length).",
+      Patterns::Double(1e-30, 1e30),
+      "a number from 1e-30 to 1e+30");
+  add("File",
+      geometry.file,
+      "Mesh of quadrilaterals, written by Gmsh (.msh, version 2.2 or 4.1, ASCII): the coarse mesh. "
+      "Looked for in the folder of the parameter file, then in the working folder. Sides are the "
+      "physical names of its curves; edges without a name are the side rest.");
+  add(
+    "Arcs",
+    geometry.arcs,
+    "Mesh file: sides that are circular arcs, so that refinement follows the circle through their "
+    "nodes: names separated by blanks. Edges with a node in the middle need no entry.");
+  add("Distortion",
+      geometry.distortion,
+      "Interior vertices of the coarsest level are moved at random by this share of h.",
+      Patterns::Double(0., 0.45),
+      "a number from 0 to 0.45");
+  leave();
+}
+} // namespace Signorini

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// From the text of a parameter file and overrides to checked plain values.
+
+#include <signorini/base/errors.h>
+#include <signorini/base/text.h>
+#include <signorini/problem/parameters/parameter_text.h>
+#include <signorini/problem/parameters/parameters.h>
+
+#include <filesystem>
+
+#include "declarations.h"
+
+namespace Signorini
+{
+namespace
+{
+/** The subsections that describe a scene, and that a catalogue scene fixes. */
+const std::vector<std::string> sections_of_scene =
+  {"Constants", "Geometry", "Material", "Boundary", "Load", "Contact", "Exact solution"};
+
+const std::string constants_section = "Constants/", constants_path = "Constants/Values";
+
+const std::string mesh_file_path = "Geometry/File";
+
+/** Whether an override changes one constant of the list: Constants/NAME=value. */
+bool names_a_constant(const Assignment &assignment)
+{
+  return assignment.path.rfind(constants_section, 0) == 0 && assignment.path != constants_path;
+}
+
+/** The list "E=1, nu=0.3" with another value of one name. @throws InputError if it lacks it. */
+std::string with_constant(const std::string &list, const Assignment &assignment)
+{
+  const std::string name = trim(assignment.path.substr(constants_section.size()));
+  std::vector<std::string> parts = split_list(list, ','), names;
+  bool found = false;
+  for (std::string &part : parts)
+  {
+    names.push_back(trim(part.substr(0, part.find('='))));
+    if (names.back() != name)
+      continue;
+    part = name + "=" + assignment.value;
+    found = true;
+  }
+  if (!found)
+    throw InputError(assignment.place + ": found the constant " + quote(name) + ", allowed: " +
+                     (names.empty() ? constants_path + ", which is empty" : join(names)) + ".");
+  if (split_list(assignment.value, ',').size() != 1)
+    throw InputError(assignment.place + ": " + assignment.path + ": found " +
+                     quote(assignment.value) + ", allowed: one value.");
+  return join(parts);
+}
+
+/** The assignments of the file with the overrides behind them. */
+std::vector<Assignment> add_overrides(std::vector<Assignment> assignments,
+                                      const std::vector<std::string> &overrides)
+{
+  for (const std::string &argument : overrides)
+  {
+    Assignment override = scan_override(argument);
+    if (names_a_constant(override))
+    {
+      std::string list;
+      for (const Assignment &assignment : assignments)
+        if (assignment.path == constants_path)
+          list = assignment.value;
+      override.value = with_constant(list, override);
+      override.path = constants_path;
+    }
+    assignments.push_back(override);
+  }
+  return assignments;
+}
+
+/** Where a named file is: in @p folder or in the working folder. Unchanged if it is in neither. */
+std::string find_file(const std::string &name, const std::string &folder)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  for (const fs::path &candidate : {fs::path(folder) / name, fs::path(name)})
+    if (!name.empty() && fs::exists(candidate, error))
+    {
+      const fs::path absolute = fs::absolute(candidate, error).lexically_normal();
+      return error ? candidate.string() : absolute.string();
+    }
+  return name;
+}
+
+/** What can be judged without knowing the scene: contradictions between plain values. */
+void check(const Parameters &parameters)
+{
+  const DiscretizationParameters &discretization = parameters.discretization;
+  if (discretization.strategy == Strategy::nested &&
+      discretization.finest_level < discretization.coarsest_level)
+    throw InputError(discretization.finest_level.where() + ": found '" +
+                     std::to_string(discretization.finest_level) +
+                     "', allowed: an integer not below " + discretization.coarsest_level.name +
+                     " = " + std::to_string(discretization.coarsest_level) + ".");
+  if (parameters.output.lemmas && !parameters.output.errors)
+    throw InputError(parameters.output.lemmas.where() + ": found 'true' beside " +
+                     parameters.output.errors.name + " = false, allowed: both, or false.");
+}
+} // namespace
+
+Parameters parse_parameters(const std::string &text,
+                            const std::string &file_name,
+                            const std::vector<std::string> &overrides,
+                            const std::string &folder)
+{
+  Parameters parameters;
+  parameters.file_name = file_name;
+  parameters.geometry.folder = folder;
+  Declarations declarations(parameters);
+  std::vector<Assignment> assignments =
+    add_overrides(scan_parameter_text(text, file_name, declarations.sections()), overrides);
+  for (Assignment &assignment : assignments)
+  {
+    if (assignment.path == mesh_file_path)
+      assignment.value = find_file(assignment.value, folder);
+    declarations.assign(assignment);
+  }
+  parameters.changes_of_scene = declarations.changes(sections_of_scene);
+  check(parameters);
+  parameters.echo = declarations.print(false);
+  return parameters;
+}
+
+Parameters read_parameters(const std::string &file_name, const std::vector<std::string> &overrides)
+{
+  return parse_parameters(read_text_file(file_name),
+                          shorten_path(file_name),
+                          overrides,
+                          std::filesystem::path(file_name).parent_path().string());
+}
+
+std::string describe_parameters()
+{
+  Parameters defaults;
+  return Declarations(defaults).print(true);
+}
+} // namespace Signorini

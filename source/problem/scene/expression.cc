@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+
+#include <signorini/base/errors.h>
+#include <signorini/base/text.h>
+#include <signorini/problem/scene/expression.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/thread_local_storage.h>
+
+#include <muParser.h>
+
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+namespace Signorini
+{
+/** The functions that muParser lacks. */
+void define_functions(mu::Parser &parser);
+
+/**
+ * Writes (...)^2 and (...)^3 with operators of our own behind the bracket: muParser multiplies out
+ * the powers of a plain coordinate only and takes the library's pow for all else, which costs more
+ * than the rest of a typical formula. Expects a formula that muParser accepts.
+ */
+std::string rewrite_powers(const std::string &text);
+
+/** The operators that rewrite_powers() puts in. */
+constexpr const char *square_operator = "'";
+constexpr const char *cube_operator = "~";
+
+/** Lets a parser know these operators. */
+void define_powers(mu::Parser &parser);
+
+// Formulas of the parameter file, on top of muParser.
+
+namespace
+{
+constexpr std::array<const char *, 3> coordinate_names = {{"x", "y", "z"}};
+
+/** Every formula knows all constants, so that time grows like their square: 0.2 s for this many. */
+constexpr std::size_t most_constants = 1000;
+
+/** The length of the operator at text[i] that compares; 0 if there is none. */
+std::size_t comparison_at(const std::string &text, const std::size_t i)
+{
+  const bool followed_by_equals = i + 1 < text.size() && text[i + 1] == '=';
+  if (text[i] == '<' || text[i] == '>')
+    return followed_by_equals ? 2 : 1;
+  return (text[i] == '=' || text[i] == '!') && followed_by_equals ? 2 : 0;
+}
+
+/** Whether a comparison is compared: 0.2<x<0.4 is (0.2<x)<0.4 for muParser, which is never meant.
+ */
+bool chains_comparisons(const std::string &text)
+{
+  // How many since the last operator that ends a comparison, by depth of parentheses.
+  std::vector<unsigned int> comparisons = {0};
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const std::size_t length = comparison_at(text, i);
+    if (length > 0 && ++comparisons.back() > 1)
+      return true;
+    if (text[i] == '(')
+      comparisons.push_back(0);
+    else if (text[i] == ')' && comparisons.size() > 1)
+      comparisons.pop_back();
+    else if (std::string(",&|?:").find(text[i]) != std::string::npos)
+      comparisons.back() = 0;
+    i += length > 0 ? length - 1 : 0;
+  }
+  return false;
+}
+
+/**
+ * muParser takes `1, 2` for 2 and `x = 3` for an assignment; neither can be meant.
+ * @return what is wrong, or nothing.
+ */
+std::string find_misuse(const std::string &text)
+{
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const char before = i > 0 ? text[i - 1] : ' ';
+    const char after = i + 1 < text.size() ? text[i + 1] : ' ';
+    depth += text[i] == '(' ? 1 : (text[i] == ')' ? -1 : 0);
+    if (text[i] == ',' && depth == 0)
+      return "a comma stands outside of a function's parentheses";
+    if (text[i] == '=' && after != '=' && std::string("=<>!").find(before) == std::string::npos)
+      return "'=' assigns; comparisons are written '=='";
+    if (text[i] == '"')
+      return "a quotation mark has no meaning here";
+  }
+  return trim(text).empty() ? "it is empty" : "";
+}
+
+/** muParser's message without its full stop, with at most a part of a long token. */
+std::string reason_of(const mu::ParserError &error)
+{
+  std::string reason = error.GetMsg();
+  const std::string &token = error.GetToken();
+  const auto found = token.empty() ? std::string::npos : reason.find('"' + token + '"');
+  if (found != std::string::npos)
+    reason.replace(found + 1, token.size(), shorten(trim(token)));
+  while (!reason.empty() && reason.back() == '.')
+    reason.pop_back();
+  return reason;
+}
+
+/** Whether a constant cannot have this name because formulas know it already. */
+bool is_taken(const std::string &name)
+{
+  mu::Parser parser;
+  define_functions(parser);
+  return name == "x" || name == "y" || name == "z" || name == "pi" ||
+         parser.GetFunDef().count(name) > 0 || parser.GetConst().count(name) > 0;
+}
+
+bool is_name(const std::string &text)
+{
+  if (text.empty() || (std::isalpha(static_cast<unsigned char>(text[0])) == 0 && text[0] != '_'))
+    return false;
+  for (const char c : text)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_')
+      return false;
+  return true;
+}
+} // namespace
+
+/** One muParser bound to its own coordinates. */
+template <int dim>
+class Expression<dim>::Parser
+{
+public:
+  /** @param text a formula as the user wrote it, or as rewrite_powers() returns it. */
+  Parser(const std::string &text, const Constants &constants, const bool rewritten)
+  {
+    parser_.DefineConst("pi", dealii::numbers::PI);
+    for (const auto &constant : constants)
+      parser_.DefineConst(constant.first, constant.second);
+    define_functions(parser_);
+    if (rewritten)
+      define_powers(parser_);
+    for (unsigned int d = 0; d < dim; ++d)
+      parser_.DefineVar(coordinate_names[d], &coordinates_[d]);
+    parser_.SetExpr(text);
+    uses_coordinates_ = !parser_.GetUsedVar().empty();
+    parser_.Eval();
+  }
+  Parser(const Parser &) = delete;
+  Parser &operator=(const Parser &) = delete;
+
+  double evaluate(const dealii::Point<dim> &x)
+  {
+    for (unsigned int d = 0; d < dim; ++d)
+      coordinates_[d] = x[d];
+    return parser_.Eval();
+  }
+
+  bool uses_coordinates() const
+  {
+    return uses_coordinates_;
+  }
+
+private:
+  std::array<double, dim> coordinates_ = {};
+  mu::Parser parser_;
+  bool uses_coordinates_ = false;
+};
+
+/** One parser per thread, made when the thread first asks for it. */
+template <int dim>
+class Expression<dim>::Parsers
+{
+public:
+  Parsers(const std::string &text, const Constants &constants)
+    : text_(rewrite_powers(text))
+    , constants_(constants)
+  {
+  }
+
+  Parser &of_this_thread()
+  {
+    std::unique_ptr<Parser> &parser = parsers_.get();
+    if (parser == nullptr)
+      parser = std::make_unique<Parser>(text_, constants_, true);
+    return *parser;
+  }
+
+private:
+  std::string text_;
+  Constants constants_;
+  dealii::Threads::ThreadLocalStorage<std::unique_ptr<Parser>> parsers_;
+};
+
+template <int dim>
+Expression<dim>::Expression(const std::string &text,
+                            const Constants &constants,
+                            const std::string &where)
+  : text_(trim(text))
+  , constants_(constants)
+  , where_(where)
+{
+  const std::string misuse = find_misuse(text_);
+  if (!misuse.empty())
+    throw InputError(where_ + ": the expression " + quote(text_) + " cannot be used: " + misuse +
+                     "; allowed: a formula in x, y, the constants and pi.");
+  try
+  {
+    Parser parser(text_, constants_, false);
+    if (parser.uses_coordinates())
+      parsers_ = std::make_unique<Parsers>(text_, constants_);
+    else
+      constant_ = parser.evaluate(dealii::Point<dim>());
+  }
+  catch (const mu::ParserError &error)
+  {
+    throw InputError(where_ + ": the expression " + quote(text_) + " cannot be parsed: " +
+                     reason_of(error) + "; allowed: a formula in x, y, the constants and pi.");
+  }
+  if (chains_comparisons(text_))
+    throw InputError(where_ + ": the expression " + quote(text_) +
+                     " compares the answer of a comparison; allowed: (a<x) && (x<b) for a<x<b, or "
+                     "parentheses around one of them.");
+}
+
+template <int dim>
+Expression<dim>::Expression(const Expression &other)
+  : text_(other.text_)
+  , constants_(other.constants_)
+  , where_(other.where_)
+  , constant_(other.constant_)
+  , parsers_(constant_ ? nullptr : std::make_unique<Parsers>(other.text_, other.constants_))
+{
+}
+
+template <int dim>
+Expression<dim>::Expression(Expression &&other) noexcept = default;
+
+template <int dim>
+Expression<dim>::~Expression() = default;
+
+template <int dim>
+double Expression<dim>::operator()(const dealii::Point<dim> &x) const
+{
+  return constant_ ? *constant_ : parsers_->of_this_thread().evaluate(x);
+}
+
+// muParser's own bulk mode starts OpenMP threads for every call; a cell has too few points for
+// that.
+template <int dim>
+void Expression<dim>::evaluate(const std::vector<dealii::Point<dim>> &points,
+                               std::vector<double> &values) const
+{
+  AssertDimension(points.size(), values.size());
+  if (constant_)
+  {
+    values.assign(points.size(), *constant_);
+    return;
+  }
+  Parser &parser = parsers_->of_this_thread();
+  for (std::size_t q = 0; q < points.size(); ++q)
+    values[q] = parser.evaluate(points[q]);
+}
+
+Constants read_constants(const std::string &text, const std::string &where)
+{
+  Constants constants;
+  const std::vector<std::string> parts = split_list(text, ',');
+  if (parts.size() > most_constants)
+    throw InputError(where + ": found " + std::to_string(parts.size()) +
+                     " constants, allowed: at most " + std::to_string(most_constants) + ".");
+  for (const std::string &part : parts)
+  {
+    const auto equals = part.find('=');
+    const std::string name = trim(part.substr(0, equals));
+    if (equals == std::string::npos || !is_name(name))
+      throw InputError(where + ": found " + quote(part) +
+                       ", allowed: name=number, separated by commas.");
+    if (is_taken(name) || constants.count(name) > 0)
+      throw InputError(where + ": the name " + quote(name) +
+                       " is taken; x, y, z, pi and the functions are known, and a constant is set "
+                       "once.");
+    const Expression<1> value(part.substr(equals + 1), constants, where);
+    const double number = value(dealii::Point<1>(0.));
+    if (!value.is_constant() || !std::isfinite(number))
+      throw InputError(where + ": the value of " + quote(name) +
+                       " must be a finite number, found " + quote(value.text()) + ".");
+    constants[name] = number;
+  }
+  return constants;
+}
+
+template class Expression<1>;
+template class Expression<2>;
+template class Expression<3>;
+
+// What muParser is taught.
+
+namespace
+{
+double choose(const double condition, const double then_value, const double else_value)
+{
+  return condition != 0. ? then_value : else_value;
+}
+
+double square(const double x)
+{
+  return x * x;
+}
+
+double cube(const double x)
+{
+  return x * x * x;
+}
+} // namespace
+
+void define_functions(mu::Parser &parser)
+{
+  parser.DefineFun("floor", static_cast<double (*)(double)>(std::floor));
+  parser.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
+  parser.DefineFun("pow", static_cast<double (*)(double, double)>(std::pow));
+  parser.DefineFun("erf", static_cast<double (*)(double)>(std::erf));
+  parser.DefineFun("erfc", static_cast<double (*)(double)>(std::erfc));
+  parser.DefineFun("if", choose);
+}
+
+std::string rewrite_powers(const std::string &text)
+{
+  const auto next = [&](std::size_t i) {
+    while (i < text.size() && std::isspace(static_cast<unsigned char>(text[i])) != 0)
+      ++i;
+    return i;
+  };
+  std::string rewritten;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    rewritten += text[i];
+    const std::size_t caret = next(i + 1);
+    if (text[i] != ')' || caret >= text.size() || text[caret] != '^')
+      continue;
+    const std::size_t digit = next(caret + 1), end = digit + 1;
+    if (digit >= text.size() || (text[digit] != '2' && text[digit] != '3'))
+      continue;
+    // Not the beginning of a longer number, nor of a tower a^2^b = a^(2^b).
+    const std::size_t follower = next(end);
+    const bool is_number =
+      end < text.size() &&
+      (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '.');
+    if (is_number || (follower < text.size() && text[follower] == '^'))
+      continue;
+    rewritten += text[digit] == '2' ? square_operator : cube_operator;
+    i = digit;
+  }
+  return rewritten;
+}
+
+void define_powers(mu::Parser &parser)
+{
+  parser.DefinePostfixOprt(square_operator, square);
+  parser.DefinePostfixOprt(cube_operator, cube);
+}
+} // namespace Signorini

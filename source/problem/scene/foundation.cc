@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where a line enters a rigid thing. On a line every thing is {t: phi(t) <= 0} with a polynomial
+// phi of degree two, and is entered where phi falls.
+
+#include <signorini/problem/scene/foundation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini
+{
+namespace
+{
+/** Lines that meet a plane at a smaller angle (radians) are parallel to it but for rounding. */
+constexpr double parallel = 1e-12;
+
+} // namespace
+
+/** phi(t) = a t² + 2 b t + c. */
+struct RigidThing::LinePolynomial
+{
+  double a, b, c;
+  /** b² - a c, from a formula without cancellation. */
+  double discriminant;
+
+  /**
+   * The root at which phi falls, t = (-b - w)/a = c/(w - b) with w = sqrt(b² - a c), of the two
+   * forms the one without cancellation.
+   *
+   * For a > 0 and t = 0 outside of {phi <= 0} there is no such root ahead if the line misses the
+   * thing or has left it. Then sqrt(c/a), the geometric mean of the roots, goes on continuously: on
+   * a line that touches, both roots have this value.
+   */
+  std::optional<double> entry() const
+  {
+    const bool is_inside = c <= 0.;
+    const double w = discriminant > 0. ? std::sqrt(discriminant) : 0.;
+    if (w > 0. && b <= 0.)
+      return c / (w - b);
+    if (a > 0.)
+      return is_inside ? -(b + w) / a : std::sqrt(c / a);
+    if (a == 0. || is_inside || w == 0.)
+      return {};
+    return -(b + w) / a;
+  }
+  /** Whether entry() is no root but its continuation. */
+  bool misses() const
+  {
+    return a > 0. && c > 0. && !(discriminant > 0. && b <= 0.);
+  }
+};
+
+RigidThing::RigidThing(std::variant<Parabola, Circle> shape)
+  : shape_(shape)
+{
+}
+
+RigidThing RigidThing::plane(const dealii::Point<2> &point, const dealii::Tensor<1, 2> &normal)
+{
+  return parabola(point, normal, 0.);
+}
+
+RigidThing RigidThing::parabola(const dealii::Point<2> &point,
+                                const dealii::Tensor<1, 2> &normal,
+                                const double curvature)
+{
+  return RigidThing(Parabola{point, normal / normal.norm(), curvature});
+}
+
+RigidThing RigidThing::circle(const dealii::Point<2> &centre, const double radius, const Body body)
+{
+  return RigidThing(Circle{centre, radius, body});
+}
+
+RigidThing::LinePolynomial RigidThing::along(const dealii::Point<2> &x,
+                                             const dealii::Tensor<1, 2> &n) const
+{
+  const dealii::Tensor<1, 2> d = x - anchor();
+  if (const auto *circle = std::get_if<Circle>(&shape_))
+  {
+    // phi = ±(|d + t n|² - r²); b² - a c = r² - h² with the distance h of the line from the centre.
+    const double sign = circle->body == Body::outside ? 1. : -1.;
+    const double r = circle->radius, h = std::abs(dealii::cross_product_2d(d) * n);
+    return {sign, sign * (d * n), sign * (d.norm() - r) * (d.norm() + r), (r - h) * (r + h)};
+  }
+  // phi = y' - k x'^2/2 in the coordinates x' along tau and y' along nu.
+  const Parabola &parabola = std::get<Parabola>(shape_);
+  const dealii::Tensor<1, 2> &nu = parabola.normal;
+  const dealii::Tensor<1, 2> tau = dealii::cross_product_2d(nu);
+  const double k = parabola.curvature;
+  const double d_tau = d * tau, n_tau = n * tau, d_nu = d * nu;
+  const double n_nu = std::abs(n * nu) < parallel ? 0. : n * nu;
+  // b² - a c = (n_nu² - 2 k n_tau (d_tau n_nu - n_tau d_nu))/4
+  return {-0.5 * k * n_tau * n_tau,
+          0.5 * (n_nu - k * d_tau * n_tau),
+          d_nu - 0.5 * k * d_tau * d_tau,
+          0.25 * (n_nu * n_nu - 2. * k * n_tau * (d_tau * n_nu - n_tau * d_nu))};
+}
+
+std::optional<double> RigidThing::distance(const dealii::Point<2> &x,
+                                           const dealii::Tensor<1, 2> &n) const
+{
+  return along(x, n).entry();
+}
+
+bool RigidThing::is_met(const dealii::Point<2> &x,
+                        const dealii::Tensor<1, 2> &n,
+                        const double reach) const
+{
+  const LinePolynomial phi = along(x, n);
+  return !phi.misses() && phi.entry().value_or(reach) < reach;
+}
+
+bool RigidThing::can_stop(const dealii::Tensor<1, 2> &n) const
+{
+  const auto *parabola = std::get_if<Parabola>(&shape_);
+  return parabola == nullptr || parabola->curvature != 0. || n * parabola->normal < -parallel;
+}
+
+const dealii::Point<2> &RigidThing::anchor() const
+{
+  if (const auto *circle = std::get_if<Circle>(&shape_))
+    return circle->centre;
+  return std::get<Parabola>(shape_).point;
+}
+
+Foundation::Foundation(std::vector<RigidThing> things, const double largest_gap)
+  : things_(std::move(things))
+  , largest_gap_(largest_gap)
+{
+}
+
+double Foundation::gap(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const
+{
+  double gap = largest_gap_;
+  for (const RigidThing &thing : things_)
+    gap = std::min(gap, thing.distance(x, n).value_or(largest_gap_));
+  return gap;
+}
+
+namespace
+{
+class FoundationGap : public dealii::Function<2>
+{
+public:
+  FoundationGap(const Side<2> &side,
+                std::shared_ptr<const Foundation> foundation,
+                const dealii::Tensor<1, 2> &position)
+    : side_(side)
+    , foundation_(std::move(foundation))
+    , position_(position)
+  {
+  }
+
+  double value(const dealii::Point<2> &x, const unsigned int /*component*/ = 0) const override
+  {
+    const dealii::Point<1> s = side_.coordinates(x);
+    const dealii::Point<2> on_side = side_.is_flat() ? x : side_.point(s);
+    return foundation_->gap(on_side - position_, side_.normal(s));
+  }
+
+private:
+  Side<2> side_;
+  std::shared_ptr<const Foundation> foundation_;
+  dealii::Tensor<1, 2> position_;
+};
+} // namespace
+
+std::shared_ptr<const dealii::Function<2>>
+foundation_gap(const Side<2> &side,
+               const std::shared_ptr<const Foundation> &foundation,
+               const dealii::Tensor<1, 2> &position)
+{
+  return std::make_shared<FoundationGap>(side, foundation, position);
+}
+} // namespace Signorini

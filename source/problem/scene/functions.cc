@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Expressions as deal.II functions.
+
+#include <signorini/base/errors.h>
+#include <signorini/base/text.h>
+#include <signorini/problem/scene/functions.h>
+#include <signorini/problem/scene/scene.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace Signorini
+{
+template <int dim>
+ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values,
+                                            std::vector<Expression<dim>> gradients,
+                                            const double h)
+  : dealii::Function<dim>(values.size())
+  , values_(std::move(values))
+  , gradients_(std::move(gradients))
+  , h_(h)
+{
+  Assert(gradients_.empty() || gradients_.size() == dim * values_.size(),
+         dealii::ExcDimensionMismatch(gradients_.size(), dim * values_.size()));
+}
+
+template <int dim>
+ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values)
+  : ExpressionFunction(std::move(values), {}, 0.)
+{
+}
+
+template <int dim>
+void ExpressionFunction<dim>::check(const double value,
+                                    const unsigned int component,
+                                    const dealii::Point<dim> &x) const
+{
+  if (h_ > 0. || std::abs(value) <= largest_magnitude)
+    return;
+  std::ostringstream message;
+  message << values_[component].where() << ": found the value " << number_text(value)
+          << " of component " << component + 1 << " at (" << x << "), allowed: values up to "
+          << number_text(largest_magnitude) << " on the whole body.";
+  throw InputError(message.str());
+}
+
+template <int dim>
+bool ExpressionFunction<dim>::is_constant() const
+{
+  return std::all_of(values_.begin(), values_.end(), [](const Expression<dim> &value) {
+    return value.is_constant();
+  });
+}
+
+template <int dim>
+double ExpressionFunction<dim>::value(const dealii::Point<dim> &x,
+                                      const unsigned int component) const
+{
+  const double value = values_[component](x);
+  check(value, component, x);
+  return value;
+}
+
+template <int dim>
+void ExpressionFunction<dim>::vector_value(const dealii::Point<dim> &x,
+                                           dealii::Vector<double> &values) const
+{
+  for (unsigned int c = 0; c < values.size(); ++c)
+    values[c] = value(x, c);
+}
+
+template <int dim>
+void ExpressionFunction<dim>::value_list(const Points &points,
+                                         std::vector<double> &values,
+                                         const unsigned int component) const
+{
+  values_[component].evaluate(points, values);
+  for (std::size_t q = 0; q < points.size(); ++q)
+    check(values[q], component, points[q]);
+}
+
+template <int dim>
+void ExpressionFunction<dim>::vector_value_list(const Points &points,
+                                                std::vector<dealii::Vector<double>> &values) const
+{
+  std::vector<double> component(points.size());
+  for (unsigned int c = 0; c < values_.size(); ++c)
+  {
+    value_list(points, component, c);
+    for (std::size_t q = 0; q < points.size(); ++q)
+      values[q][c] = component[q];
+  }
+}
+
+template <int dim>
+void ExpressionFunction<dim>::derivative_list(const Points &points,
+                                              const unsigned int component,
+                                              const unsigned int d,
+                                              std::vector<double> &derivatives) const
+{
+  if (!gradients_.empty())
+  {
+    gradients_[dim * component + d].evaluate(points, derivatives);
+    return;
+  }
+  // (u(x - 2h) - 8 u(x - h) + 8 u(x + h) - u(x + 2h)) / 12h
+  constexpr std::array<double, 4> steps = {{-2., -1., 1., 2.}};
+  constexpr std::array<double, 4> weights = {{1., -8., 8., -1.}};
+  Points shifted(points);
+  std::vector<double> values(points.size());
+  derivatives.assign(points.size(), 0.);
+  for (unsigned int k = 0; k < steps.size(); ++k)
+  {
+    for (std::size_t q = 0; q < points.size(); ++q)
+      shifted[q][d] = points[q][d] + steps[k] * h_;
+    values_[component].evaluate(shifted, values);
+    for (std::size_t q = 0; q < points.size(); ++q)
+      derivatives[q] += weights[k] * values[q];
+  }
+  for (double &derivative : derivatives)
+    derivative /= 12. * h_;
+}
+
+template <int dim>
+dealii::Tensor<1, dim> ExpressionFunction<dim>::gradient(const dealii::Point<dim> &x,
+                                                         const unsigned int component) const
+{
+  Gradients gradient(1);
+  gradient_list({x}, gradient, component);
+  return gradient[0];
+}
+
+template <int dim>
+void ExpressionFunction<dim>::vector_gradient(const dealii::Point<dim> &x,
+                                              Gradients &gradients) const
+{
+  for (unsigned int c = 0; c < values_.size(); ++c)
+    gradients[c] = gradient(x, c);
+}
+
+template <int dim>
+void ExpressionFunction<dim>::gradient_list(const Points &points,
+                                            Gradients &gradients,
+                                            const unsigned int component) const
+{
+  std::vector<double> derivatives(points.size());
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    derivative_list(points, component, d, derivatives);
+    for (std::size_t q = 0; q < points.size(); ++q)
+      gradients[q][d] = derivatives[q];
+  }
+}
+
+template <int dim>
+void ExpressionFunction<dim>::vector_gradient_list(const Points &points,
+                                                   std::vector<Gradients> &gradients) const
+{
+  Gradients component(points.size());
+  for (unsigned int c = 0; c < values_.size(); ++c)
+  {
+    gradient_list(points, component, c);
+    for (std::size_t q = 0; q < points.size(); ++q)
+      gradients[q][c] = component[q];
+  }
+}
+
+template <int dim>
+bool is_constant(const dealii::Function<dim> &function)
+{
+  const auto *expressions = dynamic_cast<const ExpressionFunction<dim> *>(&function);
+  return expressions != nullptr && expressions->is_constant();
+}
+
+template class ExpressionFunction<2>;
+template class ExpressionFunction<3>;
+template bool is_constant(const dealii::Function<2> &);
+template bool is_constant(const dealii::Function<3> &);
+} // namespace Signorini

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The kernel of A, found from the boundary conditions alone: three unknowns, no finite elements.
+
+#include <signorini/problem/scene/rigid_motions.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+/** Row of the motion (t1, t2, omega L) in the direction n at x, relative to centre and size L. */
+std::array<double, 3> normal_motion(const dealii::Tensor<1, 2> &relative,
+                                    const dealii::Tensor<1, 2> &n,
+                                    const double size)
+{
+  return {{n[0], n[1], (-relative[1] * n[0] + relative[0] * n[1]) / size}};
+}
+
+/** Sum of r r^T over conditions r.motion = 0. */
+class Conditions
+{
+public:
+  explicit Conditions(const Geometry<2> &geometry)
+    : centre_(geometry.lower + 0.5 * (geometry.upper - geometry.lower))
+    , size_(geometry.diameter())
+    , matrix_(3, 3)
+  {
+  }
+
+  /** v(x).n = 0. */
+  void forbid_velocity(const dealii::Point<2> &x,
+                       const dealii::Tensor<1, 2> &n,
+                       const double weight = 1.)
+  {
+    add(normal_motion(x - centre_, n, size_), weight);
+  }
+  void forbid_rotation()
+  {
+    add({{0., 0., 1.}}, 1.);
+  }
+  /** All motions that obey. */
+  std::vector<RigidMotion> solutions()
+  {
+    dealii::Vector<double> eigenvalues(3);
+    dealii::FullMatrix<double> vectors(3, 3);
+    matrix_.compute_eigenvalues_symmetric(-1., 1e6, 1e-15, eigenvalues, vectors);
+    std::vector<RigidMotion> motions;
+    for (unsigned int k = 0; k < 3; ++k)
+      // A clamped side of the length l holds a rotation with (l / size)² at least, see
+      // largest_slenderness; rounding leaves 1e-15.
+      if (eigenvalues[k] < 1e-14)
+        motions.push_back(
+          {dealii::Tensor<1, 2>({vectors(0, k), vectors(1, k)}), vectors(2, k), centre_, size_});
+    return motions;
+  }
+
+private:
+  void add(const std::array<double, 3> &row, const double weight)
+  {
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        matrix_(i, j) += weight * row[i] * row[j];
+  }
+
+  dealii::Point<2> centre_;
+  double size_;
+  dealii::LAPACKFullMatrix<double> matrix_;
+};
+
+/** What a side of this role forbids; two points tell all about a segment, three about a circle. */
+void hold_side(const Side<2> &side, const Role role, Conditions &conditions)
+{
+  const double weight = 1. / side.n_pieces();
+  for (unsigned int k = 0; k < side.n_pieces(); ++k)
+    for (const double share : {0., 1. / 3., 2. / 3., 1.})
+    {
+      const Curve &piece = side.piece(k);
+      const double s = share * piece.length();
+      const dealii::Point<2> x = piece.point(s);
+      if (role == Role::roller)
+        conditions.forbid_velocity(x, piece.normal(s), weight);
+      if (role == Role::clamped || role == Role::displacement)
+        for (unsigned int d = 0; d < 2; ++d)
+          conditions.forbid_velocity(x, dealii::Point<2>::unit_vector(d), weight);
+    }
+}
+
+/** What a plate forbids to a body that moves as a whole. */
+void hold_plate(const Plate &plate, Conditions &conditions)
+{
+  const dealii::Tensor<1, 2> across({-plate.direction[1], plate.direction[0]});
+  conditions.forbid_velocity(plate.centre, across);
+  if (!plate.is_pushed)
+    conditions.forbid_velocity(plate.centre, plate.direction);
+  if (!plate.turns)
+    conditions.forbid_rotation();
+}
+
+/** Plain numbers for messages: no -0, no 1e-17. */
+double rounded(const double value)
+{
+  return std::round(value * 1e4) / 1e4 + 0.;
+}
+
+std::string point_text(const double x, const double y)
+{
+  std::ostringstream text;
+  text << "(" << rounded(x) << ", " << rounded(y) << ")";
+  return text.str();
+}
+
+/** The point that does not move. */
+std::string pole(const RigidMotion &motion)
+{
+  const double omega = motion.rotation / motion.size;
+  return point_text(motion.centre[0] - motion.translation[1] / omega,
+                    motion.centre[1] + motion.translation[0] / omega);
+}
+} // namespace
+
+dealii::Tensor<1, 2> RigidMotion::velocity(const dealii::Point<2> &x) const
+{
+  const dealii::Tensor<1, 2> arm = (x - centre) / size;
+  return translation + rotation * dealii::Tensor<1, 2>({-arm[1], arm[0]});
+}
+
+bool RigidMotion::is_translation() const
+{
+  return std::abs(rotation) < 1e-6 * translation.norm();
+}
+
+std::string RigidMotion::name() const
+{
+  if (!is_translation())
+    return "the rotation about " + pole(*this);
+  const dealii::Tensor<1, 2> t = translation / translation.norm();
+  const double sign = (std::abs(t[0]) > 1e-6 ? t[0] : t[1]) < 0 ? -1. : 1.;
+  return "the translation along " + point_text(sign * t[0], sign * t[1]);
+}
+
+std::string RigidMotion::direction() const
+{
+  if (!is_translation())
+    return std::string(rotation > 0. ? "counter-clockwise" : "clockwise") + " about " + pole(*this);
+  const double length = translation.norm();
+  return "along " + point_text(translation[0] / length, translation[1] / length);
+}
+
+RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<double> &weights)
+{
+  RigidMotion sum = motions.front();
+  sum.translation = 0.;
+  sum.rotation = 0.;
+  for (std::size_t i = 0; i < motions.size(); ++i)
+  {
+    sum.translation += weights[i] * motions[i].translation;
+    sum.rotation += weights[i] * motions[i].rotation;
+  }
+  return sum;
+}
+
+std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates plates)
+{
+  Conditions conditions(scene.geometry);
+  std::vector<bool> is_released(scene.boundary.size(), false);
+  if (plates == Plates::released)
+    for (const Plate &plate : scene.plates)
+    {
+      is_released[plate.side] = true;
+      hold_plate(plate, conditions);
+    }
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+    if (!is_released[i])
+      hold_side(scene.geometry.sides[i], scene.boundary[i].role, conditions);
+  return conditions.solutions();
+}
+
+// The kernel of A for a box, found from the boundary conditions alone.
+
+namespace
+{
+using Vector3 = dealii::Tensor<1, 3>;
+
+/** The velocity of the k-th of three translations and three rotations at a point. */
+Vector3 velocity(const unsigned int k, const Vector3 &x)
+{
+  Vector3 axis;
+  axis[k % 3] = 1.;
+  return k < 3 ? axis : cross_product_3d(axis, x);
+}
+
+/** Whether a side leaves a motion free, judged at its corners: a velocity is linear. */
+bool leaves_free(const Side<3> &side,
+                 const Role role,
+                 const unsigned int motion,
+                 const dealii::Point<3> &centre,
+                 const double size)
+{
+  const auto lengths = side.lengths();
+  for (const double r : {0., 1.})
+    for (const double t : {0., 1.})
+    {
+      const dealii::Point<2> corner(r * lengths[0], t * lengths[1]);
+      const Vector3 v = velocity(motion, (side.point(corner) - centre) / size);
+      const double held = role == Role::roller ? std::abs(v * side.normal(corner)) : v.norm();
+      if (held > 1e-10)
+        return false;
+    }
+  return true;
+}
+} // namespace
+
+// Sides of a box are parallel to its axes: what they leave free is spanned by translations along
+// the axes and rotations about axes through any point on the lines of symmetry of the held sides.
+std::vector<std::string> free_rigid_motions(const Scene<3> &scene)
+{
+  const Geometry<3> &geometry = scene.geometry;
+  const dealii::Point<3> centre = geometry.inner_point();
+  std::vector<std::string> names;
+  for (unsigned int k = 0; k < 6; ++k)
+  {
+    bool is_free = true;
+    for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+    {
+      const Role role = scene.boundary[i].role;
+      if (role == Role::clamped || role == Role::displacement || role == Role::roller)
+        is_free = is_free && leaves_free(geometry.sides[i], role, k, centre, geometry.diameter());
+    }
+    if (is_free)
+      names.push_back(k < 3 ? std::string("the translation along ") + "xyz"[k]
+                            : std::string("the rotation about the ") + "xyz"[k - 3] + "-axis");
+  }
+  return names;
+}
+
+// Generalised displacements: what plates and pins could do.
+
+namespace
+{
+/** The motions of all plates as one vector: travels, and rotations times the size of the body. */
+using Coordinates = std::vector<double>;
+
+Coordinates coordinates_of(const std::vector<PlateMotion> &motions, const double size)
+{
+  Coordinates x;
+  for (const PlateMotion &motion : motions)
+  {
+    x.push_back(motion.travel);
+    x.push_back(size * motion.rotation);
+  }
+  return x;
+}
+
+Coordinates coordinates_of(const RigidMotion &rigid)
+{
+  return {rigid.translation[0], rigid.translation[1], rigid.rotation};
+}
+
+/** The same span, with all translations that lie in it before what turns the body. */
+std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions)
+{
+  const auto turning =
+    std::max_element(motions.begin(), motions.end(), [](const auto &a, const auto &b) {
+      return std::abs(a.rotation) < std::abs(b.rotation);
+    });
+  if (turning == motions.end() || turning->is_translation())
+    return motions;
+  std::iter_swap(turning, motions.end() - 1);
+  const RigidMotion &last = motions.back();
+  for (std::size_t i = 0; i + 1 < motions.size(); ++i)
+    motions[i] = combine({motions[i], last}, {1., -motions[i].rotation / last.rotation});
+  return motions;
+}
+
+/** The scene with contact sides that can neither open nor close. */
+Scene<2> on_rails(Scene<2> scene)
+{
+  for (BoundaryCondition<2> &condition : scene.boundary)
+    if (condition.role == Role::contact)
+      condition.role = Role::roller;
+  return scene;
+}
+
+double product(const Coordinates &x, const Coordinates &y)
+{
+  double sum = 0.;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    sum += x[i] * y[i];
+  return sum;
+}
+
+/** Takes the part in the span of an orthonormal basis away; twice, for rounding. */
+void project_out(const std::vector<Coordinates> &basis, Coordinates &x)
+{
+  for (unsigned int pass = 0; pass < 2; ++pass)
+    for (const Coordinates &e : basis)
+    {
+      const double share = product(e, x);
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] -= share * e[i];
+    }
+}
+
+/** Adds the direction of @p x to the basis unless it lies in its span. @return whether it did not.
+ */
+bool extend(std::vector<Coordinates> &basis, Coordinates x)
+{
+  constexpr double negligible = 1e-6;
+  project_out(basis, x);
+  const double norm = std::sqrt(product(x, x));
+  if (norm < negligible)
+    return false;
+  for (double &entry : x)
+    entry /= norm;
+  basis.push_back(x);
+  return true;
+}
+
+/** What plates do when the body moves as a whole. */
+std::vector<PlateMotion> follow(const RigidMotion &rigid, const std::vector<Plate> &plates)
+{
+  std::vector<PlateMotion> motions;
+  motions.reserve(plates.size());
+  for (const Plate &plate : plates)
+    motions.push_back({plate.is_pushed ? rigid.velocity(plate.centre) * plate.direction : 0.,
+                       plate.turns ? rigid.rotation / rigid.size : 0.});
+  return motions;
+}
+
+/** One plate moves in one way, all others rest. */
+std::vector<FreeMotion> single_motions(const std::vector<Plate> &plates, const double size)
+{
+  std::vector<FreeMotion> motions;
+  for (std::size_t p = 0; p < plates.size(); ++p)
+  {
+    const auto add = [&](const PlateMotion &motion) {
+      motions.push_back({std::vector<PlateMotion>(plates.size()), {}});
+      motions.back().plates[p] = motion;
+    };
+    if (plates[p].is_pushed)
+      add({1., 0.});
+    if (plates[p].turns)
+      add({0., 1. / size});
+  }
+  return motions;
+}
+} // namespace
+
+double FreeMotion::work_of_plates(const std::vector<Plate> &plates_of_scene) const
+{
+  double work = 0.;
+  for (std::size_t p = 0; p < plates.size(); ++p)
+    work += plates_of_scene[p].work(plates[p]);
+  return work;
+}
+
+FreeMotionBasis free_motions(const Scene<2> &scene)
+{
+  FreeMotionBasis motions;
+  std::vector<Coordinates> rigid_motions, plate_motions;
+  const double size = scene.geometry.diameter();
+  const auto add = [&](const RigidMotion &rigid, std::vector<FreeMotion> &kind) {
+    if (!extend(rigid_motions, coordinates_of(rigid)))
+      return;
+    kind.push_back({follow(rigid, scene.plates), rigid});
+    extend(plate_motions, coordinates_of(kind.back().plates, size));
+  };
+  for (const RigidMotion &rigid : free_rigid_motions(on_rails(scene), Plates::released))
+    add(rigid, motions.unseen);
+  // Pure translations are exact on all meshes, and their balance is that of forces.
+  for (const RigidMotion &rigid : translations_first(free_rigid_motions(scene, Plates::released)))
+    add(rigid, motions.seen);
+  for (const FreeMotion &single : single_motions(scene.plates, size))
+    if (extend(plate_motions, coordinates_of(single.plates, size)))
+      motions.seen.push_back(single);
+  return motions;
+}
+
+std::vector<PlateMotion> combine_plates(const std::vector<FreeMotion> &motions,
+                                        const std::vector<double> &q,
+                                        const std::size_t n_plates)
+{
+  std::vector<PlateMotion> sum(n_plates);
+  for (std::size_t j = 0; j < motions.size(); ++j)
+    for (std::size_t p = 0; p < n_plates; ++p)
+    {
+      sum[p].travel += q[j] * motions[j].plates[p].travel;
+      sum[p].rotation += q[j] * motions[j].plates[p].rotation;
+    }
+  return sum;
+}
+} // namespace Signorini

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Sides that move as rigid plates.
+
+#include <signorini/problem/scene/functions.h>
+#include <signorini/problem/scene/scene.h>
+
+#include <algorithm>
+
+namespace Signorini
+{
+dealii::Tensor<1, 2> Plate::displacement(const PlateMotion &motion, const dealii::Point<2> &x) const
+{
+  const dealii::Tensor<1, 2> arm = x - centre;
+  return motion.travel * direction + motion.rotation * dealii::Tensor<1, 2>({-arm[1], arm[0]});
+}
+
+std::shared_ptr<const dealii::Function<2>> plate_displacement(const Plate &plate,
+                                                              const PlateMotion &motion)
+{
+  return std::make_shared<FieldFunction>(
+    [plate, motion](const dealii::Point<2> &x) { return plate.displacement(motion, x); });
+}
+
+// Problem (1): a body, what holds it, loads it and stops it.
+
+template <int dim>
+std::vector<unsigned int> Scene<dim>::contact_sides() const
+{
+  std::vector<unsigned int> numbers;
+  for (unsigned int i = 0; i < boundary.size(); ++i)
+    if (boundary[i].role == Role::contact)
+      numbers.push_back(i);
+  return numbers;
+}
+
+template <int dim>
+bool Scene<dim>::has_exact_pressure() const
+{
+  for (const unsigned int i : contact_sides())
+    if (boundary[i].exact_pressure == nullptr)
+      return false;
+  return true;
+}
+
+template <int dim>
+Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions)
+{
+  if constexpr (dim == 2)
+    for (std::size_t p = 0; p < scene.plates.size(); ++p)
+      scene.boundary[scene.plates[p].side].data = plate_displacement(scene.plates[p], motions[p]);
+  return scene;
+}
+
+template <int dim>
+Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions)
+{
+  for (BoundaryCondition<dim> &condition : scene.boundary)
+    if (condition.role == Role::displacement)
+      condition.data = std::make_shared<const dealii::Functions::ZeroFunction<dim>>(dim);
+  return with_plates_moved(std::move(scene), motions);
+}
+
+template Scene<2> with_only_plates_moved(Scene<2>, const std::vector<PlateMotion> &);
+template Scene<3> with_only_plates_moved(Scene<3>, const std::vector<PlateMotion> &);
+template Scene<2> with_plates_moved(Scene<2>, const std::vector<PlateMotion> &);
+template Scene<3> with_plates_moved(Scene<3>, const std::vector<PlateMotion> &);
+template struct Scene<2>;
+template struct Scene<3>;
+
+// Scenes with scaled loads and moved foundations.
+
+namespace
+{
+/** factor f. */
+class ScaledFunction final : public dealii::Function<2>
+{
+public:
+  ScaledFunction(FunctionPointer<2> function, const double factor)
+    : dealii::Function<2>(function->n_components)
+    , function_(std::move(function))
+    , factor_(factor)
+  {
+  }
+
+  double value(const dealii::Point<2> &x, const unsigned int component) const override
+  {
+    return factor_ * function_->value(x, component);
+  }
+  void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override
+  {
+    function_->vector_value(x, values);
+    values *= factor_;
+  }
+  void value_list(const std::vector<dealii::Point<2>> &points,
+                  std::vector<double> &values,
+                  const unsigned int component) const override
+  {
+    function_->value_list(points, values, component);
+    for (double &value : values)
+      value *= factor_;
+  }
+  void vector_value_list(const std::vector<dealii::Point<2>> &points,
+                         std::vector<dealii::Vector<double>> &values) const override
+  {
+    function_->vector_value_list(points, values);
+    for (dealii::Vector<double> &value : values)
+      value *= factor_;
+  }
+
+private:
+  FunctionPointer<2> function_;
+  double factor_;
+};
+
+FunctionPointer<2> scale(const FunctionPointer<2> &function, const double factor)
+{
+  if (function == nullptr || factor == 1.)
+    return function;
+  return std::make_shared<ScaledFunction>(function, factor);
+}
+} // namespace
+
+std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &load_case)
+{
+  for (Plate &plate : plates)
+  {
+    plate.force *= load_case.force;
+    plate.moment *= load_case.force;
+    plate.travel *= load_case.travel;
+  }
+  return plates;
+}
+
+Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case)
+{
+  scene.exact_displacement = nullptr;
+  scene.body_force = scale(scene.body_force, load_case.weight);
+  scene.plates = plates_of_case(std::move(scene.plates), load_case);
+  scene.foundation_position += load_case.shift;
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+  {
+    BoundaryCondition<2> &condition = scene.boundary[i];
+    condition.exact_pressure = nullptr;
+    if (condition.role == Role::traction)
+      condition.data = scale(condition.data, load_case.force);
+    if (condition.role == Role::displacement)
+      condition.data = scale(condition.data, load_case.travel);
+    if (condition.role == Role::contact)
+    {
+      if (condition.foundation != nullptr && load_case.shift.norm() > 0.)
+        condition.data =
+          foundation_gap(scene.geometry.sides[i], condition.foundation, scene.foundation_position);
+      condition.data = scale(condition.data, load_case.gap);
+    }
+  }
+  return scene;
+}
+
+Scene<2> with_only(Scene<2> scene, const LoadKind kind)
+{
+  return scene_of_case(std::move(scene),
+                       {kind == LoadKind::force ? 1. : 0.,
+                        kind == LoadKind::weight ? 1. : 0.,
+                        kind == LoadKind::travel ? 1. : 0.,
+                        1.,
+                        {},
+                        false});
+}
+
+bool has_load(const Scene<2> &scene, const LoadKind kind)
+{
+  if (kind == LoadKind::weight)
+    return scene.body_force != nullptr;
+  const Role role = kind == LoadKind::force ? Role::traction : Role::displacement;
+  const bool on_sides = std::any_of(scene.boundary.begin(),
+                                    scene.boundary.end(),
+                                    [&](const auto &condition) { return condition.role == role; });
+  return on_sides || (kind == LoadKind::force && !scene.plates.empty());
+}
+} // namespace Signorini

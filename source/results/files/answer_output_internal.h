@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/postprocessing/quantities/answer_vector.h>
+#include <signorini/results/record/level_record.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Signorini
+{
+/** How largest values move over the levels; those of the finest level that are there. */
+struct MaximumTrends
+{
+  Trend largest, away;
+};
+MaximumTrends trends_of_peak(const std::vector<LevelRecord> &levels);
+MaximumTrends trends_of_stress(const std::vector<LevelRecord> &levels);
+
+/** Wall seconds of all levels. */
+double total_seconds(const std::vector<LevelRecord> &levels);
+} // namespace Signorini

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The body for ParaView: displacement, its recovery, stresses, bound.
+
+#include <signorini/base/errors.h>
+#include <signorini/error_control/estimate/recovered_displacement.h>
+#include <signorini/postprocessing/fields/stress.h>
+#include <signorini/results/files/files.h>
+#include <signorini/results/files/solution_vtu.h>
+#include <signorini/results/files/vtu_text.h>
+
+#include <deal.II/numerics/data_out.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <tuple>
+
+namespace Signorini
+{
+namespace
+{
+constexpr std::array<const char *, 8> stress_names = {"stress_xx",
+                                                      "stress_yy",
+                                                      "stress_zz",
+                                                      "stress_xy",
+                                                      "von_mises_stress",
+                                                      "principal_stress_1",
+                                                      "principal_stress_2",
+                                                      "principal_stress_3"};
+
+/** sigma = E : eps(u) and what is read off it, at the output points. */
+template <int dim>
+class StressPostprocessor : public dealii::DataPostprocessor<dim>
+{
+  static_assert(dim == 2, "The components are those of a plane body.");
+
+public:
+  /** @param dilatation instead of tr eps(u), by active cell index; empty: tr eps(u) itself. */
+  StressPostprocessor(const Material<dim> &material, std::vector<double> dilatation)
+    : material_(material)
+    , dilatation_(std::move(dilatation))
+  {
+  }
+
+  std::vector<std::string> get_names() const override
+  {
+    return {stress_names.begin(), stress_names.end()};
+  }
+
+  std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation>
+  get_data_component_interpretation() const override
+  {
+    return std::vector(stress_names.size(),
+                       dealii::DataComponentInterpretation::component_is_scalar);
+  }
+
+  dealii::UpdateFlags get_needed_update_flags() const override
+  {
+    return dealii::update_gradients | dealii::update_quadrature_points;
+  }
+
+  void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<dim> &inputs,
+                             std::vector<dealii::Vector<double>> &computed) const override
+  {
+    for (unsigned int q = 0; q < computed.size(); ++q)
+    {
+      dealii::Tensor<2, dim> gradient;
+      for (unsigned int i = 0; i < dim; ++i)
+        gradient[i] = inputs.solution_gradients[q][i];
+      dealii::SymmetricTensor<2, dim> strain = symmetrize(gradient);
+      if (!dilatation_.empty())
+        replace_trace(strain, dilatation_[inputs.template get_cell<dim>()->active_cell_index()]);
+      evaluate(inputs.evaluation_points[q], strain, computed[q]);
+    }
+  }
+
+private:
+  void evaluate(const dealii::Point<dim> &x,
+                const dealii::SymmetricTensor<2, dim> &strain,
+                dealii::Vector<double> &computed) const
+  {
+    try
+    {
+      const SpatialStress stress = stress_in_space(material_, x, strain);
+      const std::array<double, 3> principal = principal_stresses(stress);
+      const double values[stress_names.size()] = {stress[0][0],
+                                                  stress[1][1],
+                                                  stress[2][2],
+                                                  stress[0][1],
+                                                  von_mises(stress),
+                                                  principal[0],
+                                                  principal[1],
+                                                  principal[2]};
+      std::copy(std::begin(values), std::end(values), computed.begin());
+    }
+    catch (const InputError &)
+    {
+      // Mesh nodes may be the only points where the material's data has no value.
+      computed = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+
+  const Material<dim> &material_;
+  std::vector<double> dilatation_;
+};
+
+/** The cells of this rank with their fields, as a piece of a file. Cells may have different numbers
+ * of subdivisions. */
+template <int dim>
+struct FieldPiece
+{
+  using VectorRange = std::tuple<unsigned int,
+                                 unsigned int,
+                                 std::string,
+                                 dealii::DataComponentInterpretation::DataComponentInterpretation>;
+
+  std::string text(const dealii::DataOutBase::VtkFlags &flags) const
+  {
+    std::ostringstream stream;
+    dealii::DataOutBase::write_vtu_main(cells, names, vectors, flags, stream);
+    std::string text = stream.str();
+    // A rank may have no cells, and then has no point data.
+    if (!cells.empty())
+      add_to_point_data(text, vtu_array("stress", 9, stress_tensors()));
+    return text;
+  }
+
+  std::vector<dealii::DataOutBase::Patch<dim, dim>> cells;
+  std::vector<std::string> names;
+  std::vector<VectorRange> vectors;
+
+private:
+  /** The tensor in space, point by point: deal.II's tensors of plane bodies have sigma_zz = 0. */
+  std::vector<float> stress_tensors() const
+  {
+    const auto row = [&](const char *name) {
+      return static_cast<unsigned int>(std::find(names.begin(), names.end(), name) - names.begin());
+    };
+    const unsigned int xx = row("stress_xx"), yy = row("stress_yy"), zz = row("stress_zz"),
+                       xy = row("stress_xy");
+    std::vector<float> tensors;
+    for (const auto &cell : cells)
+      for (unsigned int v = 0; v < cell.data.n_cols(); ++v)
+      {
+        const auto value = [&](const unsigned int n) { return cell.data(n, v); };
+        tensors.insert(tensors.end(),
+                       {value(xx), value(xy), 0.F, value(xy), value(yy), 0.F, 0.F, 0.F, value(zz)});
+      }
+    return tensors;
+  }
+};
+
+/** The fields on some of the cells, every one of which is divided in the same way. */
+template <int dim>
+class FieldsOnCells : public dealii::DataOut<dim>
+{
+public:
+  /** Adds the cells of this rank that were built to a piece. */
+  void append_to(FieldPiece<dim> &piece) const
+  {
+    piece.names = this->get_dataset_names();
+    piece.vectors = this->get_nonscalar_data_ranges();
+    const auto &built = this->get_patches();
+    piece.cells.insert(piece.cells.end(), built.begin(), built.end());
+  }
+};
+
+dealii::Vector<double> to_vector(const std::vector<double> &values)
+{
+  return {values.begin(), values.end()};
+}
+
+/** How deal.II draws the edges of cells. */
+template <int dim>
+typename dealii::DataOut<dim>::CurvedCellRegion curved_region(const Mesh<dim> &mesh)
+{
+  return mesh.is_curved() ? dealii::DataOut<dim>::curved_inner_cells
+                          : dealii::DataOut<dim>::no_curved_cells;
+}
+
+template <int dim>
+void add_displacement(const dealii::DoFHandler<dim> &dofs,
+                      const NodalVector &U,
+                      const std::string &name,
+                      FieldsOnCells<dim> &fields)
+{
+  using namespace dealii::DataComponentInterpretation;
+  fields.add_data_vector(
+    dofs,
+    U,
+    std::vector<std::string>(dim, name),
+    std::vector<DataComponentInterpretation>(dim, component_is_part_of_vector));
+}
+
+/** Cells of degree one: as four where there is T^{2h}, whose interpolation gives the stress. */
+template <int dim>
+FieldPiece<dim> fields_of_bilinear_cells(const DisplacementSpace<dim> &space,
+                                         const NodalVector &U,
+                                         const StressPostprocessor<dim> &stress,
+                                         const BoundFields &bound)
+{
+  const std::array<std::pair<const char *, dealii::Vector<double>>, 3> cell_fields = {
+    {{"bound_mesh", to_vector(bound.mesh)},
+     {"bound_oscillation", to_vector(bound.oscillation)},
+     {"bound_lift", to_vector(bound.lift)}}};
+  FieldsOnCells<dim> fields;
+  add_displacement(space.dofs(), U, "displacement", fields);
+  std::optional<RecoveredDisplacement<dim>> recovered;
+  if (space.mesh().has_parents())
+  {
+    recovered.emplace(space, U);
+    add_displacement(recovered->dofs(), recovered->values(), "recovered_displacement", fields);
+    fields.add_data_vector(recovered->dofs(), recovered->values(), stress);
+  }
+  else
+    fields.add_data_vector(space.dofs(), U, stress);
+  for (const auto &[name, values] : cell_fields)
+    if (values.size() > 0)
+      fields.add_data_vector(values, name, dealii::DataOut<dim>::type_cell_data);
+  fields.build_patches(
+    space.mesh().mapping(), space.mesh().has_parents() ? 2 : 1, curved_region(space.mesh()));
+  FieldPiece<dim> piece;
+  fields.append_to(piece);
+  return piece;
+}
+
+/** Cells of degree p as p x p, those of lower degrees first. */
+template <int dim>
+FieldPiece<dim> fields_by_degree(const DisplacementSpace<dim> &space,
+                                 const NodalVector &U,
+                                 const StressPostprocessor<dim> &stress)
+{
+  dealii::Vector<double> degrees(space.mesh().triangulation().n_active_cells());
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    degrees[cell->active_cell_index()] = cell->get_fe().degree;
+  FieldPiece<dim> piece;
+  for (unsigned int degree = 1; degree <= space.largest_degree(); ++degree)
+  {
+    if (std::find(degrees.begin(), degrees.end(), degree) == degrees.end())
+      continue;
+    FieldsOnCells<dim> fields;
+    add_displacement(space.dofs(), U, "displacement", fields);
+    fields.add_data_vector(space.dofs(), U, stress);
+    fields.add_data_vector(degrees, "degree", dealii::DataOut<dim>::type_cell_data);
+    fields.set_cell_selection([&](const typename dealii::DataOut<dim>::cell_iterator &cell) {
+      return cell->is_active() && degrees[cell->active_cell_index()] == degree;
+    });
+    fields.build_patches(space.mesh().mapping(), degree, curved_region(space.mesh()));
+    fields.append_to(piece);
+  }
+  return piece;
+}
+} // namespace
+
+template <int dim>
+void write_solution_vtu(const std::filesystem::path &path,
+                        const DisplacementSpace<dim> &space,
+                        const Scene<dim> &scene,
+                        const NodalVector &U,
+                        const BoundFields &bound,
+                        const unsigned int number)
+{
+  const dealii::DataOutBase::VtkFlags flags(
+    number, number, false, dealii::DataOutBase::VtkFlags::best_speed);
+  const StressPostprocessor<dim> stress(*scene.material,
+                                        space.strain_operator() == StrainOperator::mean_dilatation
+                                          ? mean_dilatations(space, U)
+                                          : std::vector<double>());
+  const FieldPiece<dim> piece = space.largest_degree() > 1
+                                  ? fields_by_degree(space, U, stress)
+                                  : fields_of_bilinear_cells(space, U, stress, bound);
+  write_vtu_pieces(path, piece.text(flags), flags, space.mesh().communicator());
+}
+
+void write_pvd(const std::filesystem::path &path,
+               const std::vector<std::pair<double, std::string>> &files)
+{
+  std::ostringstream record;
+  dealii::DataOutBase::write_pvd_record(record, files);
+  // Without the comment, which holds the time: the same run gives the same file.
+  std::string text = record.str();
+  const std::size_t start = text.find("<!--"), end = text.find("-->");
+  if (start != std::string::npos && end != std::string::npos)
+    text.erase(start, text.find_first_not_of("->\n", end) - start);
+  write_file(path, [&](std::ostream &stream) { stream << text; });
+}
+
+template void write_solution_vtu(const std::filesystem::path &,
+                                 const DisplacementSpace<2> &,
+                                 const Scene<2> &,
+                                 const NodalVector &,
+                                 const BoundFields &,
+                                 unsigned int);
+} // namespace Signorini

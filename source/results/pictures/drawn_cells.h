@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/discretization/elasticity/displacement_space.h>
+
+#include <vector>
+
+namespace Signorini
+{
+/** A point of the body as it is drawn. */
+struct DrawnPoint
+{
+  dealii::Point<2> x;
+  dealii::Tensor<1, 2> u;
+  /** Von Mises stress (force/area); NaN where the material's data has no value. */
+  double von_mises = 0.;
+};
+
+/** A cell as n by n quadrilaterals: their (n+1)² corners, row after row. */
+struct DrawnCell
+{
+  unsigned int n = 1;
+  std::vector<DrawnPoint> points;
+  /** Which of its edges are at the boundary: left, right, bottom, top, as rows show them. */
+  bool at_boundary[4] = {false, false, false, false};
+
+  const DrawnPoint &point(const unsigned int i, const unsigned int j) const
+  {
+    return points[j * (n + 1) + i];
+  }
+};
+
+/** The cells of the mesh, or where these are many their ancestors, with what is to be drawn. Large
+ * cells are divided so that colours change smoothly. Not collective. */
+std::vector<DrawnCell> collect_drawn_cells(const DisplacementSpace<2> &space,
+                                           const Scene<2> &scene,
+                                           const NodalVector &U);
+} // namespace Signorini

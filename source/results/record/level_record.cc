@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The sizes that convergence.csv shows.
+
+#include <signorini/base/text.h>
+#include <signorini/results/record/level_record.h>
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+namespace Signorini
+{
+Columns<LevelSizes> LevelSizes::columns()
+{
+  return {{"level", &LevelSizes::level},
+          {"cells", &LevelSizes::cells},
+          {"dofs", &LevelSizes::dofs},
+          {"multipliers", &LevelSizes::multipliers},
+          {"h", &LevelSizes::h},
+          {"H", &LevelSizes::H},
+          {"max_degree", &LevelSizes::max_degree},
+          {"min_h", &LevelSizes::min_h}};
+}
+
+// What convergence.csv shows of the dual problem's solver.
+
+Columns<DualSolve> DualSolve::columns()
+{
+  return {{"qp_iterations", &DualSolve::iterations},
+          {"kkt", &DualSolve::kkt},
+          {"qp_increment_iterations", &DualSolve::increment_iterations}};
+}
+
+// What convergence.csv shows of plates.
+
+Columns<MotionRecord> MotionRecord::columns()
+{
+  const auto of_first = [](const std::function<double(const PlateRecord &)> &number) {
+    return [number](const MotionRecord &record) {
+      return record.plates.empty() ? std::nullopt
+                                   : std::optional<double>(number(record.plates.front()));
+    };
+  };
+  return {
+    {"plate_travel", of_first([](const PlateRecord &plate) { return plate.motion.travel; })},
+    {"plate_rotation", of_first([](const PlateRecord &plate) { return plate.motion.rotation; })},
+    {"plate_force", of_first([](const PlateRecord &plate) { return plate.force; })},
+    {"plate_moment", of_first([](const PlateRecord &plate) { return plate.moment; })}};
+}
+
+// What the screen and the verdict hear of load cases.
+
+CaseSummary summarise(const std::vector<CaseResult> &cases, const double seconds)
+{
+  CaseSummary summary;
+  summary.n_cases = cases.size();
+  summary.seconds = seconds;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (!cases[i].escape.empty())
+      ++summary.n_escapes;
+    else
+    {
+      summary.largest_kkt = std::max(summary.largest_kkt, cases[i].kkt);
+      if (!cases[i].converged && summary.first_failure == 0)
+        summary.first_failure = i + 1;
+    }
+  return summary;
+}
+
+// The columns of convergence.csv, put together from those that the parts of a record declare.
+
+namespace
+{
+/** An estimated error divided by the true one. */
+std::optional<double> effectivity(const std::optional<double> &estimate,
+                                  const LevelRecord &record,
+                                  double DisplacementErrors::*const error)
+{
+  if (!estimate || !record.displacement_errors || (*record.displacement_errors).*error == 0.)
+    return {};
+  return *estimate / ((*record.displacement_errors).*error);
+}
+
+std::optional<double> effectivity_h1(const LevelRecord &record)
+{
+  return effectivity(
+    record.estimate ? record.estimate->h1 : std::nullopt, record, &DisplacementErrors::h1);
+}
+
+std::optional<double> effectivity_energy(const LevelRecord &record)
+{
+  const std::optional<double> energy =
+    record.estimate ? std::optional<double>(record.estimate->energy) : std::nullopt;
+  return effectivity(energy, record, &DisplacementErrors::energy);
+}
+
+/** In the order of the members. */
+Columns<LevelRecord> columns_of_parts()
+{
+  Columns<LevelRecord> all;
+  for (const Columns<LevelRecord> &columns :
+       {columns_of(&LevelRecord::sizes),
+        columns_of(&LevelRecord::dual),
+        columns_of(&LevelRecord::contact),
+        columns_of(&LevelRecord::certificate),
+        columns_of(&LevelRecord::estimate),
+        Columns<LevelRecord>{{"effectivity", effectivity_h1},
+                             {"effectivity_energy", effectivity_energy},
+                             {"inf_sup", &LevelRecord::inf_sup}},
+        columns_of(&LevelRecord::displacement_errors),
+        columns_of(&LevelRecord::pressure_errors),
+        columns_of(&LevelRecord::dual_norm_errors),
+        Columns<LevelRecord>{{"endpoint_error", &LevelRecord::endpoint_error}},
+        columns_of(&LevelRecord::lemmas),
+        columns_of(&LevelRecord::bound),
+        columns_of(&LevelRecord::answer),
+        columns_of(&LevelRecord::motions),
+        columns_of(&LevelRecord::times),
+        columns_of(&LevelRecord::resources)})
+    all.insert(all.end(), columns.begin(), columns.end());
+  return all;
+}
+
+/** The place of a column; those without a fixed place share the one behind the others. */
+std::size_t fixed_place(const Column<LevelRecord> &column)
+{
+  const std::vector<std::string> &names = columns_with_fixed_places();
+  return std::find(names.begin(), names.end(), column.name) - names.begin();
+}
+} // namespace
+
+const std::vector<std::string> &columns_with_fixed_places()
+{
+  static const std::vector<std::string> names = split_words(
+    "level cells dofs multipliers h H active qp_iterations kkt inf_sup energy contact_force_n "
+    "max_pressure contact_length u_h1 u_l2 u_superclose_h1 u_post_h1 p_l2 p_dual p_dual_spectral "
+    "p_superclose_dual p_superclose_dual_spectral p_post_l2 endpoint_error estimated_h1 "
+    "effectivity t_mesh t_setup t_assembly t_factor t_compliance t_qp t_recovery t_postprocess "
+    "t_errors t_output t_total cpu_total peak_memory_mb qp_increment_iterations lemma_2_l2 "
+    "lemma_2_dual lemma_3_h1 lemma_5 bound_26 bound_27 bound_30 lemma_3_trace u_post4_h1");
+  return names;
+}
+
+const Columns<LevelRecord> &level_columns()
+{
+  static const Columns<LevelRecord> columns = []() {
+    Columns<LevelRecord> all = columns_of_parts();
+    std::stable_sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
+      return fixed_place(a) < fixed_place(b);
+    });
+    return all;
+  }();
+  return columns;
+}
+
+std::optional<double> value(const LevelRecord &record, const std::string &column)
+{
+  for (const Column<LevelRecord> &known : level_columns())
+    if (known.name == column)
+      return known.value(record);
+  throw std::invalid_argument("There is no column " + column + ".");
+}
+} // namespace Signorini

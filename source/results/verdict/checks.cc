@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Whether the answer of one level solves its equations.
+
+#include "checks.h"
+
+#include <signorini/results/verdict/judge.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+constexpr const char *causes_of_condition = "the stiffness matrix is ill-conditioned: Poisson's "
+                                            "ratio near 1/2, moduli of very different size, "
+                                            "or a very slender body.";
+
+/** Beyond that, the translation of the body takes more digits than a usual matrix. */
+constexpr double large_translation = 1e4;
+
+std::string causes_of_rounding(const LevelRecord &level)
+{
+  const double translation = level.certificate.translation;
+  if (translation < large_translation || level.certificate.rounding < level.linear.rounding_error)
+    return causes_of_condition;
+  std::ostringstream text;
+  text << "the body is moved as a whole by " << translation
+       << " times as much as it is deformed: subtract that translation from the prescribed "
+          "displacements, and its normal component from the gap.";
+  return text.str();
+}
+
+/** What has searched for contact. */
+std::string name_of_method(const DualSolve &dual)
+{
+  if (dual.active_set_failure)
+    return "projected SOR, which replaced the active set method,";
+  if (dual.stalled)
+    return "MINRES, which replaced V-cycles,";
+  switch (dual.method)
+  {
+  case ContactSolver::psor:
+    return "projected SOR";
+  case ContactSolver::mprgp:
+    return "MPRGP";
+  case ContactSolver::multigrid:
+    return "the V-cycles";
+  default:
+    return "the active set method";
+  }
+}
+
+/** What else may find contact where that method does not. */
+std::string other_method(const DualSolve &dual)
+{
+  if (dual.active_set_failure)
+    return ", or take a larger Patch ratio";
+  switch (dual.method)
+  {
+  case ContactSolver::psor:
+    return ", take a Relaxation between 1 and 1.2, or Contact solver = active set";
+  case ContactSolver::mprgp:
+  case ContactSolver::multigrid:
+    return ", or take Contact solver = active set";
+  default:
+    return ", or take Contact solver = psor";
+  }
+}
+
+/** Why a residual is large that rounding does not explain. */
+std::string cause_and_remedy(const Residual::Origin origin, const DualSolve &dual)
+{
+  const bool cycles = dual.method == ContactSolver::multigrid;
+  switch (origin)
+  {
+  case Residual::Origin::supports:
+    return "sides that meet prescribe different displacements: make them agree.";
+  case Residual::Origin::contact:
+    break;
+  default:
+    if (!cycles)
+      return "the linear system is not solved well enough: take another Linear solver.";
+  }
+  return name_of_method(dual) + (cycles ? " end" : " ends") +
+         " too early for it: take a smaller Tolerance" + other_method(dual) + ".";
+}
+
+/** With less than six digits of U left, nothing that is computed from it can be trusted. */
+constexpr double largest_rounding = 1e-6;
+
+/** Above this, rounding explains large residuals. */
+constexpr double noticeable_rounding = 1e-10;
+} // namespace
+
+std::string check_overflow(const LevelRecord &level, const Judge &)
+{
+  if (std::isfinite(largest_residual(level.certificate).value) && std::isfinite(level.dual.kkt))
+    return "";
+  return "numbers overflow: choose units in which moduli, lengths and loads are of size one.";
+}
+
+std::string check_rounding(const LevelRecord &level, const Judge &)
+{
+  if (rounding(level) <= largest_rounding)
+    return "";
+  std::ostringstream text;
+  text << "rounding changes displacements or forces by the relative amount " << rounding(level)
+       << " (allowed: 1e-6), because " << causes_of_rounding(level);
+  return text.str();
+}
+
+std::string check_dual_problem(const LevelRecord &level, const Judge &judge)
+{
+  const double tolerance = std::max(judge.tolerance(), 10. * level.dual.energy_tolerance);
+  if (level.dual.converged && level.dual.kkt <= tolerance)
+    return "";
+  std::ostringstream text;
+  text << name_of_method(level.dual) << " stopped after " << level.dual.iterations
+       << " iterations with the KKT residual " << level.dual.kkt << ", above the tolerance "
+       << tolerance << ": raise Tolerance or Maximum iterations" << other_method(level.dual) << ".";
+  return text.str();
+}
+
+std::string check_load_cases(const LevelRecord &level, const Judge &)
+{
+  if (!level.load_cases || level.load_cases->first_failure == 0)
+    return "";
+  return "the contact solver stopped early in load case " +
+         std::to_string(level.load_cases->first_failure) +
+         " (cases.csv): raise Tolerance or Maximum iterations" + other_method(level.dual) + ".";
+}
+
+std::string check_residuals(const LevelRecord &level, const Judge &judge)
+{
+  const Residual residual = largest_residual(level.certificate);
+  const double bound = judge.residual_bound(level);
+  if (residual.value <= bound)
+    return "";
+  std::ostringstream text;
+  text << "the residual " << residual.name << " of the certificate is " << residual.value
+       << ", above " << bound << "; ";
+  if (rounding(level) > noticeable_rounding && level.dual.method != ContactSolver::multigrid)
+    text << "rounding leaves no more, because " << causes_of_rounding(level);
+  else
+    text << cause_and_remedy(residual.origin, level.dual);
+  return text.str();
+}
+
+// Whether all levels are solved, and whether the finest one resolves the solution.
+
+namespace
+{
+/** Above this locking_number() contact forces are wrong by ten per cent and more. */
+constexpr double largest_locking_number = 0.25;
+
+/** So many levels with the same estimate show that refinement does not help. */
+constexpr std::size_t n_stagnant_levels = 3;
+
+/** Where the error is largest, and what makes it smaller. */
+std::string remedy_for(const LevelRecord &level)
+{
+  if (level.sizes.is_graded())
+    return "take a Target error below Tolerated error, raise Maximum unknowns, or see where the "
+           "mesh is finest (mesh-LL.svg): data that contradict each other there have no solution.";
+  constexpr const char *usual = "refine, or take cells that are as wide as high (long cells are "
+                                "too stiff in bending).";
+  if (!bound_of(level))
+  {
+    const ErrorEstimate estimate = level.estimate.value_or(ErrorEstimate());
+    const double algebra = estimate.algebra.value_or(0.), contact = estimate.contact.value_or(0.);
+    const double largest =
+      std::max({algebra, contact, estimate.mesh.value_or(0.), estimate.pressure.value_or(0.)});
+    if (largest == 0. || largest > std::max(algebra, contact))
+      return usual;
+    return largest == algebra ? "the contact solver stops too early: take a smaller Tolerance."
+                              : "the body penetrates where no patch presses: refine, or take a "
+                                "smaller Patch ratio.";
+  }
+  const ErrorBound &bound = *level.bound;
+  switch (bound.largest_part())
+  {
+  case ErrorBound::Part::contact:
+    return "contact is not resolved on " + bound.largest_face +
+           ": refine, take a smaller Patch ratio, or more Patches.";
+  case ErrorBound::Part::oscillation:
+    return "loads vary too much within cells, most in " + bound.largest_cell + ": refine.";
+  default:
+    return "the mesh is too coarse, most in " + bound.largest_cell + ": " + usual;
+  }
+}
+} // namespace
+
+std::string check_finest_level(const std::vector<LevelRecord> &levels, const Judge &judge)
+{
+  const LevelRecord &finest = levels.back();
+  const std::string doubt = judge.doubt(finest);
+  return doubt.empty() ? "" : "Level " + std::to_string(finest.sizes.level) + ": " + doubt;
+}
+
+std::string check_error(const std::vector<LevelRecord> &levels, const Judge &judge)
+{
+  const LevelRecord &finest = levels.back();
+  const std::optional<double> error = relative_error(finest);
+  if (error && *error <= judge.tolerated_error())
+    return "";
+  std::ostringstream text;
+  text << "The error of " << finest.sizes.word() << " " << finest.sizes.level;
+  if (!error)
+    text << " is not known";
+  else if (bound_of(finest))
+    text << " may be as large as " << 100. * *error << " % (energy norm, "
+         << (is_guaranteed(finest) ? "guaranteed" : "estimated")
+         << " bound; Tolerated error: " << 100. * judge.tolerated_error() << " %)";
+  else
+    text << " is about " << 100. * *error
+         << " % (energy norm, estimated; Tolerated error: " << 100. * judge.tolerated_error()
+         << " %)";
+  if (finest.bound && !finest.bound->missing.empty())
+    text << ", and there is no bound: " << finest.bound->missing;
+  text << "; " << remedy_for(finest);
+  return text.str();
+}
+
+std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &judge)
+{
+  const LevelRecord &finest = levels.back();
+  if (!is_guaranteed(finest) || !finest.bound->energy_lower || !finest.bound->energy_upper)
+    return "";
+  const double J = finest.certificate.energy;
+  const double off = std::max(J - *finest.bound->energy_lower, *finest.bound->energy_upper - J);
+  // An error of 20 % in the energy norm is one of 4 % in the strain energy. The bracket is about
+  // twice as wide as the error, and |J| may be smaller than the strain energy.
+  const double tolerated = 2.5 * judge.tolerated_error() * judge.tolerated_error();
+  // Below that, relative to the strain energy, the bracket is rounding.
+  constexpr double rounding = 1e-10;
+  const double strain_energy = std::pow(*finest.bound->absolute / *finest.bound->relative, 2);
+  if (off <= tolerated * std::abs(J) || !(off > rounding * strain_energy))
+    return "";
+  std::ostringstream text;
+  text << "The energy of level " << finest.sizes.level << " is known up to "
+       << 100. * off / std::abs(J)
+       << " % only (guaranteed; allowed with this Tolerated error: " << 100. * tolerated << " %); "
+       << remedy_for(finest);
+  return text.str();
+}
+
+std::string check_target(const std::vector<LevelRecord> &levels, const Judge &judge)
+{
+  const LevelRecord &finest = levels.back();
+  if (!judge.requires_target() || judge.reaches_target(finest))
+    return "";
+  std::ostringstream text;
+  text << "The target error is not reached on " << finest.sizes.word() << " " << finest.sizes.level
+       << ", the finest: the relative error is ";
+  if (const std::optional<double> error = relative_error(finest))
+    text << 100. * *error << " %"
+         << (is_guaranteed(finest) ? " (energy norm, guaranteed)"
+             : bound_of(finest)    ? " (energy norm, estimated bound)"
+                                   : " (energy norm, estimated)");
+  else
+    text << "not known";
+  text << (finest.sizes.is_graded()
+             ? "; raise Maximum unknowns, or see where the mesh is finest (mesh-LL.svg): "
+               "data that contradict each other there have no solution."
+             : "; raise Finest level.");
+  return text.str();
+}
+
+std::string check_uniqueness(const std::vector<LevelRecord> &levels, const Judge &)
+{
+  const LevelRecord &finest = levels.back();
+  if (finest.dual.unique)
+    return "";
+  return "Level " + std::to_string(finest.sizes.level) +
+         ": the contact pressure is not unique, because contact patches are finer than the mesh; "
+         "take a Patch ratio of 2 or more, or fewer Patches.";
+}
+
+std::string check_brackets(const std::vector<LevelRecord> &levels, const Judge &)
+{
+  const auto has_bracket = [](const LevelRecord &level) {
+    return is_guaranteed(level) && level.bound->energy_lower && level.bound->energy_upper;
+  };
+  const LevelRecord *highest = nullptr, *lowest = nullptr;
+  for (const LevelRecord &level : levels)
+    if (has_bracket(level))
+    {
+      if (highest == nullptr || *level.bound->energy_lower > *highest->bound->energy_lower)
+        highest = &level;
+      if (lowest == nullptr || *level.bound->energy_upper < *lowest->bound->energy_upper)
+        lowest = &level;
+    }
+  // What rounding leaves of the terms that J is the sum of.
+  constexpr double rounding = 1e-8;
+  if (highest == nullptr)
+    return "";
+  const double strain_energy = std::pow(*highest->bound->absolute / *highest->bound->relative, 2);
+  const double allowed = rounding * (std::abs(*highest->bound->energy_lower) + strain_energy);
+  if (!(*highest->bound->energy_lower - *lowest->bound->energy_upper > allowed))
+    return "";
+  std::ostringstream text;
+  text << "The energy is at least " << *highest->bound->energy_lower << " by the bound of level "
+       << highest->sizes.level << " and at most " << *lowest->bound->energy_upper
+       << " by that of level " << lowest->sizes.level
+       << ": they contradict each other, and one of them is lost to rounding or to data that vary "
+          "between the points where they are sampled.";
+  return text.str();
+}
+
+std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &judge)
+{
+  const LevelRecord &finest = levels.back();
+  const double number = finest.locking_number.value_or(0.);
+  // A guaranteed bound excludes large errors; solutions in V^h, such as rigid motions, do not lock.
+  const double excluded = is_guaranteed(finest) ? 0.1 * largest_locking_number : 1e-6;
+  if (number <= largest_locking_number || relative_error(finest).value_or(1.) <= excluded)
+    return "";
+  std::ostringstream text;
+  text << "The body is nearly incompressible, and bilinear elements lock on a mesh as coarse as "
+          "level "
+       << finest.sizes.level << ": K/mu (h/l)^2 = " << number << ", allowed: at most "
+       << largest_locking_number << "; "
+       << (judge.has_b_bar() ? "set Discretization/Element = Q1 B-bar, or refine." : "refine.");
+  return text.str();
+}
+
+std::string check_estimate(const std::vector<LevelRecord> &levels, const Judge &)
+{
+  if (bound_of(levels.back()) || levels.back().sizes.is_graded() ||
+      levels.size() < n_stagnant_levels)
+    return "";
+  // Solutions in V^h have estimates that are nothing but rounding.
+  const double negligible = std::max(1e-8, 100. * levels.back().linear.rounding_error);
+  const double slowest = std::pow(2., -0.1);
+  const auto first = levels.end() - n_stagnant_levels;
+  const bool all_matter = std::all_of(first, levels.end(), [&](const LevelRecord &level) {
+    return level.estimate && !(level.estimate->relative < negligible);
+  });
+  const auto falls = [&](const LevelRecord &coarse, const LevelRecord &fine) {
+    return fine.estimate->energy < slowest * coarse.estimate->energy;
+  };
+  if (!all_matter || std::adjacent_find(first, levels.end(), falls) != levels.end())
+    return "";
+  return "The estimated error does not fall from level to level, so that the mesh does not resolve "
+         "the solution: refine, or take cells that are as wide as high (long cells are too stiff "
+         "in bending).";
+}
+} // namespace Signorini

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The two numbers of a level that are compared with bounds.
+
+#include <signorini/results/verdict/judge.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "checks.h"
+
+namespace Signorini
+{
+Residual largest_residual(const Certificate &certificate)
+{
+  using Origin = Residual::Origin;
+  const Certificate &c = certificate;
+  Residual largest;
+  for (const Residual &residual :
+       {Residual{c.stationarity, "stationarity", Origin::equilibrium},
+        Residual{c.penetration, "penetration", Origin::contact},
+        Residual{c.sign, "sign", Origin::contact},
+        Residual{c.support, "support", Origin::supports},
+        Residual{c.complementarity, "complementarity", Origin::contact},
+        Residual{c.duality_gap, "duality_gap", Origin::contact},
+        Residual{c.force_balance, "force_balance", Origin::equilibrium},
+        Residual{c.motion_balance, "motion_balance", Origin::equilibrium},
+        Residual{
+          c.moments_are_exact ? c.moment_balance : 0., "moment_balance", Origin::equilibrium}})
+  {
+    if (std::isnan(residual.value))
+      return residual;
+    if (residual.value > largest.value)
+      largest = residual;
+  }
+  return largest;
+}
+
+double rounding(const LevelRecord &level)
+{
+  return std::max(level.linear.rounding_error, level.certificate.rounding);
+}
+
+// What is known about the error of the finest level, in words.
+
+namespace
+{
+/** "0.85 %"; what may be rounding has no digits. */
+std::string percent(const double share)
+{
+  constexpr double rounding = 1e-8;
+  if (share < rounding)
+    return "0.000001 %";
+  std::ostringstream text;
+  text << std::setprecision(3) << 100. * share << " %";
+  return text.str();
+}
+
+/** So many levels show whether an estimate falls. */
+constexpr std::size_t enough_levels = 3;
+} // namespace
+
+std::optional<double> bound_of(const LevelRecord &level)
+{
+  return level.bound ? level.bound->relative : std::nullopt;
+}
+
+bool is_guaranteed(const LevelRecord &level)
+{
+  return bound_of(level) && level.bound->guaranteed;
+}
+
+std::optional<double> relative_error(const LevelRecord &level)
+{
+  if (const std::optional<double> bound = bound_of(level))
+    return bound;
+  return level.estimate ? std::optional<double>(level.estimate->relative) : std::nullopt;
+}
+
+std::string describe_accuracy(const std::vector<LevelRecord> &levels)
+{
+  const LevelRecord &finest = levels.back();
+  std::ostringstream text;
+  if (finest.sizes.is_graded())
+  {
+    if (!finest.estimate)
+      return "nothing is known about the error: contact was not seen before this step";
+    text << "the error is about " << percent(finest.estimate->relative)
+         << " (energy norm, estimated from u_h and "
+         << (levels.size() > 1 ? "from its change over the steps" : "not checked by another step")
+         << ")";
+    return text.str();
+  }
+  if (const std::optional<double> bound = bound_of(finest))
+  {
+    if (is_guaranteed(finest))
+    {
+      text << "the error is at most " << percent(*bound) << " (energy norm, guaranteed";
+      if (finest.bound->post_relative)
+        text << "; " << percent(*finest.bound->post_relative) << " for pi^2h u_h";
+      text << ")";
+    }
+    else
+      text << "the error is at most about " << percent(*bound)
+           << " (energy norm, estimated bound; the sides are curved: geometric part "
+           << percent(finest.bound->relative_geometry.value_or(0.)) << ")";
+  }
+  else
+  {
+    text << "there is no bound of the error";
+    if (finest.bound)
+      text << " (" << finest.bound->missing << ")";
+    if (levels.size() < enough_levels)
+      text << ", and with fewer than three levels the accuracy is not checked";
+  }
+  if (finest.estimate)
+    // What is guaranteed counts more.
+    text << ", about "
+         << percent(std::min(finest.estimate->relative,
+                             is_guaranteed(finest) ? *bound_of(finest) : finest.estimate->relative))
+         << " (energy norm, estimated)";
+  return text.str();
+}
+
+// What is judged, in which order, and against which bound.
+
+namespace
+{
+template <typename Subject>
+using Check = std::string (*)(const Subject &, const Judge &);
+
+/** The first one that fails names the cause: a later one may fail for the same reason. */
+constexpr Check<LevelRecord> level_checks[] = {check_overflow,
+                                               check_rounding,
+                                               check_dual_problem,
+                                               check_load_cases,
+                                               check_residuals};
+constexpr Check<std::vector<LevelRecord>> equation_checks[] = {check_finest_level,
+                                                               check_uniqueness,
+                                                               check_brackets};
+constexpr Check<std::vector<LevelRecord>> accuracy_checks[] = {check_locking,
+                                                               check_error,
+                                                               check_energy,
+                                                               check_estimate,
+                                                               check_target};
+
+template <typename Checks, typename Subject>
+std::string first_objection(const Checks &checks, const Subject &subject, const Judge &judge)
+{
+  for (const auto check : checks)
+  {
+    std::string objection = check(subject, judge);
+    if (!objection.empty())
+      return objection;
+  }
+  return "";
+}
+} // namespace
+
+const char *word_for(const Outcome outcome)
+{
+  switch (outcome)
+  {
+  case Outcome::unfinished:
+    return "unfinished";
+  case Outcome::certified:
+    return "certified";
+  case Outcome::equations_certified:
+    return "equations certified";
+  case Outcome::accuracy_estimated:
+    return "equations certified, accuracy estimated";
+  case Outcome::not_resolved:
+    return "not resolved";
+  default:
+    return "not certified";
+  }
+}
+
+Judge::Judge(const Demands &demands)
+  : demands_(demands)
+{
+}
+
+bool Judge::reaches_target(const LevelRecord &level) const
+{
+  const std::optional<double> error = relative_error(level);
+  return error && *error < demands_.target_error;
+}
+
+double Judge::residual_bound(const LevelRecord &level) const
+{
+  // A residual is a difference of terms that are larger than itself; five digits are asked for.
+  constexpr double largest_bound = 1e-5;
+  const double of_rounding = std::min(100. * rounding(level), largest_bound);
+  // Direct solves and sums over all cells lose some digits of their own, and so do other measures
+  // of contact than the KKT residual. No tolerance makes an imbalance of one per cent a balance.
+  const double of_tolerance = std::min(100. * demands_.tolerance, 0.01);
+  // V-cycles that end at the error of the discretisation leave that much in the forces of nodes.
+  const double of_cycles = 10. * level.dual.energy_tolerance;
+  return std::max({1e-8, of_tolerance, of_rounding, of_cycles});
+}
+
+double Judge::largest_residual_bound(const std::vector<LevelRecord> &levels) const
+{
+  double bound = residual_bound(LevelRecord());
+  for (const LevelRecord &level : levels)
+    bound = std::max(bound, residual_bound(level));
+  return bound;
+}
+
+std::string Judge::doubt(const LevelRecord &level) const
+{
+  return first_objection(level_checks, level, *this);
+}
+
+StudyVerdict Judge::verdict(const std::vector<LevelRecord> &levels) const
+{
+  if (levels.empty())
+    return failed(levels, "No level has been solved.");
+  const std::string objection = first_objection(equation_checks, levels, *this);
+  if (!objection.empty())
+    return failed(levels, objection);
+  std::string doubt = first_objection(accuracy_checks, levels, *this);
+  if (!doubt.empty() && demands_.can_be_graded && !levels.back().sizes.is_graded())
+    doubt += " Or set Discretization/Strategy = hp, which finds a mesh by itself.";
+  const Outcome outcome = !doubt.empty()                    ? Outcome::not_resolved
+                          : is_guaranteed(levels.back())    ? Outcome::certified
+                          : levels.back().sizes.is_graded() ? Outcome::accuracy_estimated
+                                                            : Outcome::equations_certified;
+  return {outcome, doubt, describe_accuracy(levels), largest_residual_bound(levels)};
+}
+
+StudyVerdict Judge::unfinished(const std::vector<LevelRecord> &levels) const
+{
+  return {Outcome::unfinished, "", "", largest_residual_bound(levels)};
+}
+
+StudyVerdict Judge::failed(const std::vector<LevelRecord> &levels, const std::string &reason) const
+{
+  return {Outcome::not_certified, reason, "", largest_residual_bound(levels)};
+}
+} // namespace Signorini

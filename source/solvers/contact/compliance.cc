@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// C column by column, as far as it is needed.
+
+#include <signorini/base/columns.h>
+#include <signorini/solvers/contact/compliance.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <numeric>
+#include <set>
+
+namespace Signorini
+{
+namespace
+{
+/** As many right-hand sides as are solved at once. */
+constexpr std::size_t block_size = 32;
+} // namespace
+
+ColumnCompliance::ColumnCompliance(const StiffnessInverse &inverse,
+                                   const Coupling &condensed_D,
+                                   double &seconds,
+                                   ColumnProgress progress)
+  : inverse_(inverse)
+  , D_(condensed_D)
+  , seconds_(seconds)
+  , progress_(std::move(progress))
+  , C_(condensed_D.n_columns(), condensed_D.n_columns())
+  , known_(condensed_D.n_columns(), false)
+{
+}
+
+unsigned int ColumnCompliance::size() const
+{
+  return known_.size();
+}
+
+ComplianceOperator::Vector ColumnCompliance::apply(const Vector &P) const
+{
+  Indices pressing;
+  for (unsigned int k = 0; k < size(); ++k)
+    if (P[k] != 0.)
+      pressing.push_back(k);
+  require(pressing);
+  Vector product(size());
+  for (unsigned int i = 0; i < size(); ++i)
+    for (const unsigned int k : pressing)
+      product[i] += C_(i, k) * P[k];
+  return product;
+}
+
+ComplianceOperator::Vector ColumnCompliance::diagonal() const
+{
+  require(all());
+  Vector diagonal(size());
+  for (unsigned int k = 0; k < size(); ++k)
+    diagonal[k] = C_(k, k);
+  return diagonal;
+}
+
+ComplianceOperator::Matrix ColumnCompliance::columns(const Indices &numbers) const
+{
+  require(numbers);
+  Matrix columns(size(), numbers.size());
+  for (unsigned int i = 0; i < size(); ++i)
+    for (unsigned int j = 0; j < numbers.size(); ++j)
+      columns(i, j) = C_(i, numbers[j]);
+  return columns;
+}
+
+const ComplianceOperator::Matrix &ColumnCompliance::dense() const
+{
+  require(all());
+  return C_;
+}
+
+bool ColumnCompliance::is_explicit() const
+{
+  return n_known_ == size();
+}
+
+ComplianceOperator::Indices ColumnCompliance::all() const
+{
+  Indices numbers(size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+ComplianceOperator::Matrix ColumnCompliance::solve_for(const Indices &numbers) const
+{
+  Matrix found(size(), numbers.size());
+  dealii::Vector<double> unit(size());
+  for (std::size_t first = 0; first < numbers.size(); first += block_size)
+  {
+    const std::size_t last = std::min(first + block_size, numbers.size());
+    std::vector<DistributedVector> right_hand_sides, solutions;
+    for (std::size_t j = first; j < last; ++j)
+    {
+      unit = 0.;
+      unit[numbers[j]] = 1.;
+      right_hand_sides.push_back(inverse_.make_vector());
+      D_.add_product(unit, right_hand_sides.back());
+      right_hand_sides.back().compress(dealii::VectorOperation::add);
+      solutions.push_back(inverse_.make_vector());
+    }
+    inverse_.solve(solutions, right_hand_sides);
+    for (std::size_t j = first; j < last; ++j)
+    {
+      const dealii::Vector<double> column = D_.local_transpose_product(solutions[j - first]);
+      for (unsigned int i = 0; i < size(); ++i)
+        found(i, j) = column[i];
+    }
+    if (progress_)
+      progress_(n_known_ + last);
+  }
+  dealii::Utilities::MPI::sum(found, inverse_.communicator(), found);
+  return found;
+}
+
+void ColumnCompliance::require(const Indices &numbers) const
+{
+  Indices missing;
+  for (const unsigned int k : numbers)
+    if (!known_[k])
+      missing.push_back(k);
+  if (missing.empty())
+    return;
+  const StageTimer timer(seconds_);
+  const Matrix found = solve_for(missing);
+  for (unsigned int j = 0; j < missing.size(); ++j)
+  {
+    known_[missing[j]] = true;
+    for (unsigned int i = 0; i < size(); ++i)
+      C_(i, missing[j]) = found(i, j);
+  }
+  // Where both columns were computed now, the mean; elsewhere the row is the column.
+  std::vector<bool> is_new(size(), false);
+  for (const unsigned int k : missing)
+    is_new[k] = true;
+  for (const unsigned int k : missing)
+    for (unsigned int i = 0; i < size(); ++i)
+      if (!is_new[i])
+        C_(k, i) = C_(i, k);
+      else if (i < k)
+        C_(k, i) = C_(i, k) = 0.5 * (C_(k, i) + C_(i, k));
+  n_known_ += static_cast<unsigned int>(missing.size());
+}
+
+// C by one solve per product.
+
+SolvedCompliance::SolvedCompliance(const StiffnessInverse &inverse,
+                                   const Coupling &condensed_D,
+                                   Vector diagonal)
+  : inverse_(inverse)
+  , D_(condensed_D)
+  , diagonal_(std::move(diagonal))
+{
+}
+
+unsigned int SolvedCompliance::size() const
+{
+  return D_.n_columns();
+}
+
+SolvedCompliance::Vector SolvedCompliance::apply(const Vector &P) const
+{
+  if (P.size() == 0 || P.all_zero())
+    return Vector(P.size());
+  DistributedVector b = inverse_.make_vector(), x = inverse_.make_vector();
+  D_.add_product(P, b);
+  b.compress(dealii::VectorOperation::add);
+  inverse_.solve(x, b);
+  Vector product = D_.local_transpose_product(x);
+  dealii::Utilities::MPI::sum(product, inverse_.communicator(), product);
+  return product;
+}
+
+SolvedCompliance::Vector SolvedCompliance::diagonal() const
+{
+  return diagonal_;
+}
+
+SolvedCompliance::Matrix SolvedCompliance::columns(const Indices &numbers) const
+{
+  Matrix values(size(), numbers.size());
+  Vector unit(size());
+  for (unsigned int j = 0; j < numbers.size(); ++j)
+  {
+    unit = 0.;
+    unit[numbers[j]] = 1.;
+    const Vector column = apply(unit);
+    for (unsigned int i = 0; i < size(); ++i)
+      values(i, j) = column[i];
+  }
+  return values;
+}
+
+const SolvedCompliance::Matrix &SolvedCompliance::dense() const
+{
+  if (dense_.m() != size())
+  {
+    Indices all(size());
+    std::iota(all.begin(), all.end(), 0);
+    dense_ = columns(all);
+  }
+  return dense_;
+}
+
+bool SolvedCompliance::is_explicit() const
+{
+  return false;
+}
+
+// C = D^T A^{-1} D: read from the factors, or by columns.
+
+namespace
+{
+/** C = D^T S^{-1} D = W^T W with S = L L^T, W = L^{-1} D. */
+dealii::FullMatrix<double> compliance_from(TrailingFactor &factor, const Coupling &condensed_D)
+{
+  // A matrix of LAPACK that was moved has forgotten it.
+  factor.L.set_property(dealii::LAPACKSupport::lower_triangular);
+  const unsigned int m = condensed_D.n_columns();
+  dealii::LAPACKFullMatrix<double> W(factor.L.m(), m);
+  for (unsigned int k = 0; k < m; ++k)
+    for (const auto &entry : condensed_D.column(k))
+      W(factor.rows.at(entry.first), k) += entry.second;
+  factor.L.solve(W);
+  dealii::LAPACKFullMatrix<double> C(m, m);
+  W.Tmmult(C, W);
+  dealii::FullMatrix<double> result(m, m);
+  result = C;
+  return result;
+}
+} // namespace
+
+std::vector<dealii::types::global_dof_index> contact_unknowns(const Coupling &condensed_D)
+{
+  std::set<dealii::types::global_dof_index> rows;
+  for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
+    for (const auto &entry : condensed_D.column(k))
+      rows.insert(entry.first);
+  return {rows.begin(), rows.end()};
+}
+
+std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse &inverse,
+                                                          const Coupling &condensed_D,
+                                                          double &seconds,
+                                                          const ColumnProgress &progress)
+{
+  const StageTimer timer(seconds);
+  if (auto factor = inverse.trailing_factor(contact_unknowns(condensed_D)))
+    return std::make_shared<const DenseCompliance>(compliance_from(*factor, condensed_D));
+  return std::make_shared<const ColumnCompliance>(inverse, condensed_D, seconds, progress);
+}
+} // namespace Signorini

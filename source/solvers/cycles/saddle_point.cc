@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// How far U and P are from a solution of (5).
+
+#include <signorini/solvers/contact/active_set.h>
+#include <signorini/solvers/cycles/saddle_point.h>
+
+#include <deal.II/lac/block_vector.h>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_minres.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "saddle_point_internal.h"
+
+namespace Signorini
+{
+void add_product(const Coupling &D, const dealii::Vector<double> &P, NodalVector &vector)
+{
+  for (unsigned int k = 0; k < P.size(); ++k)
+    if (P[k] != 0.)
+      for (const auto &[row, value] : D.column(k))
+        vector[row] += value * P[k];
+}
+
+double rounding_of(const StiffnessOperator &A)
+{
+  NodalVector x(A.size()), y(A.size());
+  for (unsigned int i = 0; i < x.size(); ++i)
+    x[i] = std::sin(1. + 2.3 * i);
+  A.apply(y, x);
+  return std::numeric_limits<double>::epsilon() * y.l2_norm() / x.l2_norm();
+}
+
+namespace
+{
+double relative_or_absolute(const double value, const double scale)
+{
+  return scale > 0. ? value / scale : value;
+}
+
+/** Stationarity. @return the residual. */
+NodalVector measure_forces(const ContactSystem &system, ContactIterationResult &result)
+{
+  constexpr double least_share_of_terms = 1e-3;
+  NodalVector pressing(system.A.size()), r(system.A.size());
+  add_product(system.condensed_D, result.P, pressing);
+  system.A.apply(r, result.U);
+  const double of_contact = pressing.l2_norm();
+  const double largest = std::max({r.l2_norm(), of_contact, system.f.l2_norm()});
+  // Where nothing touches, prescribed displacements may move the body as a whole: nothing else
+  // tells how small its forces are.
+  const double scale = std::max({of_contact, system.loads, least_share_of_terms * largest});
+  r *= -1.;
+  r += system.f;
+  r += pressing;
+  result.stationarity = relative_or_absolute(r.l2_norm(), scale);
+  result.rounding_of_stationarity =
+    relative_or_absolute(result.rounding_of_A * result.U.l2_norm(), scale);
+  return r;
+}
+
+/** |P - min(0, P - W/diag C)| relative to max(|P|, |F/diag C|), F = C P - W; |P.W|. */
+void measure_contact(const ContactSystem &system, ContactIterationResult &result)
+{
+  const dealii::Vector<double> W = system.opening(result.U);
+  const dealii::Vector<double> diagonal = system.model.diagonal();
+  const dealii::Vector<double> C_P = system.model.apply(result.P);
+  double sum = 0., size_of_P = 0., size_of_F = 0., work = 0., terms = 0., energy = 0.;
+  for (unsigned int k = 0; k < W.size(); ++k)
+  {
+    const double P = result.P[k], C_kk = result.scale * diagonal[k];
+    sum += std::pow(P - std::min(0., P - W[k] / C_kk), 2);
+    size_of_P += P * P;
+    size_of_F += std::pow((result.scale * C_P[k] - W[k]) / C_kk, 2);
+    work += P * W[k];
+    terms += std::abs(P) * (std::abs(system.gap[k]) + std::abs(W[k] + system.gap[k]));
+    energy += result.scale * P * C_P[k];
+  }
+  const double scale = std::max(size_of_P, size_of_F);
+  result.kkt_residual = std::sqrt(relative_or_absolute(sum, scale));
+  result.complementarity = relative_or_absolute(std::abs(work), energy);
+  result.rounding_of_complementarity =
+    relative_or_absolute(std::numeric_limits<double>::epsilon() * terms, energy);
+}
+} // namespace
+
+NodalVector measure(const ContactSystem &system,
+                    const ContactIterationOptions &options,
+                    ContactIterationResult &result)
+{
+  constexpr double multiples_of_rounding = 10.;
+  const NodalVector r = measure_forces(system, result);
+  measure_contact(system, result);
+  const auto is_small = [](const double residual, const double allowed, const double rounding) {
+    return residual <= std::max(allowed, multiples_of_rounding * rounding);
+  };
+  // Where nothing touches there is nothing that a tolerance of contact allows.
+  const bool touches =
+    std::any_of(result.P.begin(), result.P.end(), [](const double P_k) { return P_k != 0.; });
+  const double allowed = touches ? options.stationarity : std::min(options.stationarity, 1e-9);
+  result.converged =
+    result.kkt_residual <= options.tolerance &&
+    is_small(result.stationarity, allowed, result.rounding_of_stationarity) &&
+    is_small(result.complementarity, options.stationarity, result.rounding_of_complementarity);
+  return r;
+}
+
+// The problem on the boundary that follows a V-cycle.
+
+namespace
+{
+using Vector = dealii::Vector<double>;
+using Indices = ComplianceOperator::Indices;
+
+Indices indices_of(const std::vector<bool> &active)
+{
+  Indices set;
+  for (unsigned int i = 0; i < active.size(); ++i)
+    if (active[i])
+      set.push_back(i);
+  return set;
+}
+
+/** d with (W + C^ d)_S = 0 and d = -P elsewhere. */
+Vector change_on_set(const BoundaryModel &model, const Vector &W, const Vector &P, const Indices &S)
+{
+  Vector d(P), rhs(S.size());
+  d *= -1.;
+  for (const unsigned int i : S)
+    d[i] = 0.;
+  Vector V(W);
+  if (d.l2_norm() > 0.)
+    V += model.apply(d);
+  for (unsigned int r = 0; r < S.size(); ++r)
+    rhs[r] = -V[S[r]];
+  const Vector d_S = model.solve(S, rhs);
+  for (unsigned int r = 0; r < S.size(); ++r)
+    d[S[r]] = d_S[r];
+  return d;
+}
+
+/** By the method that cannot cycle. */
+Vector solve_safely(const BoundaryModel &model, const Vector &W, const Vector &P)
+{
+  // Lives as long as the caller's model.
+  const std::shared_ptr<const ComplianceOperator> C(&model, [](const ComplianceOperator *) {});
+  Vector F = model.apply(P);
+  F -= W;
+  return solve_by_active_set(BoundConstrainedQP(C, F, Vector(F.size())), P, {1e-12, 1000}).P;
+}
+} // namespace
+
+Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const Vector &P)
+{
+  constexpr unsigned int most_steps = 30;
+  const unsigned int m = P.size();
+  std::vector<bool> active(m);
+  for (unsigned int i = 0; i < m; ++i)
+    active[i] = P[i] < 0. || W[i] > 0.;
+  for (unsigned int k = 0; k < most_steps; ++k)
+  {
+    const Vector d = change_on_set(model, W, P, indices_of(active));
+    Vector Q(P), V = model.apply(d);
+    Q += d;
+    V += W;
+    std::vector<bool> next(m);
+    for (unsigned int i = 0; i < m; ++i)
+      next[i] = active[i] ? Q[i] < 0. : V[i] > 0.;
+    if (next == active)
+    {
+      for (unsigned int i = 0; i < m; ++i)
+        Q[i] = active[i] ? Q[i] : 0.;
+      return Q;
+    }
+    active = next;
+  }
+  return solve_safely(model, W, P);
+}
+
+// The active set method with MINRES on the saddle point problem of each set.
+
+namespace
+{
+using Vector = dealii::Vector<double>;
+using Indices = ComplianceOperator::Indices;
+using BlockVector = dealii::BlockVector<double>;
+
+/** The matrix (A, -D_S; -D_S^T, 0) and its preconditioner. */
+class SaddlePoint
+{
+public:
+  SaddlePoint(const ContactSystem &system, Indices set, const double scale)
+    : system_(system)
+    , set_(std::move(set))
+    , scale_(scale)
+  {
+  }
+
+  BlockVector make_vector() const
+  {
+    return BlockVector(std::vector<dealii::types::global_dof_index>{
+      system_.A.size(), static_cast<dealii::types::global_dof_index>(set_.size())});
+  }
+
+  void vmult(BlockVector &y, const BlockVector &x) const
+  {
+    system_.A.apply(y.block(0), x.block(0));
+    for (unsigned int r = 0; r < set_.size(); ++r)
+    {
+      double sum = 0.;
+      for (const auto &[row, value] : system_.condensed_D.column(set_[r]))
+      {
+        y.block(0)[row] -= value * x.block(1)[r];
+        sum += value * x.block(0)[row];
+      }
+      y.block(1)[r] = -sum;
+    }
+  }
+
+  /** diag(V, (t C^_1)_SS^{-1}). */
+  struct Preconditioner
+  {
+    const SaddlePoint &matrix;
+    unsigned int &cycles;
+
+    void vmult(BlockVector &z, const BlockVector &r) const
+    {
+      matrix.system_.A.precondition(z.block(0), r.block(0));
+      ++cycles;
+      if (!matrix.set_.empty())
+        z.block(1) = matrix.system_.model.solve(matrix.set_, r.block(1));
+      z.block(1) /= matrix.scale_;
+    }
+  };
+
+private:
+  const ContactSystem &system_;
+  Indices set_;
+  double scale_;
+};
+
+/** One problem: the change of U and P on the set. */
+void solve_on(const ContactSystem &system,
+              const Indices &set,
+              const double reduction,
+              const unsigned int most_cycles,
+              ContactIterationResult &result)
+{
+  const SaddlePoint matrix(system, set, result.scale);
+  // P vanishes outside of the set.
+  Vector P(result.P.size());
+  for (const unsigned int i : set)
+    P[i] = result.P[i];
+  result.P = P;
+  BlockVector rhs = matrix.make_vector(), x = matrix.make_vector();
+  rhs.block(0) = system.residual(result.U, result.P);
+  const Vector W = system.opening(result.U);
+  for (unsigned int r = 0; r < set.size(); ++r)
+    rhs.block(1)[r] = W[set[r]];
+  dealii::ReductionControl control(most_cycles, 1e-300, reduction, false, false);
+  dealii::SolverMinRes<BlockVector> minres(control);
+  try
+  {
+    minres.solve(matrix, x, rhs, SaddlePoint::Preconditioner{matrix, result.cycles});
+  }
+  catch (const dealii::SolverControl::NoConvergence &)
+  {
+    // The residual tells.
+  }
+  result.U += x.block(0);
+  for (unsigned int r = 0; r < set.size(); ++r)
+    result.P[set[r]] += x.block(1)[r];
+}
+} // namespace
+
+void solve_by_minres(const ContactSystem &system,
+                     const ContactIterationOptions &options,
+                     ContactIterationResult &result)
+{
+  constexpr double reduction = 1e-3;
+  Vector W = system.opening(result.U);
+  std::vector<bool> active(W.size());
+  for (unsigned int i = 0; i < W.size(); ++i)
+    active[i] = result.P[i] < 0. || W[i] > 0.;
+  while (result.cycles < options.maximum_cycles)
+  {
+    Indices set;
+    for (unsigned int i = 0; i < W.size(); ++i)
+      if (active[i])
+        set.push_back(i);
+    solve_on(system, set, reduction, options.maximum_cycles - result.cycles, result);
+    // A set without a residual takes none.
+    ++result.cycles;
+    W = system.opening(result.U);
+    std::vector<bool> next(W.size());
+    for (unsigned int i = 0; i < W.size(); ++i)
+    {
+      next[i] = active[i] ? result.P[i] < 0. : W[i] > 0.;
+      result.P[i] = std::min(result.P[i], 0.);
+    }
+    active = next;
+    measure(system, options, result);
+    if (result.converged)
+      return;
+  }
+}
+} // namespace Signorini

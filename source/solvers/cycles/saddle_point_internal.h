@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/solvers/cycles/contact_iteration.h>
+
+namespace Signorini
+{
+/** vector += D P. */
+void add_product(const Coupling &D, const dealii::Vector<double> &P, NodalVector &vector);
+
+/** The unit roundoff times |A x|/|x| for a rough x. */
+double rounding_of(const StiffnessOperator &A);
+
+/** Sets kkt_residual, stationarity and complementarity of U and P, and whether they are small
+ * enough. @return f + D P - A U. */
+NodalVector measure(const ContactSystem &system,
+                    const ContactIterationOptions &options,
+                    ContactIterationResult &result);
+} // namespace Signorini

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Z = k - A^{-1} A k for the lifts k of free motions.
+
+#include <signorini/discretization/elasticity/cell_stiffness.h>
+#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/problem/scene/functions.h>
+#include <signorini/solvers/contact/recovery.h>
+#include <signorini/solvers/kinematics/motion_modes.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini
+{
+namespace
+{
+/** The nodal values of a rigid motion. */
+NodalVector interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space)
+{
+  return interpolate_at_nodes(
+    space, FieldFunction([&](const dealii::Point<2> &x) { return motion.velocity(x); }));
+}
+
+/** What the motion says about plates, pins and other supports; zero elsewhere. */
+NodalVector lift(const FreeMotion &motion, const DisplacementSpace<2> &space, const Scene<2> &scene)
+{
+  NodalVector k = space.prescribed(with_only_plates_moved(scene, motion.plates));
+  if (motion.rigid)
+    for (const auto &pin : space.pins())
+      k[pin.dof] = motion.rigid->velocity(pin.node)[pin.component];
+  return k;
+}
+
+/** The forces of a mode; empty where all of them are rounding: V^h contains the rigid motion. */
+NodalVector forces_of_mode(const NodalVector &z,
+                           const DisplacementSpace<2> &space,
+                           const Scene<2> &scene)
+{
+  constexpr double rounding = 10. * std::numeric_limits<double>::epsilon();
+  const InternalForces<2> internal = internal_forces(space, scene, z);
+  NodalVector forces(internal.forces);
+  const NodalVector magnitudes(internal.magnitudes);
+  double size = 0.;
+  for (unsigned int i = 0; i < z.size(); ++i)
+    size += std::abs(z[i]) * magnitudes[i];
+  return z * forces <= rounding * size ? NodalVector() : forces;
+}
+
+/** A sum with the sum of the absolute values of its terms. */
+struct WorkSum
+{
+  double value = 0.;
+  double magnitude = 0.;
+
+  void add(const double term)
+  {
+    value += term;
+    magnitude += std::abs(term);
+  }
+  /** factor a.b. */
+  void add_product(const NodalVector &a, const NodalVector &b, const double factor)
+  {
+    for (unsigned int i = 0; i < a.size(); ++i)
+      add(factor * a[i] * b[i]);
+  }
+};
+
+/** k - A^{-1} A k. */
+NodalVector extend(const NodalVector &k,
+                   const DisplacementSpace<2> &space,
+                   const Scene<2> &scene,
+                   const StiffnessInverse &inverse)
+{
+  NodalVector r(internal_forces(space, scene, k).forces);
+  r *= -1.;
+  return solve_prescribed(inverse, space, k, r);
+}
+
+/** Of plates, and of a body that only contact holds. */
+MotionModes<2> modes_of_plane(const DisplacementSpace<2> &space,
+                              const Scene<2> &scene,
+                              const StiffnessInverse &inverse)
+{
+  MotionModes<2> modes;
+  const FreeMotionBasis basis = free_motions(scene);
+  modes.motions = basis.seen;
+  modes.unseen = basis.unseen;
+  for (const FreeMotion &motion : modes.unseen)
+    modes.unseen_Z.push_back(interpolate(*motion.rigid, space));
+  if (space.mesh().is_curved())
+    modes.unseen_tolerance = 1e-3;
+  for (const FreeMotion &motion : modes.motions)
+  {
+    const bool strains =
+      !motion.rigid || (space.mesh().is_curved() && !motion.rigid->is_translation());
+    modes.Z.push_back(strains ? extend(lift(motion, space, scene), space, scene, inverse)
+                              : interpolate(*motion.rigid, space));
+    modes.forces.push_back(strains ? forces_of_mode(modes.Z.back(), space, scene) : NodalVector());
+  }
+  const unsigned int k = modes.size();
+  modes.K.reinit(k, k);
+  for (unsigned int i = 0; i < k; ++i)
+    for (unsigned int j = 0; j < k; ++j)
+      if (modes.forces[i].size() > 0 && modes.forces[j].size() > 0)
+        modes.K(i, j) = 0.5 * (modes.Z[i] * modes.forces[j] + modes.Z[j] * modes.forces[i]);
+  // Rounding must not make K indefinite.
+  for (unsigned int i = 0; i < k; ++i)
+    for (unsigned int j = 0; j < i; ++j)
+    {
+      const double largest = std::sqrt(std::max(0., modes.K(i, i) * modes.K(j, j)));
+      modes.K(i, j) = modes.K(j, i) = std::clamp(modes.K(i, j), -largest, largest);
+    }
+  return modes;
+}
+} // namespace
+
+template <int dim>
+dealii::FullMatrix<double> MotionModes<dim>::couple(const Coupling &D) const
+{
+  dealii::FullMatrix<double> B(D.n_columns(), size());
+  for (unsigned int j = 0; j < size(); ++j)
+  {
+    const dealii::Vector<double> column = D.transpose_product(Z[j]);
+    for (unsigned int i = 0; i < column.size(); ++i)
+      B(i, j) = column[i];
+  }
+  return B;
+}
+
+template <int dim>
+MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates,
+                                  const NodalVector &loads,
+                                  const NodalVector &U_0) const
+{
+  MotionWork work = {dealii::Vector<double>(size()), dealii::Vector<double>(size())};
+  for (unsigned int j = 0; j < size(); ++j)
+  {
+    WorkSum sum;
+    sum.add(motions[j].work_of_plates(plates));
+    sum.add_product(Z[j], loads, 1.);
+    if (forces[j].size() > 0)
+      sum.add_product(forces[j], U_0, -1.);
+    work.value[j] = sum.value;
+    work.magnitude[j] = sum.magnitude;
+  }
+  return work;
+}
+
+template <int dim>
+std::optional<unsigned int> MotionModes<dim>::driven_unseen(const std::vector<Plate> &plates,
+                                                            const NodalVector &loads) const
+{
+  for (unsigned int j = 0; j < unseen.size(); ++j)
+  {
+    WorkSum sum;
+    sum.add(unseen[j].work_of_plates(plates));
+    sum.add_product(unseen_Z[j], loads, 1.);
+    if (std::abs(sum.value) > unseen_tolerance * sum.magnitude)
+      return j;
+  }
+  return {};
+}
+
+template <int dim>
+void MotionModes<dim>::add_to(NodalVector &U, const dealii::Vector<double> &q) const
+{
+  for (unsigned int j = 0; j < size(); ++j)
+    U.add(q[j], Z[j]);
+}
+
+template <int dim>
+std::vector<PlateMotion> MotionModes<dim>::plate_motions(const std::vector<Plate> &plates,
+                                                         const dealii::Vector<double> &q) const
+{
+  std::vector<PlateMotion> sum =
+    combine_plates(motions, std::vector<double>(q.begin(), q.end()), plates.size());
+  for (std::size_t p = 0; p < plates.size(); ++p)
+    sum[p].travel += plates[p].travel;
+  return sum;
+}
+
+template <int dim>
+MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
+                                   const Scene<dim> &scene,
+                                   const StiffnessInverse &inverse)
+{
+  if constexpr (dim == 2)
+    if (!scene.plates.empty() || scene.is_held_by_contact)
+      return modes_of_plane(space, scene, inverse);
+  return MotionModes<dim>();
+}
+
+template struct MotionModes<2>;
+template struct MotionModes<3>;
+template MotionModes<2> make_motion_modes(const DisplacementSpace<2> &,
+                                          const Scene<2> &,
+                                          const StiffnessInverse &);
+template MotionModes<3> make_motion_modes(const DisplacementSpace<3> &,
+                                          const Scene<3> &,
+                                          const StiffnessInverse &);
+
+// What a body does that neither supports nor contact stop.
+
+std::string word_for_escape(const RigidMotion &motion, const bool opens)
+{
+  if (!opens)
+    return "it slides";
+  return motion.is_translation() ? "it lifts off" : "it tips over";
+}
+
+RigidMotion rigid_part(const MotionModes<2> &modes, const dealii::Vector<double> &v)
+{
+  std::vector<RigidMotion> rigid;
+  std::vector<double> weights;
+  for (unsigned int j = 0; j < modes.size(); ++j)
+    if (modes.motions[j].rigid)
+    {
+      rigid.push_back(*modes.motions[j].rigid);
+      weights.push_back(v[j]);
+    }
+  return combine(rigid, weights);
+}
+
+bool opens(const dealii::FullMatrix<double> &B, const dealii::Vector<double> &v)
+{
+  constexpr double negligible = 1e-8;
+  dealii::Vector<double> opening(B.m());
+  B.vmult(opening, v);
+  return opening.linfty_norm() > negligible * B.linfty_norm() * v.linfty_norm();
+}
+} // namespace Signorini

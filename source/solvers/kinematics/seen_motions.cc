@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Free motions without units, without those that nothing sees, and whether there is a balance.
+
+#include <signorini/solvers/kinematics/pressing_patches.h>
+#include <signorini/solvers/kinematics/seen_motions.h>
+#include <signorini/solvers/kinematics/small_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace Signorini
+{
+namespace
+{
+using Vector = dealii::Vector<double>;
+using Matrix = dealii::FullMatrix<double>;
+
+/** One unit of each motion without units: 1/|B_j|, or by its resistance, or as large as others. */
+Vector units_of(const FreeMotions &motions, const Vector &norms, const double stiffness)
+{
+  const unsigned int k = motions.b.size();
+  double largest = 0.;
+  for (unsigned int j = 0; j < k; ++j)
+    largest = std::max(largest, norms[j]);
+  Vector units(k);
+  for (unsigned int j = 0; j < k; ++j)
+    if (norms[j] > 0.)
+      units[j] = 1. / norms[j];
+    else if (motions.K(j, j) > 1e-12 * stiffness * largest * largest)
+      units[j] = std::sqrt(stiffness / motions.K(j, j));
+    else
+      units[j] = largest > 0. ? 1. / largest : 1.;
+  return units;
+}
+
+/** The vectors as columns, with n rows. */
+Matrix as_columns(const std::vector<Vector> &vectors, const unsigned int n)
+{
+  Matrix columns(n, vectors.size());
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int j = 0; j < vectors.size(); ++j)
+      columns(i, j) = vectors[j][i];
+  return columns;
+}
+
+/** M N, also without rows or columns. */
+Matrix product(const Matrix &M, const Matrix &N)
+{
+  Matrix result(M.m(), N.n());
+  for (unsigned int i = 0; i < result.m(); ++i)
+    for (unsigned int l = 0; l < N.m(); ++l)
+      for (unsigned int j = 0; j < N.n(); ++j)
+        result(i, j) += M(i, l) * N(l, j);
+  return result;
+}
+
+/** M^T N. */
+Matrix transpose_product(const Matrix &M, const Matrix &N)
+{
+  Matrix result(M.n(), N.n());
+  for (unsigned int i = 0; i < result.m(); ++i)
+    for (unsigned int l = 0; l < M.m(); ++l)
+      for (unsigned int j = 0; j < N.n(); ++j)
+        result(i, j) += M(l, i) * N(l, j);
+  return result;
+}
+
+/** An orthonormal basis of what is orthogonal to the orthonormal columns, as columns. */
+Matrix complement(const Matrix &columns, const unsigned int k)
+{
+  Matrix rows(std::max<unsigned int>(columns.n(), 1), k);
+  for (unsigned int i = 0; i < columns.m(); ++i)
+    for (unsigned int j = 0; j < columns.n(); ++j)
+      rows(j, i) = columns(i, j);
+  return as_columns(split_by_size(rows, 0.5).null, k);
+}
+
+/** units_i v_i, the largest |v_i| made one. */
+Vector with_units(Vector v, const Vector &units)
+{
+  const double largest = v.linfty_norm();
+  for (unsigned int i = 0; i < v.size(); ++i)
+    v[i] = std::abs(v[i]) > 1e-10 * largest ? units[i] * v[i] / largest : 0.;
+  return v;
+}
+
+/** The transposes of the rows of B that are not zero within rounding, with norm one. */
+Matrix directions(const Matrix &B)
+{
+  std::vector<double> norms(B.m());
+  double largest = 0.;
+  for (unsigned int i = 0; i < B.m(); ++i)
+  {
+    for (unsigned int j = 0; j < B.n(); ++j)
+      norms[i] = std::hypot(norms[i], B(i, j));
+    largest = std::max(largest, norms[i]);
+  }
+  std::vector<Vector> columns;
+  for (unsigned int i = 0; i < B.m(); ++i)
+    if (norms[i] > 1e-12 * largest)
+    {
+      columns.emplace_back(B.n());
+      for (unsigned int j = 0; j < B.n(); ++j)
+        columns.back()[j] = B(i, j) / norms[i];
+    }
+  return as_columns(columns, B.n());
+}
+
+/** Free motions without units: columns of B have norm one or are zero. */
+struct Unitless
+{
+  /** At least one row. */
+  Matrix B;
+  Matrix K;
+  Vector b, units;
+  /** What is rounding of b, and of K. */
+  double noise = 0., resistance = 0.;
+};
+
+Unitless without_units(const FreeMotions &motions, const unsigned int m, const double stiffness)
+{
+  const unsigned int k = motions.b.size();
+  const Vector norms = m > 0 ? column_norms(motions.B) : Vector(k);
+  Unitless all;
+  all.units = units_of(motions, norms, stiffness);
+  all.B.reinit(std::max(m, 1U), k);
+  all.K.reinit(k, k);
+  all.b.reinit(k);
+  Vector size_of_b(k);
+  for (unsigned int j = 0; j < k; ++j)
+  {
+    const double unit = all.units[j];
+    for (unsigned int i = 0; i < m; ++i)
+      all.B(i, j) = norms[j] > 0. ? motions.B(i, j) * unit : 0.;
+    for (unsigned int i = 0; i < k; ++i)
+      all.K(i, j) = 0.5 * (motions.K(i, j) + motions.K(j, i)) * all.units[i] * unit;
+    all.b[j] = unit * motions.b[j];
+    size_of_b[j] = motions.b_magnitude.size() > 0 ? unit * motions.b_magnitude[j] : 0.;
+  }
+  all.noise = 1e-9 * std::max(all.b.l2_norm(), size_of_b.l2_norm());
+  all.resistance = 1e-14 * k * all.K.linfty_norm() + 1e-12 * stiffness;
+  return all;
+}
+
+/** Through hidden motions, or through those that contact sees and K does not resist. */
+std::optional<Vector> find_escape(const Unitless &all, const Matrix &hidden, const Matrix &seen)
+{
+  const Vector unseen_part = transpose_times(hidden, all.b);
+  if (unseen_part.size() > 0 && unseen_part.l2_norm() > all.noise)
+    return times(hidden, unseen_part);
+  const Vector b = transpose_times(seen, all.b);
+  if (b.size() == 0 || b.l2_norm() <= all.noise)
+    return std::nullopt;
+  // -P >= 0, so the cone is that of the rows of B.
+  const Vector left = remainder_outside_cone(directions(product(all.B, seen)), b, 1e-13);
+  if (left.l2_norm() <= all.noise)
+    return std::nullopt;
+  return times(seen, left);
+}
+} // namespace
+
+void check_sizes(const FreeMotions &motions, const unsigned int m)
+{
+  const unsigned int k = motions.b.size();
+  const Vector &size_of_b = motions.b_magnitude;
+  const bool fits =
+    k == 0 || ((m == 0 || (motions.B.m() == m && motions.B.n() == k)) && motions.K.m() == k &&
+               motions.K.n() == k && (size_of_b.size() == 0 || size_of_b.size() == k));
+  if (!fits)
+    throw std::invalid_argument("The sizes of B, K and b do not fit together.");
+  const double rounding = k > 0 ? 1e-9 * motions.K.linfty_norm() : 0.;
+  for (unsigned int i = 0; i < k; ++i)
+    for (unsigned int j = 0; j < k; ++j)
+    {
+      const double size = std::sqrt(std::abs(motions.K(i, i) * motions.K(j, j)));
+      const double skew = std::abs(motions.K(i, j) - motions.K(j, i));
+      if (motions.K(i, i) < -rounding || skew > 1e-9 * size + rounding)
+        throw std::invalid_argument("K is not symmetric and positive semi-definite.");
+    }
+}
+
+Vector column_norms(const Matrix &B)
+{
+  Vector norms(B.n());
+  for (unsigned int j = 0; j < B.n(); ++j)
+    for (unsigned int i = 0; i < B.m(); ++i)
+      norms[j] = std::hypot(norms[j], B(i, j));
+  const double largest = B.n() > 0 ? norms.linfty_norm() : 0.;
+  for (double &norm : norms)
+    norm = norm > 1e-12 * largest ? norm : 0.;
+  return norms;
+}
+
+SeenMotions::SeenMotions(const FreeMotions &motions, const unsigned int m, const double stiffness)
+{
+  check_sizes(motions, m);
+  const unsigned int k = motions.b.size();
+  if (k == 0)
+    return;
+  const Unitless all = without_units(motions, m, stiffness);
+  const Matrix free = as_columns(split_by_size(all.K, all.resistance).null, k);
+  const Splitting of_free = split_by_size(product(all.B, free), 1e-10);
+  const Matrix hidden = product(free, as_columns(of_free.null, free.n()));
+  const Matrix basis = complement(hidden, k);
+  B = product(all.B, basis);
+  K = transpose_product(basis, product(all.K, basis));
+  b = transpose_times(basis, all.b);
+  T_ = basis;
+  for (unsigned int i = 0; i < T_.m(); ++i)
+    for (unsigned int j = 0; j < T_.n(); ++j)
+      T_(i, j) *= all.units[i];
+  n_original_ = k;
+  if (const auto v = find_escape(all, hidden, product(free, as_columns(of_free.rest, free.n()))))
+    escape = with_units(*v, all.units);
+  for (unsigned int j = 0; j < hidden.n() && !escape; ++j)
+  {
+    Vector v(k);
+    for (unsigned int i = 0; i < k; ++i)
+      v[i] = hidden(i, j);
+    unseen.push_back(with_units(v, all.units));
+  }
+}
+
+Vector SeenMotions::original(const Vector &z) const
+{
+  return size() == 0 ? Vector(n_original_) : times(T_, z);
+}
+
+Vector SeenMotions::imbalance(const Vector &P, const Vector &z) const
+{
+  Vector missing = b;
+  missing += transpose_times(B, P);
+  missing -= times(K, z);
+  return missing;
+}
+} // namespace Signorini

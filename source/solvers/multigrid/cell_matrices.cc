@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Matrices of coarse cells from those of their children.
+
+#include <signorini/solvers/multigrid/cell_matrices.h>
+
+#include <algorithm>
+#include <map>
+
+namespace Signorini
+{
+namespace
+{
+/** The value of the parent's shape function V at vertex v of a child. */
+template <int dim>
+double parent_shape(const unsigned int child, const unsigned int v, const unsigned int V)
+{
+  double value = 1.;
+  for (int d = 0; d < dim; ++d)
+  {
+    const double position = 0.5 * static_cast<double>(((child >> d) & 1U) + ((v >> d) & 1U));
+    value *= ((V >> d) & 1U) != 0 ? position : 1. - position;
+  }
+  return value;
+}
+
+/** K += P^T K_child P for n lanes, [i][j][lane]. */
+template <int dim, unsigned int n>
+void add_child(const unsigned int child, const std::vector<double> &K_child, std::vector<double> &K)
+{
+  constexpr unsigned int n_vertices = 1U << dim, n_dofs = dim * n_vertices;
+  const auto add_row = [](double *const target, const double weight, const double *const source) {
+    for (unsigned int j = 0; j < n_dofs * n; ++j)
+      target[j] += weight * source[j];
+  };
+  // Rows: half = P^T K_child, and by its transpose K = half P.
+  std::vector<double> half(n_dofs * n_dofs * n, 0.);
+  for (unsigned int V = 0; V < n_vertices; ++V)
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      if (const double weight = parent_shape<dim>(child, v, V); weight != 0.)
+        for (unsigned int c = 0; c < dim; ++c)
+          add_row(&half[(V * dim + c) * n_dofs * n], weight, &K_child[(v * dim + c) * n_dofs * n]);
+  for (unsigned int I = 0; I < n_dofs; ++I)
+    for (unsigned int V = 0; V < n_vertices; ++V)
+      for (unsigned int v = 0; v < n_vertices; ++v)
+        if (const double weight = parent_shape<dim>(child, v, V); weight != 0.)
+          for (unsigned int l = 0; l < dim * n; ++l)
+            K[(I * n_dofs + V * dim) * n + l] += weight * half[(I * n_dofs + v * dim) * n + l];
+}
+
+/** The children of the cells of a coarse level. */
+template <int dim>
+class Children
+{
+public:
+  Children(const BlockGrid<dim> &coarse, const BlockGrid<dim> &fine)
+    : n_(coarse.n())
+    , n_fine_(fine.n())
+  {
+  }
+  std::size_t operator()(std::size_t cell, const unsigned int child) const
+  {
+    std::size_t number = 0, factor = 1;
+    for (int d = 0; d < dim; ++d)
+    {
+      number += factor * (2 * (cell % n_) + ((child >> d) & 1U));
+      factor *= n_fine_;
+      cell /= n_;
+    }
+    return cell * factor + number;
+  }
+
+private:
+  std::size_t n_, n_fine_;
+};
+
+/** The parent of cells that all have the same matrix. */
+template <int dim>
+std::vector<double> parent_of_equals(const double *const matrix)
+{
+  constexpr unsigned int n_dofs = dim << dim;
+  const std::vector<double> K_child(matrix, matrix + n_dofs * n_dofs);
+  std::vector<double> K(n_dofs * n_dofs, 0.);
+  for (unsigned int child = 0; child < (1U << dim); ++child)
+    add_child<dim, 1>(child, K_child, K);
+  return K;
+}
+
+/** The matrix that all children of a batch share, or -1. */
+template <int dim>
+int common_matrix(const CellMatrices<dim, double> &fine,
+                  const Children<dim> &children,
+                  const std::size_t begin,
+                  const std::size_t end)
+{
+  const int first = fine.of_batch[children(begin, 0) / n_lanes];
+  if (first < 0)
+    return -1;
+  for (std::size_t cell = begin; cell < end; ++cell)
+    for (unsigned int child = 0; child < (1U << dim); ++child)
+      if (fine.of_batch[children(cell, child) / n_lanes] != first)
+        return -1;
+  return first;
+}
+
+/** Matrices of a batch of cells whose children differ. */
+template <int dim>
+void store_parents(const CellMatrices<dim, double> &fine,
+                   const Children<dim> &children,
+                   const std::size_t begin,
+                   const std::size_t end,
+                   double *const stored)
+{
+  using Matrices = CellMatrices<dim, double>;
+  constexpr unsigned int n_dofs = Matrices::n_dofs;
+  std::vector<double> K(n_dofs * n_dofs * n_lanes, 0.), K_child(K.size(), 0.);
+  for (unsigned int child = 0; child < (1U << dim); ++child)
+  {
+    for (std::size_t cell = begin; cell < end; ++cell)
+    {
+      const std::size_t number = children(cell, child), batch = number / n_lanes;
+      const bool is_shared = fine.is_shared(batch);
+      const double *const source =
+        is_shared ? fine.shared_matrix(batch) : fine.stored_matrices(batch) + number % n_lanes;
+      double *const target = &K_child[cell - begin];
+      for (unsigned int i = 0; i < n_dofs; ++i)
+        for (unsigned int j = 0; j < n_dofs; ++j)
+          target[(i * n_dofs + j) * n_lanes] =
+            source[is_shared ? i * n_dofs + j : Matrices::entry(i, j) * n_lanes];
+    }
+    add_child<dim, n_lanes>(child, K_child, K);
+  }
+  for (unsigned int i = 0; i < n_dofs; ++i)
+    for (unsigned int j = 0; j <= i; ++j)
+      for (unsigned int l = 0; l < n_lanes; ++l)
+        stored[Matrices::entry(i, j) * n_lanes + l] = K[(i * n_dofs + j) * n_lanes + l];
+}
+} // namespace
+
+template <int dim, typename Number>
+std::shared_ptr<const PointRule<dim, Number>> coarsen(const PointRule<dim, Number> &fine,
+                                                      const BlockGrid<dim> &coarse_grid)
+{
+  const auto coarse = std::make_shared<PointRule<dim, Number>>(PointRule<dim, Number>{
+    LevelVector<dim, Number>(coarse_grid.n_nodes()), fine.moduli, fine.gradients, fine.weights});
+  for (int d = 0; d < dim; ++d)
+    for (NodeNumber node = 0; node < coarse_grid.n_nodes(); ++node)
+      coarse->places[d][node] = fine.places[d][coarse_grid.identities()[node]];
+  return coarse;
+}
+
+template <int dim>
+CellMatrices<dim, double> coarsen(const CellMatrices<dim, double> &fine,
+                                  const BlockGrid<dim> &fine_grid,
+                                  const BlockGrid<dim> &coarse_grid)
+{
+  const Children<dim> children(coarse_grid, fine_grid);
+  CellMatrices<dim, double> coarse(coarse_grid.n_batches());
+  coarse.stored.reserve(fine.stored.size() >> dim);
+  if (fine.rule != nullptr)
+    coarse.rule = coarsen(*fine.rule, coarse_grid);
+  std::map<int, int> parent_of;
+  for (std::size_t batch = 0; batch < coarse_grid.n_batches(); ++batch)
+  {
+    const std::size_t begin = batch * n_lanes,
+                      end = std::min(begin + n_lanes, coarse_grid.n_cells());
+    const int common = common_matrix(fine, children, begin, end);
+    if (common < 0 && coarse.rule != nullptr)
+    {
+      coarse.of_batch[batch] = CellMatrices<dim, double>::integrated;
+      continue;
+    }
+    if (common < 0)
+    {
+      coarse.store(batch);
+      store_parents(fine, children, begin, end, coarse.stored_matrices(batch));
+      continue;
+    }
+    const auto [found, is_new] = parent_of.emplace(common, static_cast<int>(parent_of.size()));
+    if (is_new)
+    {
+      const std::vector<double> parent =
+        parent_of_equals<dim>(fine.shared_matrix(children(begin, 0) / n_lanes));
+      coarse.shared.insert(coarse.shared.end(), parent.begin(), parent.end());
+    }
+    coarse.of_batch[batch] = found->second;
+  }
+  return coarse;
+}
+
+template std::shared_ptr<const PointRule<2, float>> coarsen(const PointRule<2, float> &,
+                                                            const BlockGrid<2> &);
+template std::shared_ptr<const PointRule<3, float>> coarsen(const PointRule<3, float> &,
+                                                            const BlockGrid<3> &);
+template CellMatrices<2, double> coarsen(const CellMatrices<2, double> &,
+                                         const BlockGrid<2> &,
+                                         const BlockGrid<2> &);
+template CellMatrices<3, double> coarsen(const CellMatrices<3, double> &,
+                                         const BlockGrid<3> &,
+                                         const BlockGrid<3> &);
+} // namespace Signorini

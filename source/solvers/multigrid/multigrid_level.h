@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/solvers/multigrid/block_grid.h>
+#include <signorini/solvers/multigrid/cell_matrices.h>
+#include <signorini/solvers/multigrid/kernels.h>
+#include <signorini/solvers/stiffness/stiffness_inverse.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <memory>
+
+#include "block_grid_internal.h"
+#include "cell_eigenvalues.h"
+
+namespace Signorini
+{
+/** One level of the V-cycle: matrices, conditions, and the smoother. */
+template <int dim>
+class MultigridLevel
+{
+public:
+  MultigridLevel(std::shared_ptr<const BlockGrid<dim>> grid,
+                 CellMatrices<dim, float> matrices,
+                 NodeConditions<dim> conditions,
+                 Instructions instructions);
+
+  const BlockGrid<dim> &grid() const
+  {
+    return *grid_;
+  }
+  const CellMatrices<dim, float> &matrices() const
+  {
+    return matrices_;
+  }
+  const NodeConditions<dim> &conditions() const
+  {
+    return conditions_;
+  }
+  /** An upper bound of the eigenvalues of B A. */
+  double largest_eigenvalue() const
+  {
+    return largest_eigenvalue_;
+  }
+
+  /** Steps of Chebyshev's iteration of the fourth kind (J. Lottes, Numer. Linear Algebra Appl. 30
+   * (2023) e2518): x changes by a polynomial in B A that depends on the largest eigenvalue only.
+   * @param from_zero x counts as zero. */
+  void smooth(bool from_zero);
+  /** y = A x. */
+  void multiply();
+
+  std::size_t memory() const
+  {
+    return grid_->memory() + matrices_.memory() +
+           conditions_.capacity() * sizeof(NodeCondition<dim>) + x.memory() + b.memory() +
+           y.memory() + d_.memory() + B_.memory();
+  }
+
+  /** Solution, right-hand side, and A x. */
+  LevelVector<dim, float> x, b, y;
+
+private:
+  void make_blocks();
+
+  std::shared_ptr<const BlockGrid<dim>> grid_;
+  CellMatrices<dim, float> matrices_;
+  NodeConditions<dim> conditions_;
+  Instructions instructions_;
+  /** The last change of x. */
+  LevelVector<dim, float> d_;
+  /** Inverses of the diagonal blocks on what conditions leave. */
+  NodeBlocks<dim> B_;
+  double largest_eigenvalue_ = 1.;
+};
+
+/** The inverse of A on the displacements that conditions leave, on one level: a matrix if the level
+ * is small, else factors. */
+template <int dim>
+class CoarsestInverse
+{
+public:
+  /** @throws ComputationError if A is not positive definite, by rounding. */
+  CoarsestInverse(const BlockGrid<dim> &grid,
+                  const CellMatrices<dim, double> &matrices,
+                  const NodeConditions<dim> &conditions);
+
+  /** x = A^{-1} b, with the projections of both. */
+  void apply(LevelVector<dim, float> &x, LevelVector<dim, float> &b) const;
+
+private:
+  unsigned int n_nodes_;
+  const NodeConditions<dim> &conditions_;
+  /** Of small levels: the inverse, row by row. */
+  std::vector<double> inverse_;
+  dealii::TrilinosWrappers::SparseMatrix matrix_;
+  std::unique_ptr<const StiffnessInverse> factors_;
+};
+
+/** x += P x_H: functions that are linear along the edges of the coarse cells, at the nodes of the
+ * fine level. */
+template <int dim>
+void prolongate(LevelVector<dim, float> &x,
+                const LevelVector<dim, float> &x_H,
+                const BlockGrid<dim> &fine,
+                const BlockGrid<dim> &coarse);
+
+/** b_H = P^T (b - y). */
+template <int dim>
+void restrict_residual(LevelVector<dim, float> &b_H,
+                       const LevelVector<dim, float> &b,
+                       const LevelVector<dim, float> &y,
+                       const BlockGrid<dim> &fine,
+                       const BlockGrid<dim> &coarse);
+} // namespace Signorini

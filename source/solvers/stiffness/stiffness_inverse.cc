@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A^{-1} by the sparse direct solvers of Trilinos (Amesos), and the choice of a solver.
+
+#include <signorini/base/errors.h>
+#include <signorini/base/parallel.h>
+#include <signorini/solvers/stiffness/condensed_inverse.h>
+#include <signorini/solvers/stiffness/stiffness_inverse.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/trilinos_solver.h>
+
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_Import.h>
+#include <Epetra_Vector.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <dlfcn.h>
+#include <iostream>
+#include <set>
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+/** A number in [-1, 1) without a pattern that a kernel could be orthogonal to (a hash of i). */
+double irregular_number(const dealii::types::global_dof_index i)
+{
+  const unsigned long long hash = (static_cast<unsigned long long>(i) + 1) * 0x9E3779B97F4A7C15ULL;
+  return std::ldexp(static_cast<double>((hash ^ (hash >> 29U)) & 0xFFFFFFFFULL), -31) - 1.;
+}
+
+/** Keeps what libraries print on std::cerr while it lives: the user reads one sentence instead. */
+class CapturedErrors
+{
+public:
+  CapturedErrors()
+    : screen_(std::cerr.rdbuf(text_.rdbuf()))
+  {
+  }
+  ~CapturedErrors()
+  {
+    std::cerr.rdbuf(screen_);
+  }
+  CapturedErrors(const CapturedErrors &) = delete;
+  CapturedErrors &operator=(const CapturedErrors &) = delete;
+
+  std::string text() const
+  {
+    return text_.str();
+  }
+
+private:
+  std::ostringstream text_;
+  std::streambuf *screen_;
+};
+
+/**
+ * The cause of a failure from what Amesos prints about MUMPS: "INFOG(1) = -13", a negative number.
+ * The codes of section "Error diagnostics" of the users' guide of MUMPS that speak of memory.
+ */
+std::string cause_of_failure(const std::string &printed)
+{
+  static const std::set<int> out_of_memory = {
+    -5, -7, -8, -9, -11, -13, -14, -15, -17, -18, -19, -20, -23, -25};
+  const std::string key = "INFOG(1) = ";
+  const auto found = printed.find(key);
+  const int code = found == std::string::npos ? 0 : std::atoi(&printed[found + key.size()]);
+  if (out_of_memory.count(code) > 0)
+    return "out of memory (MUMPS, code " + std::to_string(code) + ")";
+  if (code == -10 || code == -6)
+    return "the matrix is singular (MUMPS, code " + std::to_string(code) + ")";
+  return code != 0 ? "MUMPS ended with the code " + std::to_string(code)
+                   : "the matrix is singular, or out of memory";
+}
+
+StiffnessInverse::Vector diagonal_of(const dealii::TrilinosWrappers::SparseMatrix &matrix)
+{
+  StiffnessInverse::Vector diagonal(matrix.locally_owned_range_indices(),
+                                    matrix.get_mpi_communicator());
+  for (const auto i : matrix.locally_owned_range_indices())
+    diagonal(i) = matrix.diag_element(i);
+  diagonal.compress(dealii::VectorOperation::insert);
+  return diagonal;
+}
+
+/** KLU (gathers the matrix on one rank) or MUMPS (distributed), through Amesos. */
+class AmesosInverse final : public MatrixInverse
+{
+public:
+  AmesosInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+                const double unit,
+                const char *const type,
+                const unsigned int n_threads)
+    : MatrixInverse(matrix, unit)
+    , n_threads_(n_threads)
+    , solver_(control_, dealii::TrilinosWrappers::SolverDirect::AdditionalData(false, type))
+  {
+    const LibraryThreads threads(n_threads_);
+    const CapturedErrors errors;
+    try
+    {
+      solver_.initialize(matrix);
+    }
+    catch (const dealii::ExceptionBase &)
+    {
+      throw ComputationError("The factorisation of the stiffness matrix by " + std::string(type) +
+                             " failed: " + cause_of_failure(errors.text()) + ".");
+    }
+    refuse_singular_matrix();
+  }
+
+private:
+  void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const override
+  {
+    const LibraryThreads threads(n_threads_);
+    const CapturedErrors errors;
+    try
+    {
+      for (std::size_t k = 0; k < x.size(); ++k)
+        solver_.solve(x[k], b[k]);
+    }
+    catch (const dealii::ExceptionBase &)
+    {
+      throw ComputationError("A linear solve failed: " + cause_of_failure(errors.text()) + ".");
+    }
+  }
+
+  unsigned int n_threads_;
+  mutable dealii::SolverControl control_;
+  mutable dealii::TrilinosWrappers::SolverDirect solver_;
+};
+} // namespace
+
+StiffnessInverse::StiffnessInverse(const Vector &diagonal,
+                                   const double unit,
+                                   const SolveAccuracy &accuracy)
+  : unit_(unit)
+  , accuracy_(accuracy)
+  , scaling_(diagonal)
+{
+  for (const auto i : diagonal.locally_owned_elements())
+    scaling_(i) = 1. / std::sqrt(diagonal(i));
+  scaling_.compress(dealii::VectorOperation::insert);
+}
+
+StiffnessInverse::Vector StiffnessInverse::make_vector() const
+{
+  return Vector(scaling_.locally_owned_elements(), communicator());
+}
+
+double StiffnessInverse::scaled_norm(const Vector &r) const
+{
+  Vector scaled(r);
+  scaled.scale(scaling_);
+  return scaled.l2_norm();
+}
+
+double StiffnessInverse::refine(Vector &x, const Vector &r) const
+{
+  std::vector<Vector> correction = {r};
+  apply(correction, {r});
+  x += correction[0];
+  const double size = x.l2_norm();
+  return size > 0. ? correction[0].l2_norm() / size : 0.;
+}
+
+MatrixInverse::MatrixInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+                             const double unit)
+  : StiffnessInverse(diagonal_of(matrix), unit, SolveAccuracy())
+  , matrix_(matrix)
+{
+}
+
+void MatrixInverse::residual(Vector &r, const Vector &x, const Vector &b, const bool accurate) const
+{
+  if (accurate)
+    accurate_residual(r, x, b);
+  else
+    matrix_.residual(r, x, b);
+}
+
+void MatrixInverse::accurate_residual(Vector &r, const Vector &x, const Vector &b) const
+{
+  const Epetra_CrsMatrix &A = matrix_.trilinos_matrix();
+  // x where the rows of this rank need it.
+  Epetra_Vector columns(A.ColMap());
+  if (A.Importer() != nullptr)
+    columns.Import(*x.trilinos_vector()(0), *A.Importer(), Insert);
+  else
+    columns.Update(1., *x.trilinos_vector()(0), 0.);
+  const double *const x_values = columns.Values();
+  const double *const right_hand_side = b.trilinos_vector()[0];
+  double *const result = r.trilinos_vector()[0];
+  for (int row = 0; row < A.NumMyRows(); ++row)
+  {
+    int n_entries = 0;
+    double *values = nullptr;
+    int *indices = nullptr;
+    A.ExtractMyRowView(row, n_entries, values, indices);
+    // Several sums: an addition need not wait for the one before.
+    std::array<long double, 4> sums = {{right_hand_side[row]}};
+    int i = 0;
+    for (; i + 4 <= n_entries; i += 4)
+      for (int k = 0; k < 4; ++k)
+        sums[k] -= static_cast<long double>(values[i + k]) * x_values[indices[i + k]];
+    for (; i < n_entries; ++i)
+      sums[0] -= static_cast<long double>(values[i]) * x_values[indices[i]];
+    result[row] = static_cast<double>((sums[0] + sums[1]) + (sums[2] + sums[3]));
+  }
+}
+
+StiffnessInverse::Check StiffnessInverse::improve(Vector &x, const Vector &b) const
+{
+  Vector r(b);
+  residual(r, x, b, false);
+  const double size = scaled_norm(b);
+  Check check;
+  check.residual = size > 0. ? scaled_norm(r) / size : 0.;
+  if (check.residual < accuracy_.refine_above)
+    return check;
+  residual(r, x, b, true);
+  check.rounding_error = refine(x, r);
+  if (!(check.rounding_error < accuracy_.refuse_above))
+  {
+    std::ostringstream message;
+    message
+      << "Rounding errors are too large in a linear solve: one step of refinement changes the "
+         "solution by the relative amount "
+      << check.rounding_error << ", allowed: " << accuracy_.refuse_above
+      << "; the stiffness matrix is singular or too ill-conditioned (Poisson's ratio near "
+         "1/2, moduli of very different size, a very slender body).";
+    throw ComputationError(message.str());
+  }
+  // The first step shows what rounding does, also that in the entries of the matrix. Further ones
+  // make answers to different right-hand sides agree with each other.
+  double change = check.rounding_error;
+  for (unsigned int step = 0; step < 2 && change > 1e-13; ++step)
+  {
+    residual(r, x, b, true);
+    change = refine(x, r);
+  }
+  residual(r, x, b, false);
+  check.residual = scaled_norm(r) / size;
+  return check;
+}
+
+void StiffnessInverse::solve(std::vector<Vector> &x, const std::vector<Vector> &b) const
+{
+  apply(x, b);
+  for (std::size_t k = 0; k < x.size(); ++k)
+  {
+    const Check check = improve(x[k], b[k]);
+    x[k] /= unit_;
+    ++n_solves_;
+    largest_residual_ = std::max(largest_residual_, check.residual);
+    rounding_error_ = std::max(rounding_error_, check.rounding_error);
+  }
+}
+
+void StiffnessInverse::solve(Vector &x, const Vector &b) const
+{
+  std::vector<Vector> several = {x};
+  solve(several, {b});
+  x = several[0];
+}
+
+void StiffnessInverse::refuse_singular_matrix() const
+{
+  Vector b = make_vector();
+  for (const auto i : b.locally_owned_elements())
+    b(i) = irregular_number(i);
+  b.compress(dealii::VectorOperation::insert);
+  std::vector<Vector> x = {b};
+  apply(x, {b});
+  improve(x[0], b);
+}
+
+LinearSolver resolve(const LinearSolver solver, const unsigned int n_ranks)
+{
+  if (solver != LinearSolver::automatic)
+    return solver;
+  return n_ranks == 1 ? LinearSolver::condensed : LinearSolver::amesos_mumps;
+}
+
+std::unique_ptr<StiffnessInverse>
+factorise(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+          const double unit,
+          const LinearSolver solver,
+          const std::vector<dealii::types::global_dof_index> &contact_unknowns)
+{
+  MPI_Comm communicator = matrix.get_mpi_communicator();
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  switch (resolve(solver == LinearSolver::multigrid ? LinearSolver::automatic : solver, n_ranks))
+  {
+  case LinearSolver::condensed:
+    AssertThrow(n_ranks == 1,
+                dealii::ExcMessage("The condensed factorisation works on one rank only."));
+    return std::make_unique<CondensedInverse>(matrix, unit, contact_unknowns);
+  case LinearSolver::amesos_klu:
+    return std::make_unique<AmesosInverse>(matrix, unit, "Amesos_Klu", 1);
+  default:
+    return std::make_unique<AmesosInverse>(
+      matrix, unit, "Amesos_Mumps", number_of_threads(communicator));
+  }
+}
+
+// OpenBLAS and OpenMP are found at run time: which BLAS a system uses is decided there.
+
+namespace
+{
+constexpr int unknown = -1;
+
+int get(const char *const function)
+{
+  void *const symbol = dlsym(RTLD_DEFAULT, function);
+  return symbol != nullptr ? reinterpret_cast<int (*)()>(symbol)() : unknown;
+}
+
+void set(const char *const function, const int value)
+{
+  if (void *const symbol = dlsym(RTLD_DEFAULT, function))
+    reinterpret_cast<void (*)(int)>(symbol)(value);
+}
+} // namespace
+
+LibraryThreads::LibraryThreads(const unsigned int n)
+  : blas_threads_before_(get("openblas_get_num_threads"))
+  , parallel_levels_before_(get("omp_get_max_active_levels"))
+{
+  static const int blas_threads_given = blas_threads_before_;
+  if (blas_threads_before_ != unknown)
+    set("openblas_set_num_threads", std::clamp(static_cast<int>(n), 1, blas_threads_given));
+  if (parallel_levels_before_ != unknown)
+    set("omp_set_max_active_levels", n > 1 ? 1 : 0);
+}
+
+LibraryThreads::~LibraryThreads()
+{
+  if (blas_threads_before_ != unknown)
+    set("openblas_set_num_threads", blas_threads_before_);
+  if (parallel_levels_before_ != unknown)
+    set("omp_set_max_active_levels", parallel_levels_before_);
+}
+} // namespace Signorini

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Quadrature on the pieces into which lines cut cells and faces, against closed forms.
+
+#include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/problem/geometry/geometry.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "random_numbers.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+using Point = dealii::Point<2>;
+using Cell = dealii::Triangulation<2>::active_cell_iterator;
+using Integrand = std::function<double(const Point &)>;
+
+std::vector<KinkLine<2>> lines(const std::vector<double> &at_x, const std::vector<double> &at_y)
+{
+  return lines_at<2>({{at_x, at_y}});
+}
+
+double integrate(const Cell &cell, const dealii::Quadrature<2> &rule, const Integrand &f)
+{
+  const dealii::FE_Q<2> fe(1);
+  dealii::FEValues<2> values(
+    fe, rule, dealii::update_quadrature_points | dealii::update_JxW_values);
+  values.reinit(typename dealii::Triangulation<2>::cell_iterator(cell));
+  double sum = 0.;
+  for (const unsigned int q : values.quadrature_point_indices())
+    sum += f(values.quadrature_point(q)) * values.JxW(q);
+  return sum;
+}
+
+double positive_power(const double t, const unsigned int k)
+{
+  return t > 0. ? std::pow(t, k) : 0.;
+}
+
+void test_rectangle(Checks &checks)
+{
+  dealii::Triangulation<2> mesh;
+  make_rectangle(Point(0., 0.), Point(1., 2.), {1, 1}).make_coarse_mesh(mesh);
+  const Cell cell = mesh.begin_active();
+  const Kinks<2> kinks(lines({0.3}, {}));
+  for (unsigned int k = 1; k <= 4; ++k)
+    for (unsigned int j = 0; j <= 2; ++j)
+      checks.near("rectangle: max(x-c,0)^" + std::to_string(k) + " y^" + std::to_string(j),
+                  integrate(cell,
+                            cut_quadrature<2>(kinks, cell, 3),
+                            [&](const Point &x) {
+                              return positive_power(x[0] - 0.3, k) * std::pow(x[1], j);
+                            }),
+                  std::pow(0.7, k + 1) / (k + 1) * std::pow(2., j + 1) / (j + 1),
+                  1e-14);
+
+  // |x-a| |x-b| |y-c| |y-d| with the lines in any order, twice and outside of the cell.
+  const Kinks<2> several(lines({0.6, 0.3, 0.6, -1., 7.}, {1.7, 0.5, 2., 0.}));
+  const auto signed_integral = [](const double a, const double b, const double end) {
+    const auto primitive = [&](const double x) {
+      return x * x * x / 3. - (a + b) * x * x / 2. + a * b * x;
+    };
+    return 2. * primitive(a) - 2. * primitive(b) + primitive(end);
+  };
+  checks.near("rectangle: crossing lines",
+              integrate(cell,
+                        cut_quadrature<2>(several, cell, 2),
+                        [](const Point &x) {
+                          return std::abs(x[0] - 0.3) * std::abs(x[0] - 0.6) *
+                                 std::abs(x[1] - 0.5) * std::abs(x[1] - 1.7);
+                        }),
+              signed_integral(0.3, 0.6, 1.) * signed_integral(0.5, 1.7, 2.),
+              1e-14);
+  checks.near("rectangle: nine pieces", cut_quadrature<2>(several, cell, 2).size(), 9 * 4, 0);
+  checks.near("rectangle: a missed cell keeps its rule",
+              cut_quadrature<2>(Kinks<2>(lines({2.}, {0.})), cell, 3).size(),
+              9,
+              0);
+}
+
+/** The corners (0,0), (3,0), (2,2), (0,1): area 4. */
+void test_quadrilateral(Checks &checks)
+{
+  dealii::Triangulation<2> mesh;
+  make_polygon({Point(0., 0.), Point(3., 0.), Point(2., 2.), Point(0., 1.)}).make_coarse_mesh(mesh);
+  const Cell cell = mesh.begin_active();
+  const dealii::QGauss<2> gauss(6);
+  const std::vector<std::pair<std::string, Kinks<2>>> rows = {
+    {"no line", Kinks<2>(lines({}, {}))},
+    {"one line", Kinks<2>(lines({1.}, {}))},
+    {"lines across", Kinks<2>(lines({}, {0.5, 1.5}))},
+    {"both ways", Kinks<2>(lines({0.4, 1., 2.5}, {0.3, 1.2, 1.7}))},
+    {"through corners", Kinks<2>(lines({2.}, {1.}))},
+    {"almost through corners", Kinks<2>(lines({2. - 1e-13, 3. - 1e-9}, {1. + 1e-12}))},
+    {"outside", Kinks<2>(lines({-1., 5.}, {3.}))}};
+  for (const auto &row : rows)
+  {
+    const dealii::Quadrature<2> rule = cut_quadrature<2>(row.second, cell, 4);
+    checks.near("quadrilateral, " + row.first + ": area",
+                integrate(cell, rule, [](const Point &) { return 1.; }),
+                4.,
+                1e-13);
+    double off = 0.;
+    for (unsigned int a = 0; a <= 4; ++a)
+      for (unsigned int b = 0; a + b <= 4; ++b)
+      {
+        const Integrand power = [&](const Point &x) {
+          return std::pow(x[0], a) * std::pow(x[1], b);
+        };
+        off = std::max(off,
+                       std::abs(integrate(cell, rule, power) / integrate(cell, gauss, power) - 1.));
+      }
+    checks.near("quadrilateral, " + row.first + ": polynomials", off, 0., 1e-12);
+    bool inside = true;
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      inside = inside && rule.weight(q) >= 0. &&
+               dealii::GeometryInfo<2>::is_inside_unit_cell(rule.point(q), 1e-12);
+    checks.that("quadrilateral, " + row.first + ": points inside, no negative weights", inside);
+  }
+  const Kinks<2> kinks(lines({1.}, {1.}));
+  const dealii::Quadrature<2> rule = cut_quadrature<2>(kinks, cell, 4);
+  for (unsigned int k = 1; k <= 4; ++k)
+  {
+    const double p = std::pow(2., k + 1);
+    checks.near("quadrilateral: max(x-1,0)^" + std::to_string(k),
+                integrate(cell, rule, [&](const Point &x) { return positive_power(x[0] - 1., k); }),
+                1.5 / (k + 1) + 0.5 / (k + 2) + 4. * (p - 1.) / (k + 1) -
+                  2. * (2. * p - 1.) / (k + 2),
+                1e-12);
+    checks.near("quadrilateral: max(y-1,0)^" + std::to_string(k),
+                integrate(cell, rule, [&](const Point &x) { return positive_power(x[1] - 1., k); }),
+                2.5 / (k + 1) - 2.5 / (k + 2),
+                1e-13);
+  }
+}
+
+/** A distorted mesh of the unit square: crossed cells by pieces, the others by the plain rule. */
+void test_mesh(Checks &checks)
+{
+  dealii::Triangulation<2> mesh;
+  make_rectangle(Point(0., 0.), Point(1., 1.), {7, 5}).make_coarse_mesh(mesh);
+  dealii::GridTools::distort_random(0.25, mesh, true);
+  const double xi = std::sqrt(0.5), eta = 0.4;
+  const Kinks<2> kinks(lines({xi}, {eta}));
+  const dealii::Quadrature<2> gauss = dealii::QGauss<2>(3);
+  double by_pieces = 0., plain = 0.;
+  unsigned int crossed = 0;
+  for (const Cell &cell : mesh.active_cell_iterators())
+  {
+    const Integrand f = [&](const Point &x) {
+      return positive_power(x[0] - xi, 1) * positive_power(eta - x[1], 2);
+    };
+    const bool cross = lines_cross<2>(kinks, cell);
+    crossed += cross ? 1 : 0;
+    plain += integrate(cell, gauss, f);
+    by_pieces += integrate(cell, cross ? cut_quadrature<2>(kinks, cell, 3) : gauss, f);
+  }
+  const double exact = (1. - xi) * (1. - xi) / 2. * eta * eta * eta / 3.;
+  checks.near("mesh: integral on the pieces", by_pieces / exact, 1., 1e-12);
+  checks.that("mesh: the plain rule is not exact", std::abs(plain / exact - 1.) > 1e-6);
+  checks.between("mesh: crossed cells", crossed, 7 + 5 - 1, 2 * (7 + 5));
+}
+
+void test_cross(Checks &checks)
+{
+  dealii::Triangulation<2> mesh;
+  make_rectangle(Point(0., 0.), Point(1., 1.), {2, 2}).make_coarse_mesh(mesh);
+  const Cell first = mesh.begin_active();
+  checks.that("line through the cell", lines_cross<2>(Kinks<2>(lines({0.25}, {})), first));
+  checks.that("line along an edge", !lines_cross<2>(Kinks<2>(lines({0.5, 0.}, {0.5})), first));
+  checks.that("line elsewhere", !lines_cross<2>(Kinks<2>(lines({0.75}, {-0.2})), first));
+  checks.that("line across y", lines_cross<2>(Kinks<2>(lines({0.75}, {0.1})), first));
+  checks.that("no line", !lines_cross<2>(Kinks<2>(lines({}, {})), first));
+}
+
+/** 1/r and r, integrated over [0,a] x [0,c] with r counted from the origin. */
+double integral_of_inverse(const double a, const double c)
+{
+  return a * std::asinh(c / a) + c * std::asinh(a / c);
+}
+double integral_of_distance(const double a, const double c)
+{
+  return a * c * std::hypot(a, c) / 3. +
+         (a * a * a * std::asinh(c / a) + c * c * c * std::asinh(a / c)) / 6.;
+}
+
+/** A line meets the contact side at (xi, 0): the rule gathers there. */
+void test_ends(Checks &checks)
+{
+  const double xi = 0.3;
+  const Geometry<2> geometry = make_rectangle(Point(0., 0.), Point(1., 1.), {4, 4});
+  dealii::Triangulation<2> mesh;
+  geometry.make_coarse_mesh(mesh);
+  const Kinks<2> without_contact(lines({xi}, {}));
+  Kinks<2> kinks(without_contact);
+  kinks.add_ends_on(geometry.sides[2]);
+  checks.that("ends: where the line meets the contact side",
+              without_contact.ends().empty() && kinks.ends().size() == 1 &&
+                kinks.ends()[0].distance(Point(xi, 0.)) < 1e-15);
+  double inverse = 0., distance = 0., area = 0., smallest = 1.;
+  for (const Cell &cell : mesh.active_cell_iterators())
+  {
+    const dealii::Quadrature<2> rule = cut_quadrature<2>(kinks, cell, 4);
+    const auto r = [&](const Point &x) { return std::hypot(x[0] - xi, x[1]); };
+    area += integrate(cell, rule, [](const Point &) { return 1.; });
+    distance += integrate(cell, rule, r);
+    inverse += integrate(cell, rule, [&](const Point &x) { return 1. / r(x); });
+    for (const double weight : rule.get_weights())
+      smallest = std::min(smallest, weight);
+  }
+  const double exact_inverse = integral_of_inverse(xi, 1.) + integral_of_inverse(1. - xi, 1.);
+  const double exact_distance = integral_of_distance(xi, 1.) + integral_of_distance(1. - xi, 1.);
+  checks.near("ends: area", area, 1., 1e-13);
+  checks.near("ends: 1/r", inverse / exact_inverse, 1., 1e-4);
+  checks.near("ends: r", distance / exact_distance, 1., 1e-8);
+  checks.that("ends: no negative weights", smallest >= 0.);
+  const Cell near = mesh.begin_active(), far = mesh.last();
+  checks.that("ends: cells beside a line are affected near contact only",
+              !lines_cross<2>(kinks, near) && needs_cuts<2>(kinks, near) &&
+                !needs_cuts<2>(kinks, far) && !needs_cuts<2>(without_contact, near));
+}
+
+/** The rules of all cells of a pentagon on the side from (0, 0) to (2, 0), where each line ends:
+ * they hold the area 2.25 and the integrals of polynomials, for lines anywhere, through vertices,
+ * almost so, and along edges. */
+void test_many_ends(Checks &checks)
+{
+  const Geometry<2> geometry =
+    make_polygon({Point(0., 0.), Point(2., 0.), Point(2., 1.), Point(0.5, 1.25), Point(0., 1.)});
+  dealii::Triangulation<2> mesh;
+  geometry.make_coarse_mesh(mesh);
+  mesh.refine_global(1);
+  std::vector<double> positions;
+  for (const Point &vertex : mesh.get_vertices())
+    for (const double off : {0., 1e-15, 1e-12, 1e-7, 1e-4})
+      positions.push_back(vertex[0] + off);
+  RandomNumbers random(1);
+  while (positions.size() < 200)
+    positions.push_back(1. + random());
+  const dealii::QGauss<2> gauss(6);
+  const Integrand polynomial = [](const Point &x) {
+    return std::pow(1. + x[0] - 2. * x[1], 4) + x[0] * x[1] * x[1];
+  };
+  double off = 0., smallest = 0.;
+  std::size_t most_points = 0;
+  for (const double position : positions)
+  {
+    Kinks<2> kinks(lines({position}, {0.3}));
+    kinks.add_ends_on(geometry.sides[0]);
+    double area = 0., integral = 0., exact = 0.;
+    for (const Cell &cell : mesh.active_cell_iterators())
+    {
+      const dealii::Quadrature<2> rule = cut_quadrature<2>(kinks, cell, 4);
+      area += integrate(cell, rule, [](const Point &) { return 1.; });
+      integral += integrate(cell, rule, polynomial);
+      exact += integrate(cell, gauss, polynomial);
+      most_points = std::max<std::size_t>(most_points, rule.size());
+      for (const double weight : rule.get_weights())
+        smallest = std::min(smallest, weight);
+    }
+    off = std::max({off, std::abs(area / 2.25 - 1.), std::abs(integral / exact - 1.)});
+  }
+  checks.near("many ends: area and polynomials", off, 0., 1e-12);
+  checks.that("many ends: no negative weights", smallest >= 0.);
+  checks.between("many ends: points in a cell", static_cast<double>(most_points), 16., 1e5);
+}
+
+double distance(const std::vector<double> &found, const std::vector<double> &expected)
+{
+  double largest = found.size() == expected.size() ? 0. : 1e3;
+  for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i)
+    largest = std::max(largest, std::abs(found[i] - expected[i]));
+  return largest;
+}
+
+void test_segments(Checks &checks)
+{
+  const Kinks<2> kinks(lines({0.5, 0.25}, {0.8}));
+  const auto cut = [&](const std::string &name,
+                       const Point &a,
+                       const Point &b,
+                       const std::vector<double> &expected) {
+    checks.near("cut " + name, distance(kinks.cut(a, b), expected), 0., 1e-15);
+  };
+  cut("along x", Point(0., 0.), Point(1., 0.), {0., 0.25, 0.5, 1.});
+  cut("against x", Point(1., 0.), Point(0., 0.), {0., 0.5, 0.75, 1.});
+  cut("along y", Point(0.5, 0.), Point(0.5, 2.), {0., 0.4, 1.});
+  cut("a diagonal", Point(0., 0.), Point(1., 1.), {0., 0.25, 0.5, 0.8, 1.});
+  cut("beside all lines", Point(0.6, 0.), Point(0.7, 0.), {0., 1.});
+  cut("that ends on lines", Point(0.25, 0.), Point(0.5, 0.), {0., 1.});
+  const dealii::Quadrature<1> split = split_quadrature(dealii::QGauss<1>(2), {0., 0.3, 0.8, 1.});
+  double sum = 0., weights = 0.;
+  for (unsigned int q = 0; q < split.size(); ++q)
+  {
+    sum += split.weight(q) * positive_power(split.point(q)[0] - 0.3, 3);
+    weights += split.weight(q);
+  }
+  checks.near("split rule: number of points", split.size(), 6, 0);
+  checks.near("split rule: length", weights, 1., 1e-15);
+  checks.near("split rule: max(t-c,0)^3", sum, std::pow(0.7, 4) / 4., 1e-15);
+}
+/** The same on sides, by arc length. */
+void test_sides(Checks &checks)
+{
+  const Kinks<2> kinks(lines({0.5, 0.25}, {0.8}));
+  const Side<2> bottom("bottom", Curve(Point(-1., 0.), Point(1., 0.), Point(0., -1.)));
+  checks.near("cut of a side", distance(kinks.cut(bottom, 0., 2.), {0., 1.25, 1.5, 2.}), 0., 1e-15);
+  checks.near("cut of a part", distance(kinks.cut(bottom, 1.3, 1.6), {1.3, 1.5, 1.6}), 0., 1e-15);
+  checks.near("ends are no cuts", distance(kinks.cut(bottom, 1.25, 1.5), {1.25, 1.5}), 0., 1e-15);
+  const Side<2> column("column", Curve(Point(0.6, 0.), Point(0.6, 2.), Point(1., 0.)));
+  checks.that("touch",
+              kinks.touch(bottom, 1.25, 1.3) && kinks.touch(column, 0., 0.8) &&
+                !kinks.touch(bottom, 0., 2.));
+
+  // On the circle of radius 2 about (1, 0) from the angle -pi the line y = 0.8 is met where
+  // sin(angle) = 0.4, x = 0.5 and x = 0.25 where cos(angle) = -0.25 and -0.375.
+  const double pi = dealii::numbers::PI;
+  const Side<2> circle("circle", Curve::arc(Point(1., 0.), 2., -pi, pi, Body::inside));
+  std::vector<double> expected = {0., 4. * pi};
+  for (const double angle : {std::asin(0.4),
+                             pi - std::asin(0.4),
+                             std::acos(-0.25),
+                             -std::acos(-0.25),
+                             std::acos(-0.375),
+                             -std::acos(-0.375)})
+    expected.push_back(2. * (angle + pi));
+  std::sort(expected.begin(), expected.end());
+  checks.near("cut of a circle", distance(kinks.cut(circle, 0., 4. * pi), expected), 0., 1e-14);
+  const double first = expected[1];
+  checks.that("touch a circle",
+              kinks.touch(circle, first, first + 0.1) && kinks.touch(circle, 0., first) &&
+                !kinks.touch(circle, 0., 4. * pi));
+  checks.near("cut beyond the seam",
+              distance(kinks.cut(circle, 4. * pi, 4. * pi + first + 0.1),
+                       {4. * pi, 4. * pi + first, 4. * pi + first + 0.1}),
+              0.,
+              1e-14);
+
+  // |y - 2 x| on the unit square.
+  dealii::Triangulation<2> mesh;
+  make_rectangle(Point(0., 0.), Point(1., 1.), {1, 1}).make_coarse_mesh(mesh);
+  const double length = std::sqrt(5.);
+  const Kinks<2> slope({{dealii::Tensor<1, 2>({-2. / length, 1. / length}), 0.}});
+  // Over x < 1/2 it is 1/6, over x > 1/2 it is 1/2.
+  checks.near("an oblique line",
+              integrate(mesh.begin_active(),
+                        cut_quadrature<2>(slope, mesh.begin_active(), 3),
+                        [](const Point &x) { return std::abs(x[1] - 2. * x[0]); }),
+              2. / 3.,
+              1e-14);
+}
+} // namespace
+
+int main()
+{
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  test_rectangle(checks);
+  test_quadrilateral(checks);
+  test_mesh(checks);
+  test_cross(checks);
+  test_ends(checks);
+  test_many_ends(checks);
+  test_segments(checks);
+  test_sides(checks);
+  return checks.exit_code();
+}

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Meshes by nested refinement: counts, lengths, distortion, boundary ids.
+
+#include <signorini/base/errors.h>
+#include <signorini/discretization/mesh/mesh.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <cmath>
+
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+using Point = dealii::Point<2>;
+
+Geometry<2> distorted(Geometry<2> geometry, const double distortion)
+{
+  geometry.distortion = distortion;
+  return geometry;
+}
+
+Geometry<2> regular_polygon(const unsigned int n)
+{
+  std::vector<Point> corners;
+  for (unsigned int i = 0; i < n; ++i)
+    corners.emplace_back(std::cos(2. * M_PI * i / n), std::sin(2. * M_PI * i / n));
+  return make_polygon(corners);
+}
+
+double area(const Mesh<2> &mesh)
+{
+  double sum = 0.;
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    sum += cell->measure();
+  return sum;
+}
+
+/** The smallest cross product of two edges at a corner over the measure of its cell. */
+double worst_corner(const Mesh<2> &mesh)
+{
+  double worst = 1.;
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    for (const unsigned int v : {0, 1, 2, 3})
+    {
+      const unsigned int order[] = {0, 1, 3, 2};
+      const auto corner = [&](const unsigned int i) { return cell->vertex(order[i % 4]); };
+      const dealii::Tensor<1, 2> in = corner(v + 1) - corner(v),
+                                 out = corner(v + 2) - corner(v + 1);
+      worst = std::min(worst, (in[0] * out[1] - in[1] * out[0]) / cell->measure());
+    }
+  return worst;
+}
+
+/** Whether the children's new vertices are the middles of edges and the mean of corners. */
+bool is_nested(const dealii::Triangulation<2> &mesh, const unsigned int parent_level)
+{
+  for (const auto &parent : mesh.cell_iterators_on_level(parent_level))
+  {
+    const auto middle = [&](const unsigned int a, const unsigned int b) {
+      return parent->vertex(a) + 0.5 * (parent->vertex(b) - parent->vertex(a));
+    };
+    const Point centre = middle(0, 3) + 0.5 * (middle(1, 2) - middle(0, 3));
+    const std::vector<Point> expected = {parent->vertex(0),
+                                         middle(0, 1),
+                                         parent->vertex(1),
+                                         middle(0, 2),
+                                         centre,
+                                         middle(1, 3),
+                                         parent->vertex(2),
+                                         middle(2, 3),
+                                         parent->vertex(3)};
+    for (unsigned int c = 0; c < 4; ++c)
+      for (unsigned int v = 0; v < 4; ++v)
+      {
+        const unsigned int at = (c / 2 + v / 2) * 3 + c % 2 + v % 2;
+        if (parent->child(c)->vertex(v).distance(expected[at]) > 1e-14)
+          return false;
+      }
+  }
+  return true;
+}
+
+void test_counts(Checks &checks)
+{
+  const Mesh<2> rectangle(
+    make_rectangle(Point(-1., 0.), Point(2., 1.), {2, 1}), 1, 3, MPI_COMM_WORLD);
+  checks.near("rectangle: cells", rectangle.triangulation().n_global_active_cells(), 128, 0);
+  checks.near("rectangle: h is the longer edge", rectangle.longest_edge(), 1.5 / 8., 1e-15);
+  checks.near("rectangle: level", rectangle.level(), 3, 0);
+  checks.near("rectangle: area", area(rectangle), 3., 1e-13);
+  checks.that("rectangle: parents", rectangle.has_parents());
+  checks.that("rectangle: nested",
+              is_nested(rectangle.triangulation(), 2) && is_nested(rectangle.triangulation(), 0));
+  const Mesh<2> coarse(make_rectangle(Point(0., 0.), Point(1., 1.), {3, 2}), 0, 0, MPI_COMM_WORLD);
+  checks.near("level 0: cells", coarse.triangulation().n_global_active_cells(), 6, 0);
+  checks.that("level 0 has no parents", !coarse.has_parents());
+
+  const Mesh<2> quadrilateral(
+    make_polygon({Point(0., 0.), Point(3., 0.), Point(2., 2.), Point(0., 1.)}),
+    0,
+    2,
+    MPI_COMM_WORLD);
+  checks.near(
+    "quadrilateral: one coarse cell", quadrilateral.triangulation().n_global_active_cells(), 16, 0);
+  checks.near("quadrilateral: area", area(quadrilateral), 4., 1e-13);
+  checks.near("quadrilateral: h", quadrilateral.longest_edge(), 0.75, 1e-15);
+  for (const unsigned int n : {3, 5, 8})
+  {
+    const std::string name = "regular polygon with " + std::to_string(n) + " corners";
+    const Mesh<2> fan(regular_polygon(n), 0, 2, MPI_COMM_WORLD);
+    checks.near(name + ": cells", fan.triangulation().n_global_active_cells(), 16 * n, 0);
+    checks.near(name + ": area", area(fan), 0.5 * n * std::sin(2. * M_PI / n), 1e-13);
+    checks.that(name + ": convex cells", worst_corner(fan) > 0.);
+  }
+}
+
+/** Every boundary face lies on the side whose number it carries; every side is covered. */
+void test_boundary(Checks &checks, const std::string &name, const Geometry<2> &geometry)
+{
+  const Mesh<2> mesh(geometry, 0, 2, MPI_COMM_WORLD);
+  std::vector<double> covered(geometry.sides.size(), 0.);
+  double off = 0.;
+  for (const auto &face : mesh.triangulation().active_face_iterators())
+  {
+    if (!face->at_boundary())
+      continue;
+    const Side<2> &side = geometry.sides.at(face->boundary_id());
+    covered[face->boundary_id()] += face->measure();
+    for (const unsigned int v : {0, 1})
+      off = std::max(off, std::abs((face->vertex(v) - side.start()) * side.normal(0.)));
+  }
+  checks.near(name + ": faces lie on their sides", off, 0., 1e-14);
+  double difference = 0.;
+  for (unsigned int i = 0; i < covered.size(); ++i)
+    difference = std::max(difference, std::abs(covered[i] - geometry.sides[i].length()));
+  checks.near(name + ": faces cover their sides", difference, 0., 1e-13);
+}
+
+void test_distortion(Checks &checks)
+{
+  const Geometry<2> square = make_rectangle(Point(0., 0.), Point(1., 1.), {1, 1});
+  const double share = 0.2;
+  const Mesh<2> plain(square, 2, 2, MPI_COMM_WORLD);
+  const Mesh<2> once(distorted(square, share), 2, 2, MPI_COMM_WORLD);
+  const Mesh<2> again(distorted(square, share), 2, 2, MPI_COMM_WORLD);
+  const auto &reference = plain.triangulation().get_vertices();
+  const auto &moved = once.triangulation().get_vertices();
+  double on_boundary = 0., shortest = 1., longest = 0., repeated = 0.;
+  for (std::size_t v = 0; v < reference.size(); ++v)
+  {
+    const Point &x = reference[v];
+    const double distance = x.distance(moved[v]);
+    repeated = std::max(repeated, moved[v].distance(again.triangulation().get_vertices()[v]));
+    const bool boundary = std::min({x[0], 1. - x[0], x[1], 1. - x[1]}) < 1e-12;
+    if (boundary)
+      on_boundary = std::max(on_boundary, distance);
+    else
+    {
+      shortest = std::min(shortest, distance);
+      longest = std::max(longest, distance);
+    }
+  }
+  checks.near("distortion keeps the boundary", on_boundary, 0., 0.);
+  checks.near(
+    "distortion moves interior vertices by its share of h", shortest, 0.25 * share, 1e-14);
+  checks.near("and by no more", longest, 0.25 * share, 1e-14);
+  checks.near("distortion is the same every time", repeated, 0., 0.);
+  double checksum = 0.;
+  for (std::size_t v = 0; v < moved.size(); ++v)
+    checksum += std::sin(1. + v) * (moved[v][0] + 2. * moved[v][1]);
+  const auto over_ranks = dealii::Utilities::MPI::min_max_avg(checksum, MPI_COMM_WORLD);
+  checks.near("distortion is the same on every rank", over_ranks.max - over_ranks.min, 0., 0.);
+  checks.near("distortion keeps the area", area(once), 1., 1e-14);
+  checks.that("the distorted level has no parents", !once.has_parents());
+
+  const Mesh<2> fine(distorted(square, share), 2, 4, MPI_COMM_WORLD);
+  checks.that("finer levels have parents", fine.has_parents());
+  checks.that("finer levels are nested in the distorted one",
+              is_nested(fine.triangulation(), 2) && is_nested(fine.triangulation(), 3));
+  checks.that("the distorted one is not nested", !is_nested(fine.triangulation(), 1));
+  const auto &finer = fine.triangulation().get_vertices();
+  double largest = 0.;
+  for (std::size_t v = 0; v < moved.size(); ++v)
+    largest = std::max(largest, moved[v].distance(finer[v]));
+  checks.near("finer levels keep the coarse vertices", largest, 0., 0.);
+  const Mesh<2> strong(distorted(square, 0.3), 5, 5, MPI_COMM_WORLD);
+  checks.that("strongly distorted cells stay convex", worst_corner(strong) > 0.);
+  checks.throws<InputError>("cells that are not convex are refused",
+                            "the distortion of the mesh: found 0.45, with which the cell at (",
+                            [&] { Mesh<2>(distorted(square, 0.45), 5, 5, MPI_COMM_WORLD); });
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+  test_counts(checks);
+  test_boundary(checks, "rectangle", make_rectangle(Point(-1., 0.), Point(2., 1.), {2, 3}));
+  test_boundary(checks,
+                "quadrilateral",
+                make_polygon({Point(0., 0.), Point(3., 0.), Point(2., 2.), Point(0., 1.)}));
+  test_boundary(checks, "triangle", make_polygon({Point(0., 0.), Point(4., 0.), Point(4., 3.)}));
+  test_boundary(checks, "hexagon", regular_polygon(6));
+  test_distortion(checks);
+  return checks.exit_code();
+}

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Integrals over patches against closed forms: lengths, gaps with kinks, square roots.
+
+#include <signorini/base/errors.h>
+
+#include <cmath>
+
+#include "one_level.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+std::string square(const std::string &gap, const std::string &discretization)
+{
+  return "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
+         entry("Contact", "Gap", gap) + "subsection Discretization\n" + discretization + "end\n";
+}
+
+/** Compares G with F(end) - F(start) of an antiderivative along the bottom of the unit square. */
+void check_gap(Checks &checks,
+               const std::string &name,
+               const OneLevel &level,
+               const std::function<double(double)> &antiderivative,
+               const double tolerance = 1e-15)
+{
+  double largest = 0.;
+  for (unsigned int tau = 0; tau < level.multipliers().n_multipliers(); ++tau)
+  {
+    const Patch<2> &patch = level.discretization.surface.patches()[tau];
+    largest = std::max(largest,
+                       std::abs(level.discretization.G[tau] - antiderivative(patch.upper[0]) +
+                                antiderivative(patch.lower[0])));
+  }
+  checks.near(name, largest, 0., tolerance);
+}
+
+/** g = |x - c|^s, as u_n at an end of contact: 3/2 where the foundation is smooth. */
+void fractional_powers(Checks &checks)
+{
+  for (const char *c : {"0.3", "0.5", "0.7071067811865476"})
+    for (const double s : {0.5, 1.25, 1.5})
+      for (const unsigned int number : {3U, 6U})
+      {
+        const double kink = std::stod(c);
+        const std::string exponent = std::to_string(s);
+        check_gap(
+          checks,
+          "gap |x - c|^" + exponent + ", c = " + c + ", level " + std::to_string(number),
+          OneLevel(square("abs(x - " + std::string(c) + ")^" + exponent,
+                          "set Kinks at x = " + std::string(c) + "\n"),
+                   number),
+          [&](const double x) {
+            return std::copysign(std::pow(std::abs(x - kink), s + 1.), x - kink) / (s + 1.);
+          },
+          1e-10 * std::pow(0.5, (s + 1.) * number));
+      }
+}
+
+void gaps(Checks &checks)
+{
+  const auto positive = [](const double t) { return std::max(t, 0.); };
+  for (const std::string partition : {"", "set Patches = 5\n", "set Patch ratio = 3\n"})
+  {
+    const std::string with =
+      partition.empty() ? "" : ", " + partition.substr(4, partition.size() - 5);
+    check_gap(checks,
+              "constant gap" + with,
+              OneLevel(square("0.3", partition), 3),
+              [](const double x) { return 0.3 * x; });
+    check_gap(checks,
+              "linear gap" + with,
+              OneLevel(square("0.1 - x", partition), 3),
+              [](const double x) { return 0.1 * x - 0.5 * x * x; });
+    check_gap(checks,
+              "gap of degree five" + with,
+              OneLevel(square("x^5", partition), 3),
+              [](const double x) { return std::pow(x, 6) / 6.; });
+    check_gap(
+      checks,
+      "gap with two kinks" + with,
+      OneLevel(
+        square("max(x - 0.3, 0) + abs(x - 0.55)", "set Kinks at x = 0.3, 0.55\n" + partition), 3),
+      [&](const double x) {
+        const double d = x - 0.55;
+        return 0.5 * std::pow(positive(x - 0.3), 2) + 0.5 * d * std::abs(d);
+      });
+  }
+  checks.throws<InputError>("gap without a value", "Contact/Gap: found the value", [] {
+    OneLevel(square("sqrt(x - 0.02)", ""), 4);
+  });
+  checks.throws<InputError>(
+    "gap of the catalogue without a value", "the gap has the value nan at (", [] {
+      OneLevel level(square("0", ""), 2);
+      for (auto &condition : level.scene.boundary)
+        condition.data = std::make_shared<dealii::Functions::ConstantFunction<2>>(std::nan(""), 1);
+      assemble_gap(level.multipliers(), 3);
+    });
+}
+
+/** Weights sum to the pieces' lengths, points lie on the side at their arc length. */
+void rules(Checks &checks)
+{
+  const OneLevel level(
+    "subsection Geometry\nset Shape = polygon\n"
+    "set Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\nend\n"
+    "subsection Boundary\nset Clamped = side0\nset Contact = side1 side2 side3\nend\n"
+    "subsection Discretization\nset Patches = 5\nset Kinks at x = 0.7, 2.2\n"
+    "set Kinks at y = 1.7\nend\n",
+    2);
+  const auto &space = level.multipliers();
+  for (const Grading grading : {Grading::none, Grading::towards_kinks})
+  {
+    dealii::Vector<double> sums(space.n_multipliers());
+    double off_side = 0., off_arc = 0.;
+    for (const Piece<2> &piece : space.surface().pieces())
+    {
+      const Side<2> &side = space.surface().side(space.surface().patches()[piece.patch]);
+      const auto rule = space.surface().rule(piece, 3, grading);
+      for (std::size_t q = 0; q < rule.points.size(); ++q)
+      {
+        sums[piece.patch] += rule.weights[q];
+        off_side = std::max(off_side, std::abs((rule.points[q] - side.start()) * side.normal(0.)));
+        off_arc = std::max(off_arc, std::abs(side.arc_length(rule.points[q]) - rule.on_side[q][0]));
+      }
+    }
+    const std::string name = grading == Grading::none ? "plain rule" : "graded rule";
+    checks.near(name + ": weights sum to |tau|", distance(sums, space.integrals()), 0., 1e-14);
+    checks.near(name + ": points on the side", off_side + off_arc, 0., 1e-14);
+  }
+  // side1 and side3 have the lengths sqrt(2.5) and sqrt(4.5).
+  checks.near("|tau| on side1", space.integrals()[0], std::sqrt(2.5) / 5., 1e-15);
+  checks.near("|tau| on side3", space.integrals()[14], std::sqrt(4.5) / 5., 1e-15);
+}
+
+/** int sqrt((c - x)_+) = 2/3 c^{3/2}, the behaviour of the pressure at the end of contact. */
+void square_roots(Checks &checks)
+{
+  for (const char *c : {"0.3", "0.5", "0.7071067811865476"})
+  {
+    const OneLevel level(square("0", "set Kinks at x = " + std::string(c) + "\n"), 3);
+    const double kink = std::stod(c);
+    for (const unsigned int n_points : {4U, 8U})
+    {
+      double integral = 0.;
+      for (const Piece<2> &piece : level.discretization.surface.pieces())
+      {
+        const auto rule =
+          level.discretization.surface.rule(piece, n_points, Grading::towards_kinks);
+        for (std::size_t q = 0; q < rule.points.size(); ++q)
+          integral += std::sqrt(std::max(kink - rule.points[q][0], 0.)) * rule.weights[q];
+      }
+      checks.near("square root up to " + std::string(c) + ", points " + std::to_string(n_points),
+                  integral,
+                  2. / 3. * std::pow(kink, 1.5),
+                  1e-8);
+    }
+  }
+}
+
+/** The basis: its values, integrals and bounds, and the projection of a linear function. */
+void basis(Checks &checks)
+{
+  const OneLevel level(square("0", "set Patches = 5\n"), 3);
+  const auto &space = level.multipliers();
+  const auto P = RandomNumbers(3).vector(space.n_multipliers());
+  checks.that("as many multipliers as patches",
+              space.n_multipliers() == 5 && space.first_of(3) == 3);
+  double off = 0., integral = 0., exact = 0.;
+  const dealii::Vector<double> integrals = space.integrals();
+  for (unsigned int k = 0; k < space.n_multipliers(); ++k)
+  {
+    const unsigned int patch = space.patch_of(k);
+    for (const double r : {0.1, 0.8})
+    {
+      const dealii::Point<1> s((patch + r) / 5.);
+      off = std::max(
+        {off, std::abs(space.shape_value(k, s) - 1.), std::abs(space.value(P, patch, s) - P[k])});
+    }
+    off = std::max(off, std::abs(integrals[k] - 0.2));
+    integral += P[k] * integrals[k];
+    exact += P[k] / 5.;
+  }
+  checks.near("values and integrals of the basis", off, 0., 1e-15);
+  checks.near("int p_H = sum P_k int psi_k", integral, exact, 1e-15);
+  checks.near("no tension", space.upper_bounds().linfty_norm(), 0., 0.);
+  for (const Grading grading : {Grading::none, Grading::towards_kinks})
+  {
+    const auto moments = integrate_against_multipliers(
+      space, 3, grading, [](const Piece<2> &, const SurfaceRule<2> &rule) {
+        std::vector<double> values;
+        for (const auto &x : rule.points)
+          values.push_back(3. * x[0] - 1.);
+        return values;
+      });
+    const auto projection = space.project(moments);
+    double largest = 0.;
+    for (unsigned int k = 0; k < space.n_multipliers(); ++k)
+    {
+      const double mean = 3. * (k + 0.5) / 5. - 1.;
+      largest =
+        std::max({largest, std::abs(moments[k] - 0.2 * mean), std::abs(projection[k] - mean)});
+    }
+    checks.near("moments and projection of a linear function", largest, 0., 1e-14);
+  }
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  gaps(checks);
+  fractional_powers(checks);
+  rules(checks);
+  square_roots(checks);
+  basis(checks);
+  return checks.exit_code();
+}

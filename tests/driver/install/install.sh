@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Installs the program and uses what was installed.
+# usage: install.sh CMAKE BUILD_FOLDER VERSION
+
+cmake=$1
+build=$(realpath "$2")
+version=$3
+project=$(dirname "$(realpath "$0")")/project
+. "$(dirname "$0")/../../driver/command_line/checks.sh"
+
+"$cmake" --install "$build" --prefix "$directory/there" >stdout 2>stderr
+check "installs" [ $? -eq 0 ]
+there/bin/signorini --version >stdout 2>stderr
+check "the program starts" [ $? -eq 0 ]
+check "  and knows its version" grep -qx "signorini $version" stdout
+check "  of the citation" grep -qx "version: $version" there/share/doc/signorini/CITATION.cff
+check "  and of the newest changes" [ "$(grep -m 1 '^## ' there/share/doc/signorini/CHANGELOG.md)" = "## $version" ]
+check "the program is stripped" [ "$(readelf -S there/bin/signorini | grep -c symtab)" -eq 0 ]
+there/bin/signorini there/share/signorini/prm/patch_test.prm --output results >stdout 2>stderr
+check "a scene runs" [ $? -eq 0 ]
+check "documents" [ -s there/share/doc/signorini/README.md ]
+check "  with their pictures" [ -s there/share/doc/signorini/doc/pictures/block_deformed.png ]
+
+"$cmake" -S "$project" -B outside -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE=-O0 \
+  -D CMAKE_PREFIX_PATH="$directory/there" >stdout 2>stderr
+check "another project finds the library" [ $? -eq 0 ]
+"$cmake" --build outside >stdout 2>&1
+check "  and is built" [ $? -eq 0 ] || tail -n 20 stdout
+outside/outside there/share/signorini/prm/patch_test.prm >stdout 2>stderr
+check "  and solves a scene" [ $? -eq 0 ]
+# The pressure is 0.375 on sides of length 1 (scene D1).
+check "  with the force that is known" grep -qx 'force 0.375' stdout
+echo "$failures failures"
+[ "$failures" -eq 0 ]

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# The paper as one program and the library compute the same numbers, by different code.
+# usage: luo_liang.sh LUO_LIANG SOURCE PROGRAM SCENE
+
+luo_liang=$(realpath "$1")
+source=$(realpath "$2")
+program=$(realpath "$3")
+scene=$(realpath "$4")
+. "$(dirname "$0")/../../driver/command_line/checks.sh"
+
+# errors_of: the rows of the table of errors in the text on standard input, which may be a comment.
+errors_of() { sed 's,^// *,,' | awk '$1 == "level" && $2 == "u_h1" { inside = 1; next } inside && !/^ *[0-9]/ { exit } inside { $1 = $1; print }'; }
+
+"$luo_liang" >stdout 2>stderr
+check "runs without parameters" [ $? -eq 0 ]
+check "  and leaves no files" [ "$(ls)" = "$(printf 'stderr\nstdout')" ]
+check "  five levels of errors" [ "$(errors_of <stdout | wc -l)" -eq 5 ]
+check "  which are those of its last comment" diff <(errors_of <"$source") <(errors_of <stdout)
+
+printf 'set Finest level = 5\nset Digits = 15\nset Write VTU = true\n' >digits.prm
+"$luo_liang" digits.prm >table 2>stderr
+check "runs with parameters" [ $? -eq 0 ]
+check "  and writes four levels" [ "$(ls solution-0[2-5].vtu | wc -l)" -eq 4 ]
+"$program" "$scene" --set 'Discretization/Coarsest level=2' --set 'Discretization/Finest level=5' --output run >stdout 2>stderr
+check "the same scene by the library" [ $? -eq 0 ]
+
+# Every column of both, but the residual, which is rounding. The table of errors has an order behind each number.
+compare() {
+  awk '
+    FNR == NR { n = split($0, field, ","); if (FNR == 1) split($0, name, ",")
+                for (i = 1; i <= n && FNR > 1; ++i) value[field[1], name[i]] = field[i]; next }
+    $1 == "level" { columns = split($0, column, " "); step = column[2] == "u_h1" ? 2 : 1; next }
+    $1 ~ /^[0-9]+$/ && columns > 0 {
+      for (i = 2; i <= columns; ++i) {
+        if (column[i] == "kkt") continue
+        here = $(2 + step * (i - 2)); there = value[$1, column[i]]; ++compared
+        if (there == "" || (here - there)^2 > 1e-20 * there^2) { print "level", $1, column[i] ":", here, there; ++different }
+      } }
+    END { print compared, "compared"; exit different > 0 || compared != 60 }' "$@"
+}
+check "15 columns on four levels agree to 1e-10" compare run/convergence.csv table
+
+printf 'set Patch ratio = 3\n' >wrong.prm
+"$luo_liang" wrong.prm >stdout 2>stderr
+check "refuses patches of 4/3 edges" [ $? -eq 1 ]
+check "  and says why" grep -q 'the Patch ratio must divide' stderr
+echo "$failures failures"
+[ "$failures" -eq 0 ]

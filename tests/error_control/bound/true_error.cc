@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The bounds are not below the energy errors of u_h and pi^{2h} u_h in scenes with a known
+// solution, and not much above them. The error is integrated from the exact gradient, with nothing
+// of what the bound is computed from.
+
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/postprocessing/fields/patch_interpolation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <memory>
+
+#include "stress/stress.h"
+
+using namespace Signorini;
+
+namespace
+{
+/** |||u - u_h||| and, where cells have parents, |||u - pi^{2h} u_h|||. */
+struct Errors
+{
+  double of_u_h = 0., of_patches = 0.;
+};
+
+/** With six Gauss points per direction on cells that are cut at kinks. */
+Errors energy_errors(const OneLevel &level, const NodalVector &U)
+{
+  const DisplacementSpace<2> &space = level.space();
+  const Scene<2> &scene = level.scene;
+  CellValues<2> cell_values(space.mesh().mapping(),
+                            space,
+                            scene.kinks,
+                            6,
+                            dealii::update_gradients | dealii::update_quadrature_points |
+                              dealii::update_JxW_values | dealii::update_inverse_jacobians);
+  std::vector<std::unique_ptr<PatchInterpolation<2>>> fields;
+  for (unsigned int generations = 0; generations < (space.mesh().has_parents() ? 2 : 1);
+       ++generations)
+    fields.push_back(
+      std::make_unique<PatchInterpolation<2>>(space, dealii::QGauss<2>(6), generations));
+  std::vector<std::vector<dealii::Tensor<1, 2>>> exact;
+  std::array<double, 2> squares{};
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    const dealii::FEValues<2> &values = cell_values.reinit(cell);
+    exact.assign(values.n_quadrature_points, std::vector<dealii::Tensor<1, 2>>(2));
+    scene.exact_displacement->vector_gradient_list(values.get_quadrature_points(), exact);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+    {
+      const FieldValues<2> &found = fields[i]->evaluate(U, cell, values);
+      for (const unsigned int q : values.quadrature_point_indices())
+      {
+        dealii::Tensor<2, 2> gradient;
+        gradient[0] = exact[q][0];
+        gradient[1] = exact[q][1];
+        const dealii::SymmetricTensor<2, 2> e = symmetrize(gradient - found.gradients[q]);
+        squares[i] += (scene.material->hooke(values.quadrature_point(q)) * e) * e * values.JxW(q);
+      }
+    }
+  }
+  return {std::sqrt(squares[0]), std::sqrt(squares[1])};
+}
+
+/** Levels of a scene, and the largest ratios of bound and error that are allowed on levels 4 and 5,
+ * for u_h and for pi^{2h} u_h; zero: any. Level 5 takes three quarters of the time: without such a
+ * ratio, and without curved sides, level 4 is the last one. */
+struct Case
+{
+  std::string name;
+  std::string text;
+  unsigned int coarsest;
+  double effectivity, of_patches;
+  unsigned int finest = effectivity > 0. ? 5 : 4;
+};
+
+/** A table in Markdown, in a file of the working directory. */
+class Effectivities
+{
+public:
+  explicit Effectivities(const std::string &name)
+    : file_(name)
+  {
+    file_ << "| scene | level 1 | 2 | 3 | 4 | 5 |\n|---|---|---|---|---|---|\n";
+  }
+  void start(const Case &given)
+  {
+    file_ << "| " << given.name << " | ";
+    for (unsigned int number = 1; number < given.coarsest; ++number)
+      file_ << "| ";
+  }
+  void add(const double effectivity)
+  {
+    file_ << std::setprecision(3) << effectivity << " | ";
+  }
+  void end_row()
+  {
+    file_ << std::endl;
+  }
+
+private:
+  std::ofstream file_;
+};
+
+/** Tables of bound / error. */
+struct Tables
+{
+  Effectivities of_u_h{"effectivities.md"}, of_patches{"effectivities_of_patches.md"};
+};
+
+void check(Checks &checks, Tables &tables, const Case &given)
+{
+  const std::string text = given.text + entry("Discretization", "Target error", "1e-9") +
+                           entry("Output", "Inf-sup constant", "false");
+  tables.of_u_h.start(given);
+  tables.of_patches.start(given);
+  double lower = -1e300, upper = 1e300, coarser_geometry = 0.;
+  for (unsigned int number = given.coarsest; number <= given.finest; ++number)
+  {
+    const OneLevel level(text, number);
+    const LevelSolution<2> solution = level.solve();
+    const std::string name = given.name + ", level " + std::to_string(number);
+    const auto &bound = solution.record.bound;
+    const Mesh<2> &mesh = level.space().mesh();
+    const bool curved = mesh.is_curved();
+    if (!bound || !bound->absolute || bound->guaranteed == curved ||
+        bound->energy_lower.has_value() == curved || bound->energy_upper.has_value() == curved ||
+        bound->post_absolute.has_value() != (!curved && mesh.has_parents()))
+    {
+      checks.that(name + " has all bounds, guaranteed unless sides are curved", false);
+      continue;
+    }
+    const Errors errors = energy_errors(level, solution.U);
+    const auto compare = [&](const std::string &field, const double ratio, const double largest) {
+      // 1e-6: the quadrature of singular solutions.
+      checks.between(name + field, ratio, 1. - 1e-6, number >= 4 && largest > 0. ? largest : 1e10);
+    };
+    compare(", bound / error", *bound->absolute / errors.of_u_h, given.effectivity);
+    tables.of_u_h.add(*bound->absolute / errors.of_u_h);
+    if (bound->post_absolute)
+    {
+      compare(", patches", *bound->post_absolute / errors.of_patches, given.of_patches);
+      tables.of_patches.add(*bound->post_absolute / errors.of_patches);
+    }
+    // Zero on straight sides.
+    if (coarser_geometry > 0.)
+      checks.between(name + ", order of the geometric part",
+                     std::log2(coarser_geometry / *bound->geometry),
+                     1.3,
+                     4.);
+    coarser_geometry = *bound->geometry;
+    lower = std::max(lower, bound->energy_lower.value_or(lower));
+    upper = std::min(upper, bound->energy_upper.value_or(upper));
+  }
+  // J(u) is in all of the brackets; there are none on curved sides.
+  if (coarser_geometry == 0.)
+    checks.that(given.name + ", energies", lower <= upper + 1e-14 * std::abs(upper));
+  tables.of_u_h.end_row();
+  tables.of_patches.end_row();
+}
+
+/** Scene A1, see prm/described_a1.prm, on a mesh of general quadrilaterals. */
+std::string distorted_a1(const std::string &distortion)
+{
+  const std::string s11 =
+    "10*max(0,xi-x)^3*(y^2-1/3) + 0.2*x^2*y - 0.4*x*y^2 - 0.2*x*y + 8*x/15 - 0.6*y^3 + 0.6*y";
+  const std::string s12 =
+    "10*max(0,xi-x)^2*(y-y^3) - 0.2*x^2*y - 0.4*x*y^2 + y^3/15 + 0.2*y^2 - y/15";
+  return entry("Constants", "Values", "xi=1/sqrt(2)") +
+         entry("Geometry", "Distortion", distortion) +
+         "subsection Material\nset Young's modulus = 2.5\nset Poisson's ratio = 0.25\nend\n"
+         "subsection Boundary\nset Clamped = top\nset Contact = bottom\nset Traction = left: -(" +
+         s11 + "); -(" + s12 + ") | right: " + s11 + "; " + s12 + "\nend\n" +
+         entry("Load",
+               "Body force",
+               "max(0,xi-x)^2*(60*y^2-20) + 0.2*x^2 + 0.4*x*y + 0.2*y^2 - 0.2*y - 7/15; "
+               "-60*max(0,xi-x)^3*y + 20*max(0,xi-x)*(y-y^3) - 0.6*x^2 - 0.4*x*y + 0.6*x + y^2 "
+               "- 0.2") +
+         entry("Contact", "Gap", "-0.1*x*(1-x) + max(0,x-xi)^2") +
+         "subsection Exact solution\n"
+         "set Displacement = (0.2*x*y - 0.1*y + 0.1*x^2)*(1-y^2); "
+         "(0.1*x*(1-x) - y*(10*max(0,xi-x)^3 + 0.2*x)/3)*(1-y^2)\n"
+         "set Displacement gradient = (0.2*y + 0.2*x)*(1-y^2); "
+         "(0.2*x - 0.1)*(1-y^2) - 2*y*(0.2*x*y - 0.1*y + 0.1*x^2); "
+         "(0.1 - 0.2*x - y*(0.2 - 30*max(0,xi-x)^2)/3)*(1-y^2); "
+         "-(10*max(0,xi-x)^3 + 0.2*x)/3*(1-3*y^2) - 0.2*y*x*(1-x)\n"
+         "set Pressure = -10*max(0,xi-x)^3\nend\n" +
+         entry("Discretization", "Kinks at x", "0.70710678118654752");
+}
+
+std::vector<Case> make_cases()
+{
+  std::vector<Case> cases;
+  for (const char *scene : {"A1",
+                            "A1L",
+                            "A2",
+                            "A3",
+                            "B1",
+                            "B1q",
+                            "B1t",
+                            "B2",
+                            "B3",
+                            "B4",
+                            "C1",
+                            "C2",
+                            "C3",
+                            "C4",
+                            "O1",
+                            "V1"})
+  {
+    // A side of C4 ends in the middle of the bottom's coarse face.
+    const unsigned int coarsest = std::string(scene) == "C4" ? 2 : 1;
+    cases.push_back({scene, named_scene(scene), coarsest, 1.5, 2.5});
+  }
+  for (const char *scene : {"A1", "B1", "A3"})
+  {
+    const auto with = [&](const std::string &name, const std::string &value) {
+      return named_scene(scene) + entry("Discretization", name, value);
+    };
+    const std::string name = scene;
+    cases.push_back({name + ", H = 4 h", with("Patch ratio", "4"), 2, 0., 0.});
+    cases.push_back({name + ", H = 8 h", with("Patch ratio", "8"), 3, 0., 0.});
+    cases.push_back({name + ", 4 patches", with("Patches", "4"), 3, 0., 0.});
+    cases.push_back({name + ", 5 patches", with("Patches", "5"), 3, 0., 0.});
+  }
+  // Curved sides: an estimated bound. Most of E3's is the body force on general quadrilaterals.
+  for (const char *scene : {"E1", "E2", "E3"})
+    cases.push_back({scene, named_scene(scene), 3, std::string(scene) == "E3" ? 0. : 1.6, 0., 5});
+  // Displacements are prescribed that are not linear on edges.
+  for (const char *nu : {"0.3", "0.49", "0.4999"})
+    for (const char *element : {"Q1", "Q1 B-bar"})
+    {
+      Family family;
+      family.nu = nu;
+      cases.push_back({std::string("nu = ") + nu + ", " + element,
+                       text_of(family) + entry("Discretization", "Element", element),
+                       1,
+                       0.,
+                       0.});
+    }
+  for (const char *contrast : {"3", "-3"})
+  {
+    Family along, across;
+    along.contrast_x = across.contrast_y = contrast;
+    cases.push_back({std::string("E grows along by 10^") + contrast, text_of(along), 1, 0., 0.});
+    cases.push_back({std::string("E grows across by 10^") + contrast, text_of(across), 1, 0., 0.});
+  }
+  for (const char *distortion : {"0.2", "0.3"})
+    cases.push_back(
+      {std::string("A1, distorted by ") + distortion, distorted_a1(distortion), 2, 0., 0.});
+  return cases;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  Checks checks;
+  Tables tables;
+  for (const Case &given : make_cases())
+    check(checks, tables, given);
+  return checks.exit_code();
+}

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Where a pressure with given signs begins and ends.
+
+#include <signorini/postprocessing/quantities/contact_zones.h>
+
+#include <cmath>
+
+#include "graded.h"
+#include "tests.h"
+
+using namespace Signorini;
+using dealii::Point;
+
+namespace
+{
+/** P = -1 at the nodes for which @p presses (side, s). */
+dealii::Vector<double> pressure(const MultiplierSpace<2> &space,
+                                const std::function<bool(unsigned int, double)> &presses)
+{
+  dealii::Vector<double> P(space.n_multipliers());
+  for (unsigned int k = 0; k < P.size(); ++k)
+    if (presses(space.surface().patches()[space.patch_of(k)].side, space.node(k)[0]))
+      P[k] = -1.;
+  return P;
+}
+
+void check(Checks &checks,
+           const std::string &name,
+           const MultiplierSpace<2> &space,
+           const dealii::Vector<double> &P,
+           const std::vector<ContactBracket> &expected)
+{
+  const std::vector<ContactBracket> found = contact_brackets(space, P);
+  checks.near(name + ": number of brackets", found.size(), expected.size(), 0);
+  for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i)
+  {
+    const std::string bracket = name + ": bracket " + std::to_string(i);
+    checks.that(bracket + ", side", found[i].side == expected[i].side);
+    checks.near(bracket + ", from", found[i].from, expected[i].from, 1e-14);
+    checks.near(bracket + ", to", found[i].to, expected[i].to, 1e-14);
+  }
+}
+
+/** Four faces with two nodes each, a = (3 - 3^{1/2})/24 away from the ends: a, 1/4 - a, 1/4 + a,
+ * ... The sides are left (0) and bottom (2). */
+void two_sides(Checks &checks)
+{
+  const GradedLevel level(
+    "subsection Boundary\nset Clamped = top\nset Contact = left bottom\nend\n", uniform_plan(2, 3));
+  const MultiplierSpace<2> &space = level.multipliers();
+  const double a = (3. - std::sqrt(3.)) / 24.;
+  checks.near("the first node", space.node(0)[0], a, 1e-15);
+  const auto on = [&](const unsigned int side, const double from, const double to) {
+    return pressure(space, [=](const unsigned int other, const double s) {
+      return other == side && s > from && s < to;
+    });
+  };
+  check(checks, "nothing presses", space, on(0, 2., 3.), {});
+  check(checks, "a whole side", space, on(2, -1., 2.), {});
+  check(
+    checks, "inside", space, on(2, 0.25, 0.75), {{2, 0.25 - a, 0.25 + a}, {2, 0.75 - a, 0.75 + a}});
+  check(checks, "up to the end of the side", space, on(0, 0.5, 2.), {{0, 0.5 - a, 0.5 + a}});
+  check(checks, "one node", space, on(2, 0.5, 0.6), {{2, 0.5 - a, 0.75 - a}});
+  check(checks, "the first node", space, on(2, 0., 0.125), {{2, a, 0.25 - a}});
+  // The last two nodes of the first side and the first two of the second.
+  auto both = on(0, 0.75, 1.);
+  both.add(1., on(2, 0., 0.25));
+  check(checks, "two sides", space, both, {{0, 0.75 - a, 0.75 + a}, {2, 0.25 - a, 0.25 + a}});
+  // Two gaps in contact: one node that does not press, and two.
+  auto gaps = on(2, 0., 1.);
+  gaps[space.first_of(4 + 1)] = 0.;
+  gaps[space.first_of(4 + 2) + 1] = gaps[space.first_of(4 + 3)] = 0.;
+  check(checks,
+        "gaps",
+        space,
+        gaps,
+        {{2, 0.25 - a, 0.5 - a}, {2, 0.5 + a, 0.75 - a}, {2, 0.75 + a, 1. - a}});
+  // What a solver leaves of a zero does not press.
+  auto rounding = on(2, 0.25, 0.75);
+  for (double &p : rounding)
+    p = p == 0. ? -1e-14 : p;
+  check(checks, "rounding", space, rounding, {{2, 0.25 - a, 0.25 + a}, {2, 0.75 - a, 0.75 + a}});
+}
+
+/** The outer circle of scene E1 has the radius 2 and 16 faces of one node each: s_i = (i + 1/2) h,
+ * h = pi/4. */
+void closed_side(Checks &checks)
+{
+  const GradedLevel level(entry("Scene", "Name", "E1"), uniform_plan(1, 2));
+  const MultiplierSpace<2> &space = level.multipliers();
+  const double h = dealii::numbers::PI / 4., length = 16. * h;
+  const unsigned int side = space.surface().patches()[0].side;
+  checks.near("closed: nodes", space.node(3)[0], 3.5 * h, 1e-12);
+  const auto on = [&](const double from, const double to) {
+    return pressure(space, [=](unsigned int, const double s) {
+      return (s > from && s < to) || (s + length > from && s + length < to);
+    });
+  };
+  check(checks, "closed: all", space, on(0., length), {});
+  check(checks,
+        "closed: inside",
+        space,
+        on(3. * h, 6. * h),
+        {{side, 2.5 * h, 3.5 * h}, {side, 5.5 * h, 6.5 * h}});
+  check(checks,
+        "closed: around the start",
+        space,
+        on(14. * h, 18. * h),
+        {{side, 1.5 * h, 2.5 * h}, {side, 13.5 * h, 14.5 * h}});
+  check(checks,
+        "closed: from the start",
+        space,
+        on(16. * h, 18. * h),
+        {{side, 1.5 * h, 2.5 * h}, {side, 15.5 * h, 16.5 * h}});
+  check(checks, "closed: the first node", space, on(0., h), {{side, 15.5 * h, 17.5 * h}});
+  check(checks, "closed: the last node", space, on(15. * h, 16. * h), {{side, 14.5 * h, 16.5 * h}});
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  two_sides(checks);
+  closed_side(checks);
+  return checks.exit_code();
+}

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Lemma 1 for polynomials of degree p - 2 on every contact face of degree p, and the norm in it: a
+// Gram matrix of polynomials on patches of different lengths against a series.
+
+#include <signorini/postprocessing/norms/inf_sup.h>
+#include <signorini/postprocessing/norms/polynomial_gram.h>
+#include <signorini/postprocessing/norms/spectral_norm.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <boost/math/special_functions/bessel.hpp>
+#include <boost/math/special_functions/legendre.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "graded.h"
+#include "tests.h"
+
+using namespace Signorini;
+using dealii::Point;
+using dealii::numbers::PI;
+
+namespace
+{
+const std::string square = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
+
+double measure(const GradedLevel &level)
+{
+  return measure_inf_sup(
+    level.space(), level.multipliers(), level.discretization.condensed_D, LinearSolver::automatic);
+}
+
+/** The same for degree one with constants on pairs of faces. */
+double measure_paper(const unsigned int number)
+{
+  const Parameters parameters = parse_parameters(square, "test");
+  const Scene<2> scene = make_scene<2>(parameters);
+  const Discretization<2> level(parameters, scene, number, MPI_COMM_WORLD);
+  return measure_inf_sup(
+    level.space, level.multipliers, level.condensed_D, LinearSolver::automatic);
+}
+
+/** beta depends neither on the mesh nor on the degree. An independent program in Python measured
+ * 0.8727 for p = 2, ..., 8 and for the pair of the paper. */
+void stability(Checks &checks)
+{
+  for (const unsigned int n : {2U, 3U, 4U})
+  {
+    const std::string cells = ", n = " + std::to_string(1U << n);
+    checks.between("degree 1, pairs of faces" + cells, measure_paper(n), 0.85, 0.8735);
+    for (unsigned int p = 2; p <= 8; p += n < 4 ? 1 : 3)
+    {
+      const double beta = measure(GradedLevel(square, uniform_plan(n, p)));
+      checks.between("degree " + std::to_string(p) + cells, beta, 0.87, 0.8735);
+    }
+  }
+}
+
+/** Cells of a size down to 2^-18 at a part of the contact side, and a jump of degrees. */
+void graded_meshes(Checks &checks)
+{
+  for (const double layers : {3., 6., 10., 16.})
+  {
+    MeshPlan plan = uniform_plan(2, 2);
+    plan.base_size = 0.25;
+    plan.rise = 0.5 * layers;
+    plan.singularities = {end_of_contact({0.3, 0.}, 2, 0.3, 0.3001, layers)};
+    checks.between("graded, " + std::to_string(static_cast<int>(layers)) + " layers",
+                   measure(GradedLevel(square, plan)),
+                   0.85,
+                   0.8735);
+  }
+}
+
+/** kappa by its definition, with the mean of the remaining modes for a smooth function. */
+void kernels(Checks &checks)
+{
+  // int_0^P kappa = 1, and int kappa(x) cos(omega x) = (1 + omega²)^{-1/2}, on graded rules.
+  const dealii::QGauss<1> gauss(12);
+  for (const double period : {0.02, 1., 3., 3.2, 8., 60.})
+  {
+    const DualKernel kernel(period);
+    double mean = 0., first = 0., third = 0.;
+    const double omega = 2. * PI / period;
+    double to = 0.5 * period;
+    for (unsigned int i = 0; i < 60; ++i)
+    {
+      const double from = 0.5 * to;
+      // Long periods have many oscillations of nothing; eight parts are plenty.
+      for (unsigned int part = 0; part < 8; ++part)
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+        {
+          const double x = from + (to - from) * (part + gauss.point(q)[0]) / 8.;
+          const double weight = 2. * (to - from) / 8. * gauss.weight(q) * kernel(x);
+          mean += weight;
+          first += weight * std::cos(omega * x);
+          third += weight * std::cos(3. * omega * x);
+        }
+      to = from;
+    }
+    const std::string name = "kernel, period " + std::to_string(period);
+    checks.near(name + ": mean", mean, 1., 1e-8);
+    checks.near(name + ": mode 1", first, 1. / std::hypot(1., omega), 1e-8);
+    checks.near(name + ": mode 3", third, 1. / std::hypot(1., 3. * omega), 1e-8);
+  }
+}
+
+/**
+ * int psi_k e^{i omega s} for all k on a patch: with s = c + h t,
+ *
+ *     int_{-1}^{1} P_n(t) e^{i a t} dt = 2 i^n j_n(a),  a = omega h.
+ */
+std::vector<std::complex<double>> fourier(const MultiplierSpace<2> &space,
+                                          const unsigned int patch,
+                                          const double omega)
+{
+  const Patch<2> &place = space.surface().patches()[patch];
+  const unsigned int n_unknowns = space.n_of(patch);
+  const double h = 0.5 * (place.upper[0] - place.lower[0]), c = place.centre()[0];
+  const dealii::QGauss<1> gauss(n_unknowns);
+  std::vector<std::complex<double>> sums(n_unknowns);
+  std::complex<double> power = 1.;
+  for (unsigned int n = 0; n < n_unknowns; ++n)
+  {
+    const std::complex<double> integral = 2. * power * boost::math::sph_bessel(n, omega * h);
+    for (unsigned int k = 0; k < n_unknowns; ++k)
+      sums[k] += (2. * n + 1.) * gauss.weight(k) *
+                 boost::math::legendre_p(n, 2. * gauss.point(k)[0] - 1.) * integral;
+    power *= std::complex<double>(0., 1.);
+  }
+  for (auto &sum : sums)
+    sum *= h * std::polar(1., omega * c);
+  return sums;
+}
+
+/** The Gram matrix of one open side by N modes. */
+dealii::FullMatrix<double> series(const MultiplierSpace<2> &space, const unsigned int n_modes)
+{
+  const unsigned int m = space.n_multipliers();
+  const double length = space.surface().side(space.surface().patches()[0]).length();
+  dealii::FullMatrix<double> gram(m, m);
+  std::vector<double> q(m);
+  for (unsigned int k = 0; k <= n_modes; ++k)
+  {
+    const double omega = k * PI / length;
+    for (unsigned int patch = 0; patch < space.surface().patches().size(); ++patch)
+    {
+      const auto sums = fourier(space, patch, std::max(omega, 1e-12));
+      for (unsigned int i = 0; i < sums.size(); ++i)
+        q[space.first_of(patch) + i] = sums[i].real();
+    }
+    const double weight = (k == 0 ? 1. : 2.) / length / std::hypot(1., omega);
+    for (unsigned int i = 0; i < m; ++i)
+      for (unsigned int j = 0; j < m; ++j)
+        gram(i, j) += weight * q[i] * q[j];
+  }
+  return gram;
+}
+
+double largest_entry(const dealii::FullMatrix<double> &matrix)
+{
+  double largest = 0.;
+  for (unsigned int i = 0; i < matrix.m(); ++i)
+    for (unsigned int j = 0; j < matrix.n(); ++j)
+      largest = std::max(largest, std::abs(matrix(i, j)));
+  return largest;
+}
+
+/** Sides of the lengths 1 and 20. What N modes leave is about 1/N² of the jumps. */
+void gram_matrices(Checks &checks)
+{
+  for (const auto &[name, text] : std::vector<std::pair<std::string, std::string>>{
+         {"length 1", square},
+         {"length 20",
+          "subsection Geometry\nset Upper right = 20, 4\nset Cells = 1, 1\nend\n" + square}})
+  {
+    MeshPlan plan = uniform_plan(1, 4);
+    const double length = name == "length 1" ? 1. : 20.;
+    plan.base_size = 0.5 * length;
+    plan.singularities = {end_of_contact({0.3, 0.}, 2, 0.3, 0.31, 3.)};
+    plan.rise = 4.;
+    const GradedLevel level(text, plan);
+    const auto gram = dual_gram_matrix(level.multipliers());
+    auto difference = series(level.multipliers(), 8192);
+    const double size = largest_entry(gram);
+    difference.add(-1., gram);
+    checks.near(
+      name + ": polynomials against a series", largest_entry(difference) / size, 0., 1e-6);
+  }
+}
+
+/** A polynomial has the same norm in every basis: nodes of Gauss, or of Lobatto, which neighbours
+ * share. A node without an unknown is a row less. */
+void bases(Checks &checks)
+{
+  MeshPlan plan = uniform_plan(2, 4);
+  plan.base_size = 0.25;
+  plan.rise = 3.;
+  plan.singularities = {end_of_contact({0.3, 0.}, 2, 0.3, 0.3001, 5.)};
+  const GradedLevel level(square, plan);
+  const ContactSurface<2> &surface = level.discretization.surface;
+  const std::vector<unsigned int> n_nodes(surface.patches().size(), 4);
+  const MultiplierSpace<2> gauss(surface, n_nodes),
+    lobatto(surface, n_nodes, MultiplierSpace<2>::Nodes::lobatto),
+    fewer(surface, n_nodes, MultiplierSpace<2>::Nodes::lobatto, {2});
+  const auto S_gauss = dual_gram_matrix(gauss), S_lobatto = dual_gram_matrix(lobatto),
+             S_fewer = dual_gram_matrix(fewer);
+  for (unsigned int degree = 0; degree <= 3; ++degree)
+  {
+    const auto square_of_norm = [&](const MultiplierSpace<2> &space,
+                                    const dealii::FullMatrix<double> &S) {
+      dealii::Vector<double> q(space.n_multipliers()), image(space.n_multipliers());
+      for (unsigned int k = 0; k < q.size(); ++k)
+        q[k] = std::pow(space.node(k)[0], degree);
+      S.vmult(image, q);
+      return q * image;
+    };
+    const double by_gauss = square_of_norm(gauss, S_gauss);
+    checks.near("nodes of Gauss and of Lobatto, s^" + std::to_string(degree),
+                square_of_norm(lobatto, S_lobatto) / by_gauss,
+                1.,
+                1e-9);
+    if (degree == 0)
+      checks.near("|1|^2 = L", by_gauss, 1., 1e-8);
+  }
+  double difference = S_fewer.m() + 1 == S_lobatto.m() ? 0. : 1.;
+  for (unsigned int i = 0; i < S_fewer.m() && difference < 1.; ++i)
+    for (unsigned int j = 0; j < S_fewer.m(); ++j)
+      difference =
+        std::max(difference,
+                 std::abs(S_fewer(i, j) - S_lobatto(i + (i >= 2 ? 1 : 0), j + (j >= 2 ? 1 : 0))));
+  checks.near("a node without an unknown", difference, 0., 1e-12);
+}
+
+/** Constants: on equal patches by the old series, on others by the kernel. */
+void constants(Checks &checks)
+{
+  const GradedLevel equal(square, uniform_plan(4, 2));
+  const auto by_series = dual_gram_matrix(equal.discretization.surface);
+  auto difference = dual_gram_matrix(equal.multipliers());
+  difference.add(-1., by_series);
+  checks.near("constants on equal patches", largest_entry(difference), 0., 0.);
+  for (const double layers : {3., 5.})
+  {
+    MeshPlan plan = uniform_plan(2, 2);
+    plan.singularities = {corner({0., 0.}, layers)};
+    const GradedLevel graded(square, plan);
+    checks.that("constants on graded patches: constants",
+                graded.multipliers().is_piecewise_constant());
+    auto by_kernel = dual_gram_matrix(graded.multipliers());
+    const double size = largest_entry(by_kernel);
+    by_kernel.add(-1., dual_gram_matrix(graded.discretization.surface));
+    checks.near("constants on graded patches, " + std::to_string(static_cast<int>(layers)) +
+                  " layers",
+                largest_entry(by_kernel) / size,
+                0.,
+                1e-6);
+  }
+  // On the whole circle: cos(s) is orthogonal to 1, and |1|² = L.
+  const GradedLevel ring(entry("Scene", "Name", "E1"), uniform_plan(1, 4));
+  const auto gram = dual_gram_matrix(ring.multipliers());
+  const unsigned int m = ring.multipliers().n_multipliers();
+  dealii::Vector<double> one(m), linear(m), image(m);
+  one = 1.;
+  gram.vmult(image, one);
+  checks.near("circle: constant", image * one, 4. * PI, 1e-7);
+  for (unsigned int k = 0; k < m; ++k)
+    linear[k] = std::cos(ring.multipliers().node(k)[0] / 2.);
+  gram.vmult(image, linear);
+  checks.near("circle: orthogonal", image * one, 0., 1e-6);
+  // The interpolant of degree two on 16 faces is 1e-4 away.
+  checks.near("circle: cos(s/2)", image * linear, 2. * PI / std::hypot(1., 0.5), 1e-4);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  kernels(checks);
+  gram_matrices(checks);
+  bases(checks);
+  constants(checks);
+  stability(checks);
+  graded_meshes(checks);
+  return checks.exit_code();
+}

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The certificate of a correct answer vanishes, and each of its residuals notices what it is for.
+
+#include <signorini/error_control/estimate/certificate.h>
+#include <signorini/results/verdict/judge.h>
+#include <signorini/solvers/contact/active_set.h>
+#include <signorini/solvers/contact/compliance.h>
+#include <signorini/solvers/contact/recovery.h>
+
+#include <cmath>
+
+#include "one_level.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+struct Solved
+{
+  Solved(const std::string &text, const unsigned int number)
+    : level(text, number)
+    , system(assemble_linear_system(level.space(), level.scene, 3))
+    , inverse(factorise(system.matrix, system.unit, LinearSolver::automatic))
+    , free(solve_free_state(*inverse,
+                            level.space(),
+                            system.f,
+                            level.discretization.D,
+                            level.discretization.G))
+    , C(make_compliance(*inverse, level.discretization.condensed_D, seconds))
+    , P(solve_by_active_set(BoundConstrainedQP(C->dense(), free.F), {}, {1e-12, 100}).P)
+    , U(recover(P))
+  {
+  }
+
+  NodalVector recover(const dealii::Vector<double> &pressure) const
+  {
+    return recover_displacement(
+      *inverse, level.space(), level.discretization.condensed_D, pressure, system.f);
+  }
+  Certificate judge(const NodalVector &displacement,
+                    const dealii::Vector<double> &pressure,
+                    const LinearSystem<2> &linear_system,
+                    const dealii::Vector<double> &G) const
+  {
+    return certify(level.space(),
+                   level.scene,
+                   linear_system,
+                   level.multipliers(),
+                   level.discretization.D,
+                   ContactSolution<2>{displacement,
+                                      free.U,
+                                      pressure,
+                                      free.F,
+                                      G,
+                                      C->apply(pressure),
+                                      diagonal_times(*C, pressure)},
+                   nodal_forces(level.space(),
+                                level.scene,
+                                linear_system.loads,
+                                level.discretization.D,
+                                displacement,
+                                pressure));
+  }
+  Certificate judge(const NodalVector &displacement, const dealii::Vector<double> &pressure) const
+  {
+    return judge(displacement, pressure, system, level.discretization.G);
+  }
+
+  OneLevel level;
+  LinearSystem<2> system;
+  std::unique_ptr<StiffnessInverse> inverse;
+  FreeState free;
+  double seconds = 0.;
+  std::shared_ptr<const ComplianceOperator> C;
+  dealii::Vector<double> P;
+  NodalVector U;
+};
+
+/** Pressed onto a parabola: some patches press, others do not. */
+const std::string block = entry("Scene", "Name", "block on parabola");
+
+const std::string loaded = "subsection Boundary\nset Clamped = top\nset Contact = bottom\n"
+                           "set Traction = right: 0.1; 0.2*y\nend\n" +
+                           entry("Load", "Body force", "0.1; -0.5*x") +
+                           entry("Contact", "Gap", "0.01*x");
+
+const std::string oblique = "subsection Geometry\nset Shape = polygon\n"
+                            "set Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\nend\n"
+                            "subsection Boundary\nset Contact = side0 side4\nset Rollers = side1\n"
+                            "set Displacement = side3: 0.01; -0.02\nend\n" +
+                            entry("Load", "Body force", "-0.1; -0.2");
+
+void correct_answers(Checks &checks)
+{
+  const std::pair<const char *, std::string> scenes[] = {{"block on parabola", block},
+                                                         {"A1", entry("Scene", "Name", "A1")},
+                                                         {"D1", entry("Scene", "Name", "D1")},
+                                                         {"loads", loaded},
+                                                         {"oblique sides", oblique}};
+  for (const auto &scene : scenes)
+  {
+    const Solved solved(scene.second, 3);
+    const Certificate c = solved.judge(solved.U, solved.P);
+    const std::string name = scene.first;
+    checks.near(name + ": stationarity", c.stationarity, 0., 1e-12);
+    checks.near(name + ": penetration", c.penetration, 0., 1e-12);
+    checks.near(name + ": sign", c.sign, 0., 0.);
+    checks.near(name + ": complementarity", c.complementarity, 0., 1e-12);
+    checks.near(name + ": duality gap", c.duality_gap, 0., 1e-12);
+    checks.near(name + ": force balance", c.force_balance, 0., 1e-12);
+    checks.near(name + ": moment balance", c.moment_balance, 0., 1e-12);
+    checks.between(
+      name + ": worst is the largest", largest_residual(c).value, c.stationarity, 1e-12);
+  }
+}
+
+/** J = -f(u)/2 + [p, g]/2, because a(u, u) = f(u) + [p, g] where nothing is displaced. */
+void energies(Checks &checks)
+{
+  const Solved solved(loaded, 3);
+  const double work = solved.U * NodalVector(solved.system.loads);
+  const double expected = -0.5 * work + 0.5 * (solved.P * solved.level.discretization.G);
+  const Certificate c = solved.judge(solved.U, solved.P);
+  checks.near("energy", c.energy, expected, 1e-13 * std::abs(expected));
+  checks.that("energy is not zero", std::abs(expected) > 1e-4);
+  // D1: J = int (lambda + 2 mu) eps^2/2 + 0.125 int_left u_1 ... = 3/2 eps^2, as u_1 = 0 and P W =
+  // 0.
+  const Solved patch_test(entry("Scene", "Name", "D1"), 2);
+  checks.near(
+    "energy of D1", patch_test.judge(patch_test.U, patch_test.P).energy, 1.5 / 64., 1e-14);
+}
+
+/** A node inside the body, or on the middle of the bottom: its second degree of freedom. */
+dealii::types::global_dof_index dof_at(const DisplacementSpace<2> &space, const dealii::Point<2> &x)
+{
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      if (cell->vertex(v).distance(x) < 1e-10)
+        return cell->vertex_dof_index(v, 1);
+  return dealii::numbers::invalid_dof_index;
+}
+
+void wrong_displacements(Checks &checks, const Solved &solved)
+{
+  NodalVector U = solved.U;
+  U[dof_at(solved.level.space(), {0., 0.5})] += 1e-5;
+  Certificate c = solved.judge(U, solved.P);
+  checks.that("a moved node disturbs equilibrium", c.stationarity > 1e-5);
+  checks.that("a moved node disturbs the force balance", largest_residual(c).value > 1e-5);
+  U = solved.U;
+  U[dof_at(solved.level.space(), {0., 0.})] -= 1e-3;
+  c = solved.judge(U, solved.P);
+  checks.that("a node below the foundation penetrates", c.penetration > 1e-3);
+  checks.that("a node below the foundation opens the duality gap", c.duality_gap > 1e-6);
+  checks.that("a node below the foundation disturbs complementarity", c.complementarity > 1e-5);
+  U = solved.U;
+  U *= 1.0001;
+  checks.that("stretched displacements", solved.judge(U, solved.P).stationarity > 1e-6);
+}
+
+void wrong_pressures(Checks &checks, const Solved &solved)
+{
+  dealii::Vector<double> P = solved.P;
+  checks.that("the last patch does not press", P[P.size() - 1] == 0.);
+  P[P.size() - 1] = 1e-3 * P.linfty_norm();
+  checks.near("a pulling foundation", solved.judge(solved.recover(P), P).sign, 1e-3, 1e-12);
+
+  for (const double factor : {0.9, 1.1})
+  {
+    P = solved.P;
+    P *= factor;
+    const std::string name = factor < 1. ? "too little pressure" : "too much pressure";
+    const Certificate c = solved.judge(solved.recover(P), P);
+    checks.near(name + ": in equilibrium", c.stationarity, 0., 1e-12);
+    checks.that(name + ": complementarity", c.complementarity > 1e-3);
+    checks.that(name + ": penetration", (c.penetration > 1e-3) == (factor < 1.));
+    // Both objectives are off their optimum: the gap is P.W.
+    checks.that(name + ": not in balance with the old displacement",
+                solved.judge(solved.U, P).stationarity > 1e-3);
+  }
+}
+
+void wrong_loads(Checks &checks, const Solved &solved)
+{
+  LinearSystem<2> system = assemble_linear_system(solved.level.space(), solved.level.scene, 3);
+  const auto &G = solved.level.discretization.G;
+  system.applied.force[0] += 1e-4;
+  Certificate c = solved.judge(solved.U, solved.P, system, G);
+  checks.that("wrong resultant: force balance", c.force_balance > 1e-5);
+  system.applied.force[0] -= 1e-4;
+  system.applied.moment[0] += 1e-4;
+  c = solved.judge(solved.U, solved.P, system, G);
+  checks.near("wrong moment: force balance", c.force_balance, 0., 1e-12);
+  checks.that("wrong moment: moment balance", c.moment_balance > 1e-5);
+  system.applied.moment[0] -= 1e-4;
+  system.loads *= 1.001;
+  c = solved.judge(solved.U, solved.P, system, G);
+  checks.that("wrong load vector: stationarity", c.stationarity > 1e-6);
+}
+
+/** P and W = D^T U - G by hand, at rest: U = 0, G = (0, 0, 1, ...). */
+void degenerate(Checks &checks, const Solved &solved)
+{
+  NodalVector U(solved.U.size());
+  dealii::Vector<double> P(solved.P.size()), G(P.size());
+  G = 1.;
+  G[0] = G[1] = G[2] = 0.;
+  P[0] = -1.;
+  checks.that("two patches touch without pressure",
+              solved.judge(U, P, solved.system, G).degenerate_patches == 2);
+  P = 0.;
+  checks.that("three patches touch where nothing presses",
+              solved.judge(U, P, solved.system, G).degenerate_patches == 3);
+  G[1] = G[2] = 1e-4;
+  P[0] = -1e-17;
+  checks.that("rounding is not a pressure, a small gap is an opening",
+              solved.judge(U, P, solved.system, G).degenerate_patches == 1);
+}
+
+/** A body at rest on its foundation: F = 0, so that C is not computed. */
+void at_rest(Checks &checks)
+{
+  const OneLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
+                         entry("Load", "Body force", "0; 0") +
+                         entry("Contact", "Gap", "max(0, x-0.5)"),
+                       3);
+  const LevelSolution<2> solution = level.solve();
+  checks.that("at rest: nothing presses", solution.record.contact.active == 0);
+  checks.near("at rest: half of the patches touch",
+              solution.record.certificate.degenerate_patches,
+              0.5 * solution.record.sizes.multipliers,
+              0.);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+  correct_answers(checks);
+  energies(checks);
+  const Solved pressed(block, 3);
+  wrong_displacements(checks, pressed);
+  wrong_pressures(checks, pressed);
+  const Solved with_loads(loaded, 3);
+  wrong_loads(checks, with_loads);
+  degenerate(checks, pressed);
+  at_rest(checks);
+  return checks.exit_code();
+}

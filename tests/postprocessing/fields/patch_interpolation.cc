@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// pi^{2h} reproduces functions of degree two per direction, and the error estimate is the distance
+// of such functions from their bilinear interpolant.
+
+#include <signorini/error_control/estimate/error_estimate.h>
+#include <signorini/postprocessing/fields/patch_interpolation.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <array>
+#include <cmath>
+
+#include "one_level.h"
+#include "tests.h"
+
+using namespace Signorini;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+const std::string sides = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
+
+/** sum_ij c_ij x^i y^j, i, j <= degree, for each component. */
+struct Polynomial
+{
+  explicit Polynomial(const unsigned int seed, const unsigned int degree = 2)
+    : n(degree + 1)
+  {
+    RandomNumbers random(seed);
+    for (auto &component : coefficients)
+      for (unsigned int i = 0; i < n * n; ++i)
+        component.push_back(random());
+  }
+  Tensor<1, 2> value(const Point<2> &x) const
+  {
+    Tensor<1, 2> sum;
+    for (unsigned int k = 0; k < 2; ++k)
+      for (unsigned int i = 0; i < n * n; ++i)
+        sum[k] += coefficients[k][i] * std::pow(x[0], i % n) * std::pow(x[1], i / n);
+    return sum;
+  }
+  Tensor<2, 2> gradient(const Point<2> &x) const
+  {
+    const auto slope = [](const double t, const unsigned int i) {
+      return i == 0 ? 0. : i * std::pow(t, i - 1);
+    };
+    Tensor<2, 2> sum;
+    for (unsigned int k = 0; k < 2; ++k)
+      for (unsigned int i = 0; i < n * n; ++i)
+      {
+        sum[k][0] += coefficients[k][i] * slope(x[0], i % n) * std::pow(x[1], i / n);
+        sum[k][1] += coefficients[k][i] * std::pow(x[0], i % n) * slope(x[1], i / n);
+      }
+    return sum;
+  }
+
+  unsigned int n;
+  std::array<std::vector<double>, 2> coefficients;
+};
+
+using Gradient = std::function<Tensor<2, 2>(const Point<2> &)>;
+
+/** Largest distance of the interpolation of U and its gradient from a function at points of all
+ * cells. */
+double largest_distance(const DisplacementSpace<2> &space,
+                        const NodalVector &U,
+                        const dealii::Quadrature<2> &points,
+                        const Field &value,
+                        const Gradient &gradient,
+                        const unsigned int n_generations)
+{
+  PatchInterpolation<2> interpolation(space, dealii::QGauss<2>(2), n_generations);
+  dealii::FEValues<2> values(space.mesh().mapping(),
+                             space.element(),
+                             points,
+                             dealii::update_quadrature_points | dealii::update_inverse_jacobians);
+  double largest = 0.;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    values.reinit(cell);
+    const FieldValues<2> &result = interpolation.evaluate(U, cell, values);
+    for (const unsigned int q : values.quadrature_point_indices())
+    {
+      const Point<2> &x = values.quadrature_point(q);
+      largest = std::max(largest, (result.values[q] - value(x)).norm());
+      if (gradient)
+        largest = std::max(largest, (result.gradients[q] - gradient(x)).norm());
+    }
+  }
+  return largest;
+}
+
+void reproduces(Checks &checks,
+                const std::string &name,
+                const OneLevel &level,
+                const Field &value,
+                const Gradient &gradient,
+                const unsigned int n_generations = 1)
+{
+  const NodalVector U = nodal_values(level.space(), value);
+  for (const unsigned int n_points : {2U, 4U})
+    checks.near(name + ", " + std::to_string(n_points) + " points",
+                largest_distance(
+                  level.space(), U, dealii::QGauss<2>(n_points), value, gradient, n_generations),
+                0.,
+                1e-12);
+}
+
+void polynomials(Checks &checks)
+{
+  const Polynomial q(1);
+  const Field value = [&](const Point<2> &x) { return q.value(x); };
+  const Gradient gradient = [&](const Point<2> &x) { return q.gradient(x); };
+  const OneLevel rectangles(
+    "subsection Geometry\nset Upper right = 2, 1\nset Cells = 3, 2\nend\n" + sides, 1);
+  reproduces(checks, "biquadratic function on rectangles", rectangles, value, gradient);
+  reproduces(checks, "biquadratic function on squares", OneLevel(sides, 3), value, gradient);
+  const Tensor<2, 2> slope({{0.3, -0.7}, {1.1, 0.4}});
+  const OneLevel distorted(entry("Geometry", "Distortion", "0.3") + sides, 3);
+  reproduces(
+    checks,
+    "linear function on distorted parents",
+    distorted,
+    [&](const Point<2> &x) { return slope * x; },
+    [&](const Point<2> &) { return slope; });
+  checks.that(
+    "no parents on the level that is distorted",
+    !OneLevel(entry("Geometry", "Distortion", "0.3") + sides, 2).discretization.mesh.has_parents());
+  checks.that("no parents on level 0", !OneLevel(sides, 0).discretization.mesh.has_parents());
+
+  // pi^{2h} U takes the values U at the nodes: I^h pi^{2h} = identity, so pi^{2h} is a projection.
+  const NodalVector U = RandomNumbers(2).vector(distorted.space().dofs().n_dofs());
+  PatchInterpolation<2> interpolation(distorted.space());
+  dealii::FEValues<2> vertices(distorted.discretization.mesh.mapping(),
+                               distorted.space().element(),
+                               dealii::QTrapezoid<2>(),
+                               dealii::update_inverse_jacobians);
+  double largest = 0.;
+  for (const auto &cell : distorted.space().dofs().active_cell_iterators())
+  {
+    vertices.reinit(cell);
+    const FieldValues<2> &result = interpolation.evaluate(U, cell, vertices);
+    for (const unsigned int v : cell->vertex_indices())
+      for (unsigned int d = 0; d < 2; ++d)
+        largest =
+          std::max(largest, std::abs(result.values[v][d] - U[cell->vertex_dof_index(v, d)]));
+  }
+  checks.near("nodal values are taken", largest, 0., 1e-15);
+}
+
+/** On one quadrilateral parent: biquadratic in the coordinates of its bilinear map F. */
+void mapped_parent(Checks &checks)
+{
+  const Point<2> corners[] = {{0., 0.}, {2., -0.5}, {-0.3, 1.}, {2.5, 1.5}};
+  const OneLevel level("subsection Geometry\nset Shape = polygon\n"
+                       "set Vertices = 0,0; 2,-0.5; 2.5,1.5; -0.3,1\nend\n"
+                       "subsection Boundary\nset Clamped = side2\nset Contact = side0\nend\n",
+                       1);
+  const auto F = [&](const Point<2> &xi) {
+    Point<2> x;
+    for (unsigned int v = 0; v < 4; ++v)
+      x += (v % 2 == 1 ? xi[0] : 1. - xi[0]) * (v / 2 == 1 ? xi[1] : 1. - xi[1]) * corners[v];
+    return x;
+  };
+  const auto jacobian = [&](const Point<2> &xi) {
+    Tensor<2, 2> J;
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      J[i][0] = (1. - xi[1]) * (corners[1] - corners[0])[i] + xi[1] * (corners[3] - corners[2])[i];
+      J[i][1] = (1. - xi[0]) * (corners[2] - corners[0])[i] + xi[0] * (corners[3] - corners[1])[i];
+    }
+    return J;
+  };
+  // Newton's method for F(xi) = x.
+  const auto inverse = [&](const Point<2> &x) {
+    Point<2> xi(0.5, 0.5);
+    for (unsigned int k = 0; k < 20; ++k)
+      xi += invert(jacobian(xi)) * (x - F(xi));
+    return xi;
+  };
+  const Polynomial q(3);
+  reproduces(
+    checks,
+    "biquadratic function of the parent's coordinates",
+    level,
+    [&](const Point<2> &x) { return q.value(inverse(x)); },
+    [&](const Point<2> &x) {
+      const Point<2> xi = inverse(x);
+      return q.gradient(xi) * invert(jacobian(xi));
+    });
+}
+
+/** Degree 2^k on the k-th mesh before, and not one more. */
+void generations(Checks &checks)
+{
+  const OneLevel rectangles(
+    "subsection Geometry\nset Upper right = 2, 1\nset Cells = 3, 2\nend\n" + sides, 2);
+  const OneLevel squares(sides, 3);
+  for (const unsigned int k : {0U, 1U, 2U, 3U})
+  {
+    const std::string name = std::to_string(k) + " generations";
+    const Polynomial q(5 + k, 1U << k);
+    const Field value = [&](const Point<2> &x) { return q.value(x); };
+    const Gradient gradient = [&](const Point<2> &x) { return q.gradient(x); };
+    if (k < 3)
+      reproduces(checks, name + " on rectangles", rectangles, value, gradient, k);
+    reproduces(checks, name + " on squares", squares, value, gradient, k);
+    const unsigned int degree = (1U << k) + 1;
+    const Field power = [&](const Point<2> &x) {
+      return Point<2>(std::pow(x[0], degree), std::pow(x[1], degree));
+    };
+    checks.that(name + ": one degree more is too much",
+                largest_distance(squares.space(),
+                                 nodal_values(squares.space(), power),
+                                 dealii::QGauss<2>(3),
+                                 power,
+                                 Gradient(),
+                                 k) > 1e-6);
+  }
+  const auto n_ancestors = [](const OneLevel &level) {
+    return level.discretization.mesh.n_nested_ancestors();
+  };
+  const std::string distorted = entry("Geometry", "Distortion", "0.3") + sides;
+  checks.near("ancestors without distortion", n_ancestors(squares), 3, 0);
+  // The coarsest level, 2 by default, is the one that is distorted.
+  checks.near("ancestors on a distorted level", n_ancestors(OneLevel(distorted, 2)), 0, 0);
+  checks.near("ancestors two levels below it", n_ancestors(OneLevel(distorted, 4)), 2, 0);
+  const Tensor<2, 2> slope({{0.3, -0.7}, {1.1, 0.4}});
+  reproduces(
+    checks,
+    "linear function on distorted grandparents",
+    OneLevel(distorted, 4),
+    [&](const Point<2> &x) { return slope * x; },
+    [&](const Point<2> &) { return slope; },
+    2);
+}
+
+/** Degree four is taken where the mesh resolves the function. */
+void choice(Checks &checks)
+{
+  const auto wave = [](const double frequency) {
+    return [frequency](const Point<2> &x) {
+      return Point<2>(std::sin(frequency * x[0]), std::sin(frequency * x[1]));
+    };
+  };
+  const OneLevel level(sides, 4);
+  const auto best = [&](const double frequency) {
+    return best_interpolation(level.space(), nodal_values(level.space(), wave(frequency)));
+  };
+  checks.near("a wave on 40 cells", best(0.8 * dealii::numbers::PI), 2, 0);
+  checks.near("a wave on 2.5 cells", best(12.8 * dealii::numbers::PI), 1, 0);
+  const auto on_level = [](const unsigned int number) {
+    const OneLevel coarse(sides, number);
+    return best_interpolation(coarse.space(),
+                              nodal_values(coarse.space(), [](const Point<2> &x) { return x; }));
+  };
+  checks.near("no parents", on_level(0), 0, 0);
+  checks.near("no grandparents", on_level(1), 1, 0);
+}
+
+/**
+ * x^2 differs from its interpolant by h^2/3 (slope) and h^4/30 (value), squared. For (x^2, y^2) the
+ * strains e11 and e22 of the difference have the mean zero in each cell and depend on one
+ * coordinate each: |||.|||^2 = (lambda + 2 mu) 2 h^2/3. Those of the interpolant take the middle
+ * values of 2 x and 2 y, whose squares have the mean 4/3 - h^2/3.
+ */
+void estimates(Checks &checks)
+{
+  const std::string material =
+    "subsection Material\nset Young's modulus = 5\nset Poisson's ratio = 0.25\nend\n";
+  const double lambda = 2., mu = 2.;
+  for (const unsigned int number : {1U, 3U})
+  {
+    const OneLevel level(sides + material, number);
+    const double h = std::pow(0.5, number);
+    const NodalVector U = nodal_values(
+      level.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], x[1] * x[1]); });
+    const ErrorEstimate estimate = estimate_error(level.space(), level.scene, U);
+    const double exact = std::sqrt(2. * (h * h / 3. + std::pow(h, 4) / 30.));
+    const std::string name = "estimate on level " + std::to_string(number);
+    checks.near(name + ": distance to the interpolant", estimate.h1.value(), exact, 1e-14);
+    const double energy = std::sqrt((lambda + 2. * mu) * 2. * h * h / 3.);
+    const double square = (4. - h * h) / 3.;
+    const double scale = std::sqrt(lambda * (2. * square + 2.) + 2. * mu * 2. * square);
+    checks.near(name + ": in the energy norm", estimate.energy, energy, 1e-13);
+    checks.near(name + ": relative", estimate.relative, energy / scale, 1e-13);
+    checks.that(name + ": no pressure",
+                estimate.mesh == estimate.energy && estimate.pressure == 0.);
+    NodalVector moved(U);
+    moved.add(1000.);
+    checks.near(name + ": relative, after a translation",
+                estimate_error(level.space(), level.scene, moved).relative,
+                energy / scale,
+                1e-10);
+  }
+  // E = 1 + x: int (1 + x) (2 x - m(x))^2 = 3/2 h^2/3, and the same for y.
+  const OneLevel graded(sides + entry("Material", "Young's modulus", "1+x") +
+                          entry("Material", "Poisson's ratio", "0"),
+                        2);
+  const NodalVector squares = nodal_values(
+    graded.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], x[1] * x[1]); });
+  checks.near("a material that varies",
+              estimate_error(graded.space(), graded.scene, squares).energy,
+              0.25,
+              1e-14);
+  const OneLevel distorted(entry("Geometry", "Distortion", "0.3") + sides, 3);
+  const NodalVector linear = nodal_values(distorted.space(), [](const Point<2> &x) { return x; });
+  checks.near("linear functions have no error",
+              estimate_error(distorted.space(), distorted.scene, linear).h1.value(),
+              0.,
+              1e-13);
+  NodalVector zero(linear.size());
+  checks.near(
+    "nothing moves", estimate_error(distorted.space(), distorted.scene, zero).relative, 0., 0.);
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+  polynomials(checks);
+  mapped_parent(checks);
+  generations(checks);
+  choice(checks);
+  estimates(checks);
+  return checks.exit_code();
+}

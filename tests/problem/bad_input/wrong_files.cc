@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Every block of wrong_files.txt is refused, with the message that stands there.
+
+#include <signorini/base/errors.h>
+#include <signorini/base/text.h>
+#include <signorini/problem/input/make_scene.h>
+#include <signorini/problem/parameters/parameter_text.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "study_helpers.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+/** A wrong file, as a whole or as settings on top of a good scene. */
+struct Block
+{
+  std::string line;
+  std::vector<std::string> settings;
+  std::string text;
+  std::string message;
+  /** It shows on a level only. */
+  bool late = false;
+};
+
+/** \x1b stands for a character that cannot be written in a table, {200*(} for many. */
+std::string unescape(const std::string &text)
+{
+  static const std::regex repetition(R"(\{(\d+)\*([^}]*)\})"), character(R"(\\x(..))");
+  std::string plain = text;
+  std::smatch match;
+  while (std::regex_search(plain, match, repetition))
+  {
+    std::string many;
+    for (int i = 0; i < std::stoi(match[1]); ++i)
+      many += match[2];
+    plain = match.prefix().str() + many + match.suffix().str();
+  }
+  while (std::regex_search(plain, match, character))
+  {
+    const char c = static_cast<char>(std::stoi(match[1], nullptr, 16));
+    plain = match.prefix().str() + c + match.suffix().str();
+  }
+  return plain;
+}
+
+std::vector<Block> read_table(const std::string &file_name)
+{
+  std::ifstream file(file_name);
+  std::vector<Block> blocks;
+  Block block;
+  std::string line;
+  for (unsigned int number = 1; std::getline(file, line); ++number)
+  {
+    if (line.empty() || line[0] == '#')
+      continue;
+    if (block.line.empty())
+      block.line = "wrong_files.txt:" + std::to_string(number);
+    if (line.rfind("| ", 0) == 0 || line == "|")
+      block.text += unescape(line.substr(std::min<std::size_t>(2, line.size()))) + "\n";
+    else if (line[0] != '>')
+      block.settings.push_back(unescape(line));
+    else
+    {
+      block.late = line.rfind(">> ", 0) == 0;
+      block.message = unescape(line.substr(line.find(' ') + 1));
+      blocks.push_back(block);
+      block = Block();
+    }
+  }
+  return blocks;
+}
+
+using Entries = std::vector<std::pair<std::string, std::string>>;
+
+/** A good scene with some of its values replaced, in the order of their first mention. */
+Entries entries_of(const Block &block)
+{
+  Entries entries = {{"Boundary/Clamped", "top"},
+                     {"Boundary/Contact", "bottom"},
+                     {"Load/Body force", "0; -1"},
+                     {"Discretization/Finest level", "3"}};
+  for (const std::string &setting : block.settings)
+  {
+    const auto equals = setting.find('=');
+    const std::string path = trim(setting.substr(0, equals));
+    const std::string value = trim(setting.substr(equals + 1));
+    const auto found = std::find_if(
+      entries.begin(), entries.end(), [&](const auto &entry) { return entry.first == path; });
+    if (found == entries.end())
+      entries.emplace_back(path, value);
+    else
+      found->second = value;
+  }
+  return entries;
+}
+
+/** What is said about a file, or that it was not refused; the memory of this machine is left out.
+ */
+std::string message_of(const std::string &text,
+                       const std::vector<std::string> &overrides,
+                       const bool late)
+{
+  std::ostream silence(nullptr);
+  try
+  {
+    const Parameters parameters = parse_parameters(text, "bad.prm", overrides);
+    const auto read = [&](const auto &scene) {
+      if (late)
+        run_study(parameters, scene, MPI_COMM_WORLD, {silence, "", [](const std::string &) {}});
+    };
+    if (dimension_of(parameters) == 2)
+      read(make_scene<2>(parameters));
+    else
+      read(make_scene<3>(parameters));
+  }
+  catch (const InputError &error)
+  {
+    static const std::regex memory("[0-9.]+ GiB of memory");
+    return std::regex_replace(error.what(), memory, "{memory} of memory");
+  }
+  return "nothing was refused";
+}
+
+/** The message of a block with the place for '@'. */
+std::string with_place(const std::string &message, const std::string &place)
+{
+  return message.rfind("@: ", 0) == 0 ? place + message.substr(1) : message;
+}
+
+/** The parameter that a message "@: Section/Name: ..." is about. */
+std::string path_of(const std::string &message)
+{
+  const auto first = message.find(": ") + 2;
+  return message.substr(first, message.find(": ", first) - first);
+}
+
+class Comparison
+{
+public:
+  void compare(const std::string &name, const std::string &found, const std::string &expected)
+  {
+    const bool is_sentence = found.find_first_of("\n\r") == std::string::npos &&
+                             (found.back() == '.' || found.back() == ')');
+    if (found == expected && is_sentence)
+      return;
+    ++n_failures_;
+    std::cout << name << "\n  found:    " << found << "\n  expected: " << expected << std::endl;
+  }
+
+  unsigned int n_failures() const
+  {
+    return n_failures_;
+  }
+
+private:
+  unsigned int n_failures_ = 0;
+};
+
+void test_settings(const Block &block, Comparison &comparison)
+{
+  // Each entry takes three lines of the file.
+  std::ostringstream text;
+  std::vector<std::string> overrides;
+  std::string place = "bad.prm";
+  unsigned int line = 1;
+  for (const auto &entry : entries_of(block))
+  {
+    const auto slash = entry.first.find('/');
+    if (slash != std::string::npos)
+      text << "subsection " << entry.first.substr(0, slash);
+    text << "\nset " << entry.first.substr(slash == std::string::npos ? 0 : slash + 1) << " = "
+         << entry.second << "\n"
+         << (slash == std::string::npos ? "" : "end") << "\n";
+    if (entry.first == path_of(block.message))
+      place = "bad.prm:" + std::to_string(line + 1);
+    overrides.push_back(entry.first + "=" + entry.second);
+    line += 3;
+  }
+  comparison.compare(block.line + " in the file",
+                     message_of(text.str(), {}, block.late),
+                     with_place(block.message, place));
+  comparison.compare(block.line + " by --set",
+                     message_of("", overrides, block.late),
+                     with_place(block.message, "--set"));
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  Comparison comparison;
+  Block good;
+  good.late = true;
+  good.message = "nothing was refused";
+  std::vector<std::string> overrides;
+  for (const auto &entry : entries_of(good))
+    overrides.push_back(entry.first + "=" + entry.second);
+  checks.that("the scene without the faults is good",
+              message_of("", overrides, true) == good.message);
+  const std::vector<Block> table = read_table(SOURCE_DIR "/wrong_files.txt");
+  for (const Block &block : table)
+    if (block.text.empty())
+      test_settings(block, comparison);
+    else
+      comparison.compare(block.line, message_of(block.text, {}, block.late), block.message);
+  checks.that("at least 150 wrong files", table.size() >= 150);
+  checks.near("messages other than in wrong_files.txt", comparison.n_failures(), 0, 0);
+  return checks.exit_code();
+}

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Another program solves the dual problem of the files and finds the same pressure. Skipped without scipy.
+# usage: solve_dual.sh PROGRAM SCRIPT SCENES
+
+program=$(realpath "$1")
+script=$(realpath "$2")
+scenes=$(realpath "$3")
+python=
+for candidate in python3 /usr/bin/python3; do
+  if "$candidate" -c 'import scipy' 2>/dev/null; then python=$candidate; break; fi
+done
+if [ -z "$python" ]; then
+  echo "SKIP there is no python3 with scipy (package python3-scipy)"
+  exit 77
+fi
+. "$(dirname "$0")/../../driver/command_line/checks.sh"
+
+for scene in block_on_parabola two_contact_sides patch_test_distorted o1; do
+  "$program" "$scenes/$scene.prm" --set 'Discretization/Finest level=3' --set Output/Compliance=true \
+    --set 'Solver/Tolerated error=1' --output "$scene" >stdout 2>stderr
+  check "$scene" [ $? -eq 0 ]
+  check "  the same P, C and F" "$python" "$script" "$scene" 3
+done
+"$python" - o1/P-03.mtx <<'CHANGE'
+import sys
+lines = open(sys.argv[1]).read().split("\n")
+lines[2] = str(1.001 * float(lines[2]))
+open(sys.argv[1], "w").write("\n".join(lines))
+CHANGE
+"$python" "$script" o1 3 >stdout 2>stderr
+check "a pressure that is wrong by a thousandth is found" [ $? -eq 1 ]
+echo "$failures failures"
+[ "$failures" -eq 0 ]

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// What is said about the levels of a run, read back: convergence.csv, the table on the screen and
+// certificate.json.
+
+#include <signorini/base/text.h>
+#include <signorini/results/files/tables.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include "csv.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+std::vector<LevelRecord> two_levels()
+{
+  LevelRecord coarse;
+  coarse.sizes = {2, 16, 50, 2, 0.25, 0.5, false};
+  coarse.dual.iterations = 3;
+  coarse.dual.kkt = 1e-13;
+  coarse.contact.active = 1;
+  coarse.contact.normal_force = 1. / 3.;
+  coarse.displacement_errors = DisplacementErrors{0.4, 0.02, 0., {}, {}, 0.5};
+  coarse.pressure_errors = PressureErrors{0.3, 0.3};
+  coarse.estimate = ErrorEstimate{0.3, 0.6, 0.1, 0.5, 0.3};
+  coarse.certificate.energy = -0.125;
+  coarse.certificate.stationarity = 1e-15;
+  LevelRecord fine = coarse;
+  fine.sizes.level = 3;
+  fine.sizes.h = 0.125;
+  fine.sizes.H = 0.25;
+  fine.displacement_errors = DisplacementErrors{0.2, 0.005, 1e-3, {}, {}, 0.25};
+  fine.pressure_errors = PressureErrors{0.15, 0.15};
+  fine.estimate = ErrorEstimate{0.19, 0.05, 0.02, 0.04, 0.03};
+  fine.dual.increment_iterations = 7;
+  fine.dual_norm_errors = DualNormErrors{0.03, 0.02, 0.003, 0.002};
+  fine.inf_sup = 0.8;
+  return {coarse, fine};
+}
+
+void convergence_csv(Checks &checks)
+{
+  std::ostringstream stream;
+  write_convergence_csv(stream, two_levels());
+  const std::string text = stream.str();
+  std::vector<std::string> names;
+  for (const Column<LevelRecord> &column : level_columns())
+    names.push_back(column.name);
+  checks.that("columns in their order", text.substr(0, text.find('\n')) == join(names, ","));
+  const auto rows = read_csv(text);
+  checks.that("one complete row per level",
+              rows.size() == 2 && !rows[0].empty() && !rows[1].empty());
+  checks.that("counts", rows[0].at("level") == "2" && rows[0].at("dofs") == "50");
+  checks.near("numbers keep all digits", std::stod(rows[0].at("contact_force_n")), 1. / 3., 1e-16);
+  checks.near("energy", std::stod(rows[0].at("energy")), -0.125, 0.);
+  checks.near("effectivity", std::stod(rows[1].at("effectivity")), 0.95, 1e-15);
+  checks.that("what is not known is empty",
+              rows[0].at("inf_sup").empty() && rows[0].at("u_post_h1").empty() &&
+                rows[0].at("p_dual").empty() && rows[0].at("endpoint_error").empty());
+  checks.near("what becomes known is not", std::stod(rows[1].at("p_dual")), 0.02, 1e-17);
+  checks.near("inf-sup constant", std::stod(rows[1].at("inf_sup")), 0.8, 1e-16);
+  checks.that("sweeps until the increment was small",
+              rows[0].at("qp_increment_iterations").empty() &&
+                rows[1].at("qp_increment_iterations") == "7");
+}
+
+/** The fields of a row between separators. */
+std::vector<std::string> fields_of(const std::string &row, const char separator)
+{
+  return split_list(row, separator);
+}
+
+/** h is halved: 0.4 -> 0.2 is order 1, 0.02 -> 0.005 order 2. */
+void tables_for_people(Checks &checks)
+{
+  std::ostringstream markdown, latex;
+  write_convergence_markdown(markdown, two_levels());
+  write_convergence_latex(latex, two_levels());
+  std::istringstream lines(markdown.str());
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(lines, line);)
+    rows.push_back(fields_of(line, '|'));
+  checks.that("Markdown: header, rule, two levels", rows.size() == 4);
+  checks.that("Markdown: rows are as long as the header",
+              rows[0].size() == rows[1].size() && rows[0].size() == rows[3].size());
+  const auto field = [&](const std::string &title, const std::size_t row, const int behind = 0) {
+    const auto found = std::find(rows[0].begin(), rows[0].end(), title);
+    return found == rows[0].end() ? "" : rows[row][found - rows[0].begin() + behind];
+  };
+  checks.that("Markdown: error", field("‖u−u_h‖₁", 3) == "2.000e-01");
+  checks.that("Markdown: order 1", field("‖u−u_h‖₁", 3, 1) == "1.00");
+  checks.that("Markdown: order 2", field("‖u−u_h‖₀", 3, 1) == "2.00");
+  checks.that("Markdown: no order on the first level", field("‖u−u_h‖₁", 2, 1).empty());
+  checks.that("Markdown: the force", field("force", 2) == "3.333e-01");
+  checks.that("Markdown: columns without values are left out", field("bound", 2).empty());
+  const std::string tex = latex.str();
+  checks.that("LaTeX: a tabular",
+              tex.rfind("\\begin{tabular}{", 0) == 0 &&
+                tex.find("\\end{tabular}\n") != std::string::npos);
+  checks.that("LaTeX: as many columns as Markdown",
+              static_cast<std::size_t>(std::count(tex.begin(), tex.end(), 'r')) >=
+                rows[0].size() - 2);
+  checks.that("LaTeX: an error and its order",
+              tex.find("& 2.000e-01 & 1.00 &") != std::string::npos);
+}
+
+/** The same numbers as those of a graded sequence: nothing has an order in h. */
+void graded_tables(Checks &checks)
+{
+  auto steps = two_levels();
+  for (LevelRecord &step : steps)
+  {
+    step.sizes.max_degree = 2 + step.sizes.level;
+    step.sizes.min_h = 0.01;
+    step.estimate = ErrorEstimate{{}, 0.6, 0.25, {}, {}};
+  }
+  const std::string row = screen_row(steps[1], &steps[0]), errors = error_table(steps);
+  checks.that("graded: rows align with the header", screen_header(true).size() == row.size());
+  checks.that("graded: steps", screen_header(true).rfind(" step", 0) == 0);
+  checks.that("graded: no order", split_words(row).back() == "-");
+  checks.that("graded: no orders of errors",
+              errors.find("2.000e-01    -") != std::string::npos &&
+                errors.find("slope") == std::string::npos);
+  std::ostringstream markdown, csv;
+  write_convergence_markdown(markdown, steps);
+  write_convergence_csv(csv, steps);
+  checks.that("graded: columns for people",
+              markdown.str().rfind("| step | dofs | smallest h | largest degree | ‖u−u_h‖₁ | "
+                                   "‖u−u_h‖₀ | ‖p−p_H‖₀ | estimate | force |\n",
+                                   0) == 0);
+  checks.that("graded: a row of them",
+              markdown.str().find("| 3 | 50 | 1.000e-02 | 5 | 2.000e-01 | 5.000e-03 | 1.500e-01 | "
+                                  "2.500e-01 | 3.333e-01 |") != std::string::npos);
+  const auto rows = read_csv(csv.str());
+  checks.that("graded: an estimate without parts",
+              rows[1].at("estimated_h1").empty() && rows[1].at("estimated_mesh").empty() &&
+                rows[1].at("effectivity").empty() && rows[1].at("estimated_relative") == "0.25");
+}
+
+void screen_table(Checks &checks)
+{
+  const auto levels = two_levels();
+  const std::string first = screen_row(levels[0], nullptr),
+                    second = screen_row(levels[1], &levels[0]);
+  checks.that("rows align with the header",
+              screen_header().size() == first.size() && first.size() == second.size());
+  const std::string errors = error_table(levels);
+  std::string in_one_line = errors;
+  std::replace(in_one_line.begin(), in_one_line.end(), '\n', ' ');
+  const auto words = split_words(in_one_line);
+  // h is halved: 0.4 -> 0.2 is order 1, 0.02 -> 0.005 order 2.
+  const auto order_after = [&](const std::string &number) {
+    for (std::size_t i = 0; i + 1 < words.size(); ++i)
+      if (words[i] == number)
+        return words[i + 1];
+    return std::string();
+  };
+  checks.that("order of the H1 error", order_after("2.000e-01") == "1.00");
+  checks.that("order of the L2 error", order_after("5.000e-03") == "2.00");
+  checks.that("order of the pressure error", order_after("1.500e-01") == "1.00");
+  checks.that("no order without a value before", order_after("1.000e-03") == "-");
+  checks.that("no orders on the first level", order_after("4.000e-01") == "-");
+  checks.that("no slope from two levels", errors.find("slope              -") != std::string::npos);
+  auto four = levels;
+  // 0.2 -> 0.05 -> 0.0125: with 0.4 -> 0.2 before, least squares over x = 0..3 (in log 2) and
+  // y = 0, 1, 3, 5 give the slope sum (x - 1.5)(y - 2.25)/5 = 1.7.
+  for (const double error : {0.05, 0.0125})
+  {
+    four.push_back(four.back());
+    four.back().sizes.h /= 2.;
+    four.back().displacement_errors->h1 = error;
+  }
+  const std::string slopes = error_table(four);
+  checks.that("least-squares slope", slopes.find("slope           1.70") != std::string::npos);
+  std::size_t longest = 0;
+  std::istringstream lines(slopes + screen_header() + "\n" + screen_legend());
+  for (std::string line; std::getline(lines, line);)
+    longest = std::max(longest, line.size());
+  checks.that("tables have 80 columns", longest <= 80);
+  for (LevelRecord &level : four)
+  {
+    level.displacement_errors.reset();
+    level.pressure_errors.reset();
+  }
+  checks.that("no table of errors without an exact solution", error_table(four).empty());
+}
+
+void certificate(Checks &checks)
+{
+  using Json = nlohmann::json;
+  const Judge judge({1e-10, 0.2, 0.});
+  const auto parse = [&](const std::vector<LevelRecord> &levels, const StudyVerdict &verdict) {
+    std::ostringstream stream;
+    write_certificate(stream, levels, judge, verdict);
+    return Json::parse(stream.str());
+  };
+  auto levels = two_levels();
+  const Json good = parse(levels, judge.verdict(levels));
+  checks.that("verdict", good.at("verdict") == "equations certified");
+  checks.that("no failure", !good.contains("failure"));
+  checks.near("tolerance", good.at("tolerance"), 1e-10, 0.);
+  checks.near("bound on residuals", good.at("residual_bound"), 1e-8, 1e-22);
+  checks.that("levels", good.at("levels").size() == 2 && good.at("levels")[1].at("level") == 3);
+  bool complete = true;
+  for (const char *name : {"stationarity",
+                           "penetration",
+                           "sign",
+                           "complementarity",
+                           "duality_gap",
+                           "force_balance",
+                           "moment_balance",
+                           "support",
+                           "degenerate_patches"})
+    complete = complete && good.at("levels")[0].at(name).is_number();
+  checks.that("all residuals", complete);
+  checks.near("a residual", good.at("levels")[0].at("stationarity"), 1e-15, 0.);
+  checks.that("inf-sup constant where it is known",
+              good.at("levels")[0].at("inf_sup").is_null() &&
+                good.at("levels")[1].at("inf_sup") == 0.8);
+  checks.that("the chosen solver answered",
+              good.at("levels")[0].at("contact_solver_replaced") == false);
+  levels[0].certificate.duality_gap = levels[1].certificate.duality_gap = std::nan("");
+  levels[1].dual.active_set_failure = "singular";
+  const Json bad = parse(levels, judge.verdict(levels));
+  checks.that("the verdict on a level",
+              bad.at("levels")[0].at("certified") == false &&
+                good.at("levels")[1].at("certified") == true);
+  checks.that("the verdict on the study", bad.at("verdict") == "not certified");
+  checks.that("another solver answered", bad.at("levels")[1].at("contact_solver_replaced") == true);
+  levels = two_levels();
+  checks.that("more levels to come",
+              parse(levels, judge.unfinished(levels)).at("verdict") == "unfinished");
+  const Json failed = parse(levels, judge.failed(levels, "it \"failed\"\n"));
+  checks.that("a failure",
+              failed.at("verdict") == "not certified" && failed.at("failure") == "it \"failed\"\n");
+}
+} // namespace
+
+int main()
+{
+  Checks checks;
+  convergence_csv(checks);
+  tables_for_people(checks);
+  screen_table(checks);
+  graded_tables(checks);
+  certificate(checks);
+  return checks.exit_code();
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The columns of a level: each declared once, at its place, and empty where nothing is known.
+
+#include <signorini/base/columns.h>
+#include <signorini/base/text.h>
+#include <signorini/results/record/level_record.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+std::vector<std::string> names_of(const Columns<LevelRecord> &columns)
+{
+  std::vector<std::string> names;
+  for (const Column<LevelRecord> &column : columns)
+    names.push_back(column.name);
+  return names;
+}
+
+void places(Checks &checks)
+{
+  const std::vector<std::string> names = names_of(level_columns());
+  const std::vector<std::string> &fixed = columns_with_fixed_places();
+  checks.that("every column with a fixed place has it",
+              fixed.size() <= names.size() &&
+                std::equal(fixed.begin(), fixed.end(), names.begin()));
+  checks.that("no name stands twice",
+              std::set<std::string>(names.begin(), names.end()).size() == names.size());
+  // Scripts read columns by their numbers: this line may grow at its end, nothing else.
+  const std::string until_now =
+    "level,cells,dofs,multipliers,h,H,active,qp_iterations,kkt,inf_sup,energy,contact_force_n,"
+    "max_pressure,contact_length,u_h1,u_l2,u_superclose_h1,u_post_h1,p_l2,p_dual,p_dual_spectral,"
+    "p_superclose_dual,p_superclose_dual_spectral,p_post_l2,endpoint_error,estimated_h1,"
+    "effectivity,t_mesh,t_setup,t_assembly,t_factor,t_compliance,t_qp,t_recovery,t_postprocess,"
+    "t_errors,t_output,t_total,cpu_total,peak_memory_mb,qp_increment_iterations,lemma_2_l2,"
+    "lemma_2_dual,lemma_3_h1,lemma_5,bound_26,bound_27,bound_30,lemma_3_trace,u_post4_h1";
+  checks.that("columns do not move", join(names, ",").compare(0, until_now.size(), until_now) == 0);
+}
+
+void values(Checks &checks)
+{
+  LevelRecord record;
+  record.sizes.dofs = 50;
+  record.contact.normal_force = 2.;
+  record.times.mesh = 1.;
+  record.times.output = 0.5;
+  checks.that("of a part that every record has",
+              value(record, "dofs") == 50. && value(record, "contact_force_n") == 2. &&
+                value(record, "t_total") == 1.5);
+  checks.that("empty without the part",
+              !value(record, "u_h1") && !value(record, "effectivity") && !value(record, "inf_sup"));
+  record.estimate = ErrorEstimate{0.3, 0.2, 0.1, 0.16, 0.12};
+  checks.that("no effectivity without an error", !value(record, "effectivity"));
+  checks.that("no effectivity in energy without an error", !value(record, "effectivity_energy"));
+  record.displacement_errors = DisplacementErrors{0.4, 0.1, 0.2, {}, {}, 0.25};
+  checks.that("of a part that is known",
+              value(record, "u_h1") == 0.4 && value(record, "estimated_h1") == 0.3);
+  checks.that("empty within a part that is known", !value(record, "u_post_h1"));
+  checks.near("effectivity", *value(record, "effectivity"), 0.75, 1e-15);
+  checks.near("effectivity in energy", *value(record, "effectivity_energy"), 0.8, 1e-15);
+  checks.that("the parts of the estimate",
+              value(record, "estimated_energy") == 0.2 &&
+                value(record, "estimated_relative") == 0.1 &&
+                value(record, "estimated_mesh") == 0.16 &&
+                value(record, "estimated_pressure") == 0.12 && value(record, "u_energy") == 0.25);
+  record.displacement_errors->h1 = 0.;
+  checks.that("no effectivity of an exact solution", !value(record, "effectivity"));
+  checks.throws<std::invalid_argument>("no such column", "u_h2", [&]() { value(record, "u_h2"); });
+}
+
+/** A stage within a stage counts once. */
+void stages(Checks &checks)
+{
+  const auto pause = [](const int milliseconds) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    return milliseconds;
+  };
+  StageTimes times;
+  {
+    const StageTimer timer(times.qp);
+    pause(20);
+    checks.that("a timed call returns its value",
+                timed(times.compliance, [&]() { return pause(300); }) == 300);
+    pause(20);
+  }
+  pause(300);
+  checks.between("the outer stage", times.qp, 0.04, 0.25);
+  checks.between("the stage within", times.compliance, 0.3, 0.55);
+}
+} // namespace
+
+int main()
+{
+  Checks checks;
+  places(checks);
+  values(checks);
+  stages(checks);
+  return checks.exit_code();
+}

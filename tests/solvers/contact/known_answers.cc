@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// min 1/2 P^T C P - P^T F over P <= 0 on 2 x 2 and 3 x 3 problems solved by hand.
+
+#include <signorini/solvers/contact/active_set.h>
+#include <signorini/solvers/contact/mprgp.h>
+#include <signorini/solvers/contact/psor.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+struct Problem
+{
+  std::string name;
+  std::vector<std::vector<double>> C;
+  std::vector<double> F;
+  std::vector<double> P;
+};
+
+/** In each, W = C P - F <= 0 and P W = 0 can be checked by eye. */
+const std::vector<Problem> problems = {
+  {"both press", {{2, 1}, {1, 2}}, {-3, -3}, {-1, -1}},
+  {"one presses", {{2, 1}, {1, 2}}, {-2, 1}, {-1, 0}},
+  {"nothing touches", {{2, 1}, {1, 2}}, {1, 2}, {0, 0}},
+  {"touching without pressure", {{2, 1}, {1, 2}}, {-2, -1}, {-1, 0}},
+  {"middle opens", {{4, 3, 1}, {3, 5, 3}, {1, 3, 4}}, {-5, -5, -5}, {-1, 0, -1}},
+  {"all press", {{3, 1, 0}, {1, 3, 1}, {0, 1, 3}}, {-4, -5, -4}, {-1, -1, -1}}};
+
+BoundConstrainedQP make_qp(const Problem &problem)
+{
+  const unsigned int m = problem.F.size();
+  dealii::FullMatrix<double> C(m, m);
+  for (unsigned int i = 0; i < m; ++i)
+    for (unsigned int j = 0; j < m; ++j)
+      C(i, j) = problem.C[i][j];
+  return BoundConstrainedQP(C, dealii::Vector<double>(problem.F.begin(), problem.F.end()));
+}
+
+double distance(const dealii::Vector<double> &P, const std::vector<double> &expected)
+{
+  double largest = 0.;
+  for (unsigned int i = 0; i < P.size(); ++i)
+    largest = std::max(largest, std::abs(P[i] - expected[i]));
+  return largest;
+}
+
+void solve(const Problem &problem, Checks &checks)
+{
+  const BoundConstrainedQP qp = make_qp(problem);
+  const dealii::Vector<double> zero(qp.size());
+  const QPResult psor = solve_by_psor(qp, zero, {1.1, 1e-12, 1000});
+  checks.near(problem.name + ", psor", distance(psor.P, problem.P), 0., 1e-10);
+  const QPResult cold = solve_by_active_set(qp, {}, {1e-12, 100});
+  checks.near(problem.name + ", active set", distance(cold.P, problem.P), 0., 1e-14);
+  const QPResult warm = solve_by_active_set(qp, zero, {1e-12, 100});
+  checks.near(problem.name + ", active set from zero", distance(warm.P, problem.P), 0., 1e-14);
+  const QPResult mprgp = solve_by_mprgp(qp, {}, {1e-12, 1000});
+  checks.near(problem.name + ", mprgp", distance(mprgp.P, problem.P), 0., 1e-10);
+  checks.that(problem.name + ", converged",
+              psor.converged && cold.converged && warm.converged && mprgp.converged);
+}
+
+/** The energy falls in every sweep for every omega in (0, 2). */
+void descend(const Problem &problem, Checks &checks)
+{
+  const BoundConstrainedQP qp = make_qp(problem);
+  bool falls = true;
+  for (const double omega : {0.02, 0.5, 1., 1.5, 1.99})
+  {
+    dealii::Vector<double> P(qp.size());
+    for (unsigned int sweep = 0; sweep < 50; ++sweep)
+    {
+      const double before = qp.energy(P);
+      psor_sweep(qp, omega, P);
+      falls = falls && qp.energy(P) <= before + 1e-14;
+    }
+  }
+  checks.that(problem.name + ", energy falls in every sweep", falls);
+}
+} // namespace
+
+int main()
+{
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  for (const Problem &problem : problems)
+  {
+    solve(problem, checks);
+    descend(problem, checks);
+  }
+  const BoundConstrainedQP qp = make_qp(problems[0]);
+  const dealii::Vector<double> zero(2);
+  for (const double omega : {-1., 0., 2., 2.05})
+    checks.throws<std::invalid_argument>("omega outside (0,2)", "between 0 and 2", [&]() {
+      solve_by_psor(qp, zero, {omega, 1e-10, 10});
+    });
+  // At the solution the residual vanishes; elsewhere it is the projected step.
+  checks.near("residual at zero", qp.kkt_residual(zero), 1., 1e-15);
+  checks.that("sweeps run out", !solve_by_psor(qp, zero, {0.1, 1e-12, 3}).converged);
+  dealii::FullMatrix<double> indefinite(1, 1);
+  checks.throws<std::invalid_argument>("diagonal of C", "not positive", [&]() {
+    BoundConstrainedQP(indefinite, dealii::Vector<double>(1));
+  });
+  return checks.exit_code();
+}

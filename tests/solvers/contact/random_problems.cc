@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Projected SOR and the active set method against an enumeration of all active sets, on random and
+// contact-like matrices; cycling, degenerate, shifted, scaled and empty problems.
+
+#include <signorini/solvers/contact/active_set.h>
+#include <signorini/solvers/contact/mprgp.h>
+#include <signorini/solvers/contact/psor.h>
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "matrices.h"
+#include "random_numbers.h"
+#include "tests.h"
+
+using namespace Signorini;
+using Vector = dealii::Vector<double>;
+using Matrix = dealii::FullMatrix<double>;
+
+namespace
+{
+/** C_AA P_A = F_A - C_AI bound_I with the members of A as the bits of @p set. */
+Vector solve_on(const BoundConstrainedQP &qp, const unsigned int set)
+{
+  const unsigned int m = qp.size();
+  Matrix system(m, m);
+  Vector rhs(m), P(m);
+  for (unsigned int i = 0; i < m; ++i)
+  {
+    const bool active = ((set >> i) & 1U) == 1;
+    rhs[i] = active ? qp.F[i] : qp.bound[i];
+    for (unsigned int j = 0; j < m; ++j)
+      system(i, j) = active ? qp.C->dense()(i, j) : (i == j ? 1. : 0.);
+  }
+  system.gauss_jordan();
+  system.vmult(P, rhs);
+  return P;
+}
+
+/** The worst violation of P <= bound, W <= 0, (P - bound) W = 0. */
+double violation(const BoundConstrainedQP &qp, const Vector &P)
+{
+  const Vector W = qp.gradient(P);
+  double worst = 0.;
+  for (unsigned int i = 0; i < qp.size(); ++i)
+    worst = std::max({worst, P[i] - qp.bound[i], W[i], std::abs((P[i] - qp.bound[i]) * W[i])});
+  return worst;
+}
+
+/** Tries all 2^m active sets. */
+Vector enumerate(const BoundConstrainedQP &qp)
+{
+  Vector best;
+  double smallest = std::numeric_limits<double>::max();
+  for (unsigned int set = 0; set < (1U << qp.size()); ++set)
+  {
+    const Vector P = solve_on(qp, set);
+    if (violation(qp, P) < smallest)
+    {
+      smallest = violation(qp, P);
+      best = P;
+    }
+  }
+  return best;
+}
+
+double distance(const Vector &a, const Vector &b)
+{
+  Vector difference(a);
+  difference -= b;
+  return difference.size() == 0 ? 0. : difference.linfty_norm() / std::max(1., b.linfty_norm());
+}
+
+/** Largest distances from the enumeration over many random problems. */
+void small_problems(Checks &checks)
+{
+  RandomNumbers random(11);
+  double psor = 0., mprgp = 0., cold = 0., warm = 0.;
+  bool converged = true, contact = false, separation = false;
+  for (unsigned int trial = 0; trial < 200; ++trial)
+  {
+    const unsigned int m = 1 + trial % 8;
+    Vector F = random.vector(m), bound = random.vector(m);
+    if (trial % 2 == 0)
+      bound = 0.;
+    const BoundConstrainedQP qp(random_matrix(m, random), F, bound);
+    const Vector exact = enumerate(qp), start = random.vector(m);
+    const QPResult by_psor = solve_by_psor(qp, start, {1.2, 1e-13, 10000});
+    const QPResult by_sets = solve_by_active_set(qp, {}, {1e-12, 1000});
+    const QPResult from_start = solve_by_active_set(qp, start, {1e-12, 1000});
+    const QPResult by_mprgp = solve_by_mprgp(qp, start, {1e-13, 10000});
+    psor = std::max(psor, distance(by_psor.P, exact));
+    mprgp = std::max(mprgp, distance(by_mprgp.P, exact));
+    cold = std::max(cold, distance(by_sets.P, exact));
+    warm = std::max(warm, distance(from_start.P, exact));
+    converged = converged && by_psor.converged && by_mprgp.converged && by_sets.converged &&
+                from_start.converged;
+    for (unsigned int i = 0; i < m; ++i)
+      (exact[i] < bound[i] ? contact : separation) = true;
+  }
+  checks.that("200 random problems: contact and separation occur", contact && separation);
+  checks.that("200 random problems: all converge", converged);
+  checks.near("200 random problems: psor", psor, 0., 1e-11);
+  checks.near("200 random problems: mprgp", mprgp, 0., 1e-11);
+  checks.near("200 random problems: active set", cold, 0., 1e-12);
+  checks.near("200 random problems: active set from a random start", warm, 0., 1e-12);
+}
+
+/** Large problems with a prescribed answer: F = C P - W for P, W with P <= 0, W <= 0, P W = 0. */
+void prescribed(Checks &checks,
+                const std::string &name,
+                const Matrix &C,
+                const unsigned int degenerate,
+                const double tolerance)
+{
+  const unsigned int m = C.m();
+  RandomNumbers random(m);
+  Vector P(m), W(m), F(m);
+  for (unsigned int i = 0; i < m; ++i)
+  {
+    const double value = -std::abs(random()) - 0.1;
+    if (degenerate > 0 && i % degenerate == 0)
+      continue;
+    (random() > 0. ? P : W)[i] = value;
+  }
+  W *= C(0, 0);
+  C.vmult(F, P);
+  F -= W;
+  const BoundConstrainedQP qp(C, F);
+  const QPResult sets = solve_by_active_set(qp, {}, {1e-12, 200});
+  checks.that(name + ": active set converges", sets.converged);
+  checks.near(name + ": active set", distance(sets.P, P), 0., tolerance);
+  const QPResult psor = solve_by_psor(qp, Vector(m), {1.3, 1e-12, 100000});
+  checks.that(name + ": psor converges", psor.converged);
+  checks.near(name + ": psor", distance(psor.P, P), 0., 100. * tolerance);
+  const QPResult mprgp = solve_by_mprgp(qp, {}, {1e-12, 100000});
+  checks.that(name + ": mprgp converges", mprgp.converged);
+  checks.near(name + ": mprgp", distance(mprgp.P, P), 0., 100. * tolerance);
+  // With C itself as the preconditioner a face is solved in one step.
+  const QPResult faces = solve_by_mprgp(
+    qp, {}, {1e-12, 100000, [&](const std::vector<unsigned int> &set, const Vector &r) {
+               Matrix inverse(set.size(), set.size());
+               inverse.invert(submatrix(*qp.C, set));
+               Vector z(r.size());
+               inverse.vmult(z, r);
+               return z;
+             }});
+  checks.near(name + ": preconditioned mprgp", distance(faces.P, P), 0., 100. * tolerance);
+  checks.that(name + ": fewer products", faces.iterations <= mprgp.iterations);
+}
+
+/** The active set method without an end to cycles, as it stands in the literature. */
+bool plain_method_cycles(const BoundConstrainedQP &qp, unsigned int set)
+{
+  std::set<unsigned int> visited;
+  while (visited.insert(set).second)
+  {
+    const Vector P = solve_on(qp, set), W = qp.gradient(P);
+    unsigned int next = 0;
+    for (unsigned int i = 0; i < qp.size(); ++i)
+      if (P[i] - W[i] / qp.diagonal[i] < qp.bound[i] - 1e-12)
+        next |= 1U << i;
+    if (next == set)
+      return false;
+    set = next;
+  }
+  return true;
+}
+
+/** A start value that presses exactly on @p set. */
+Vector pressing_on(const unsigned int set, const BoundConstrainedQP &qp)
+{
+  Vector start(qp.size());
+  for (unsigned int i = 0; i < qp.size(); ++i)
+    start[i] = qp.bound[i] - (((set >> i) & 1U) == 1 ? 1. : 0.);
+  return start;
+}
+
+/** Where the plain method goes in circles, the answer comes from single exchanges. */
+void check_cycles(Checks &checks,
+                  const std::string &name,
+                  const std::vector<BoundConstrainedQP> &problems)
+{
+  unsigned int n_cycles = 0;
+  bool reported = true, silent = true;
+  double largest = 0.;
+  for (const BoundConstrainedQP &qp : problems)
+    for (unsigned int set = 0; set < (1U << qp.size()); ++set)
+    {
+      const bool cycles = plain_method_cycles(qp, set);
+      const QPResult result = solve_by_active_set(qp, pressing_on(set, qp), {1e-12, 1000});
+      n_cycles += cycles ? 1 : 0;
+      (cycles ? reported : silent) &= result.cycled == cycles;
+      largest = std::max(largest, distance(result.P, enumerate(qp)));
+    }
+  checks.that(name + ": the plain method cycles", n_cycles > 0);
+  checks.that(name + ": cycles are reported", reported);
+  checks.that(name + ": nothing else is reported", silent);
+  checks.near(name + ": right answer", largest, 0., 1e-11);
+}
+
+void cycling(Checks &checks)
+{
+  // Positive definite (minors 4, 11, 2), all P > bound wanted at once.
+  Matrix H(3, 3);
+  const double entries[3][3] = {{4., 5., -5.}, {5., 9., -5.}, {-5., -5., 7.}};
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      H(i, j) = entries[i][j];
+  const double F[] = {-2., -1., 3.};
+  check_cycles(checks, "three unknowns", {BoundConstrainedQP(H, Vector(F, F + 3))});
+  // Among nearly singular matrices of rank two a few cycle.
+  RandomNumbers random(3);
+  std::vector<BoundConstrainedQP> problems;
+  for (unsigned int trial = 0; trial < 300; ++trial)
+  {
+    Matrix M(2, 5), C(5, 5);
+    for (unsigned int i = 0; i < 5; ++i)
+    {
+      M(0, i) = random();
+      M(1, i) = random();
+    }
+    M.Tmmult(C, M);
+    for (unsigned int i = 0; i < 5; ++i)
+      C(i, i) += 0.001;
+    problems.emplace_back(C, random.vector(5));
+  }
+  check_cycles(checks, "300 random problems", problems);
+}
+
+/** Degenerate problems end quickly also at tolerances near rounding. */
+void degenerate(Checks &checks)
+{
+  const unsigned int m = 120;
+  const Matrix C = logarithmic_kernel(m);
+  Vector P(m), F(m);
+  for (unsigned int i = 0; i < m / 3; ++i)
+    P[i] = -1. / 3. - 0.01 * i;
+  C.vmult(F, P);
+  const BoundConstrainedQP qp(C, F);
+  for (const double tolerance : {1e-10, 1e-13, 1e-15})
+  {
+    const QPResult result = solve_by_active_set(qp, {}, {tolerance, 1000});
+    const std::string name =
+      "touching without pressure, tolerance " + std::to_string(-std::log10(tolerance));
+    checks.near(name.substr(0, name.find('.')) + ": answer", distance(result.P, P), 0., 1e-12);
+    checks.between(name.substr(0, name.find('.')) + ": solves", result.iterations, 1, 60);
+  }
+}
+
+/** Units change nothing: the counts of iterations stay. */
+void scaling(Checks &checks)
+{
+  RandomNumbers random(21);
+  const Matrix C = logarithmic_kernel(20);
+  const Vector F = random.vector(20);
+  const BoundConstrainedQP qp(C, F);
+  const QPResult sets = solve_by_active_set(qp, {}, {1e-10, 1000});
+  const QPResult psor = solve_by_psor(qp, Vector(20), {1.1, 1e-10, 100000});
+  for (const double c : {1e-9, 1., 1e9})
+    for (const double f : {1e-9, 1., 1e9})
+    {
+      Matrix scaled_C(C);
+      Vector scaled_F(F);
+      scaled_C *= c;
+      scaled_F *= f;
+      const BoundConstrainedQP scaled(scaled_C, scaled_F);
+      const QPResult scaled_sets = solve_by_active_set(scaled, {}, {1e-10, 1000});
+      const QPResult scaled_psor = solve_by_psor(scaled, Vector(20), {1.1, 1e-10, 100000});
+      std::string name = "C * " + std::string(c < 1. ? "1e-9" : (c > 1. ? "1e9" : "1"));
+      name += ", F * " + std::string(f < 1. ? "1e-9" : (f > 1. ? "1e9" : "1"));
+      checks.that(name + ": active set iterations",
+                  scaled_sets.iterations == sets.iterations && scaled_sets.converged);
+      checks.that(name + ": psor sweeps",
+                  scaled_psor.iterations == psor.iterations && scaled_psor.converged);
+      Vector P(scaled_sets.P);
+      P *= c / f;
+      checks.near(name + ": answer", distance(P, sets.P), 0., 1e-12);
+    }
+}
+
+void empty(Checks &checks)
+{
+  const BoundConstrainedQP qp{Matrix(), Vector()};
+  checks.near("empty problem, energy", qp.energy(Vector()), 0., 0.);
+  const QPResult sets = solve_by_active_set(qp, {}, {1e-10, 10});
+  const QPResult psor = solve_by_psor(qp, Vector(), {1.1, 1e-10, 10});
+  checks.that("empty problem, active set", sets.converged && sets.P.size() == 0);
+  checks.that("empty problem, psor", psor.converged && psor.P.size() == 0);
+  RandomNumbers random(1);
+  const BoundConstrainedQP no_load(random_matrix(3, random), Vector(3));
+  checks.near(
+    "F = 0, active set", solve_by_active_set(no_load, {}, {1e-10, 10}).P.linfty_norm(), 0., 0.);
+  checks.that("F = 0, psor in one sweep",
+              solve_by_psor(no_load, Vector(3), {1.1, 1e-10, 10}).iterations == 1);
+  checks.throws<std::invalid_argument>(
+    "sizes that do not fit", "do not fit", [] { BoundConstrainedQP(Matrix(2, 2), Vector(3)); });
+}
+} // namespace
+
+int main()
+{
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks;
+  small_problems(checks);
+  for (const unsigned int m : {10U, 40U})
+  {
+    RandomNumbers random(m);
+    const std::string size = ", m = " + std::to_string(m);
+    const Matrix C = random_matrix(m, random);
+    prescribed(checks, "random matrix" + size, C, 0, 1e-12);
+    prescribed(checks, "random matrix, degenerate" + size, C, 3, 1e-12);
+    prescribed(checks, "logarithmic kernel" + size, logarithmic_kernel(m), 0, 1e-11);
+    prescribed(checks, "logarithmic kernel, degenerate" + size, logarithmic_kernel(m), 4, 1e-11);
+  }
+  cycling(checks);
+  degenerate(checks);
+  scaling(checks);
+  empty(checks);
+  return checks.exit_code();
+}

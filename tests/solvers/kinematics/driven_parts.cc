@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Bodies that forces drive or that contact alone holds: closed forms, the same body driven by
+// travel, shifted gaps, and loads that nothing balances.
+
+#include <signorini/base/errors.h>
+
+#include <iomanip>
+#include <sstream>
+
+#include "one_level.h"
+#include "study_helpers.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+const std::string lower_corner = "subsection Geometry\nset Upper right = 1, 1\nend\n";
+
+std::string boundary(const std::string &entries)
+{
+  return "subsection Boundary\n" + entries + "end\n";
+}
+std::string load(const std::string &entries)
+{
+  return "subsection Load\n" + entries + "end\n";
+}
+std::string gap(const std::string &expression)
+{
+  return entry("Contact", "Gap", expression);
+}
+
+/** Own weight between rollers: p = -w for every E and nu, u = w ((1+nu)(1-2nu)/(E(1-nu)))
+ * (y²/2 - y) - g. */
+void test_column(Checks &checks)
+{
+  const std::string text = entry("Constants", "Values", "E=7, nu=0.2, w=3") +
+                           "subsection Material\nset Young's modulus = E\nset Poisson's ratio = "
+                           "nu\nend\n" +
+                           boundary("set Rollers = left right\nset Contact = bottom\n") +
+                           load("set Body force = 0; -w\n") + gap("0.25");
+  const OneLevel level(text, 3);
+  const LevelSolution<2> solution = level.solve();
+  for (const double p : solution.P)
+    if (std::abs(p + 3.) > 1e-10)
+      checks.near("column: p = -w", p, -3., 1e-10);
+  // Nodal values of a problem in one dimension with a quadratic solution are exact.
+  const double compliance = 3. * 1.2 * 0.6 / (7. * 0.8);
+  const NodalVector exact = nodal_values(level.space(), [&](const dealii::Point<2> &x) {
+    return dealii::Tensor<1, 2>({0., compliance * (0.5 * x[1] * x[1] - x[1]) - 0.25});
+  });
+  // All of g is a mean over patches: the lowest node is where the mean says.
+  checks.near("column: u", distance(solution.U, exact), 0., 1e-10);
+  checks.near("column: motion balance", solution.record.certificate.motion_balance, 0., 1e-10);
+}
+
+const std::string parabola = "0.5*(x-0.5)^2";
+
+std::string pressed(const std::string &plate, const std::string &loads, const std::string &g)
+{
+  return lower_corner + boundary("set Contact = bottom\nset Plates = top: " + plate + "\n") +
+         load(loads) + gap(g);
+}
+
+std::string exactly(const double number)
+{
+  std::ostringstream text;
+  text << std::setprecision(17) << number;
+  return text.str();
+}
+
+/** The travel that a force causes needs that force. */
+void test_force_and_travel(Checks &checks)
+{
+  const StudyResult<2> by_force =
+    solve(pressed("0, -1", "set Plate force = top: 0.05\n", parabola));
+  const PlateRecord &plate = by_force.levels.back().motions.plates.at(0);
+  checks.near("force: the reaction is the force", plate.force, 0.05, 1e-12);
+  const StudyResult<2> by_travel = solve(
+    pressed("0, -1", "set Plate travel = top: " + exactly(plate.motion.travel) + "\n", parabola));
+  const PlateRecord &same = by_travel.levels.back().motions.plates.at(0);
+  checks.near("travel: the force", same.force, 0.05, 1e-11);
+  checks.near("force and travel: pressures",
+              relative_distance(by_force.pressure.P, by_travel.pressure.P),
+              0.,
+              1e-9);
+  const double work = 0.05 * plate.motion.travel;
+  checks.near("force and travel: energies differ by the work",
+              by_force.levels.back().certificate.energy,
+              by_travel.levels.back().certificate.energy - work,
+              1e-12);
+  const LevelRecord &finest = by_force.levels.back();
+  checks.that("force: certified with a bound",
+              by_force.verdict.outcome == Outcome::certified && finest.bound->energy_lower &&
+                *finest.bound->energy_lower <= *finest.bound->energy_upper);
+}
+
+/** 0.5 (x - 0.4)² = 0.5 (x - 0.5)² + 0.1 (x - 0.5) + 0.005: the plate turns by -0.1 and travels by
+ * 0.005 more, and nothing else changes. */
+void test_turning(Checks &checks)
+{
+  const std::string loads = "set Plate force = top: 0.05\n";
+  const StudyResult<2> straight = solve(pressed("0, -1 turning", loads, parabola));
+  const StudyResult<2> tilted = solve(pressed("0, -1 turning", loads, "0.5*(x-0.4)^2"));
+  const PlateMotion a = straight.levels.back().motions.plates.at(0).motion;
+  const PlateMotion b = tilted.levels.back().motions.plates.at(0).motion;
+  checks.near("turning: symmetric", a.rotation, 0., 1e-10);
+  checks.near("turning: rotation", b.rotation, -0.1, 1e-10);
+  checks.near("turning: travel", b.travel - a.travel, 0.005, 1e-10);
+  checks.near(
+    "turning: pressures", relative_distance(tilted.pressure.P, straight.pressure.P), 0., 1e-8);
+}
+
+/** A bar with nu = 0, clamped on the left and pulled on the right: travel = F l/(E A). */
+void test_elastic_resistance(Checks &checks)
+{
+  const StudyResult<2> result = solve(
+    "subsection Geometry\nset Upper right = 3, 1\nset Cells = 3, 1\nend\nsubsection "
+    "Material\nset Young's modulus = 5\nset Poisson's ratio = 0\nend\n" +
+      boundary("set Clamped = left\nset Contact = bottom\nset Plates = right: 2, 0 turning\n") +
+      load("set Plate force = right: 0.1\n") + gap("1"),
+    levels(1, 3));
+  const PlateRecord &plate = result.levels.back().motions.plates.at(0);
+  checks.near("bar: travel", plate.motion.travel, 0.1 * 3. / 5., 1e-12);
+  checks.near("bar: rotation", plate.motion.rotation, 0., 1e-12);
+  checks.near("bar: energy", result.levels.back().certificate.energy, -0.5 * 0.1 * 0.06, 1e-13);
+}
+
+/** The resultant of the pressure is that of the loads: F at the distance M/F from the middle. */
+void test_moment(Checks &checks)
+{
+  const std::string loads = "set Plate force = top: 2\nset Plate moment = top: 0\n";
+  const auto with_moment = [&](const std::string &moment, const std::string &coarsest = "2") {
+    return solve(pressed("0, -1 turning", loads, "0"),
+                 {"Load/Plate moment=top: " + moment, "Discretization/Coarsest level=" + coarsest});
+  };
+  checks.throws<InputError>(
+    "moment on a coarse mesh", "a finer coarsest level", [&]() { with_moment("0.6"); });
+  const LevelRecord record = with_moment("0.6", "4").levels.back();
+  checks.near("moment: force", record.answer.contact_force.resultant.force[1], 2., 1e-10);
+  // About (0.5, 0): the plate turns the body counter-clockwise, the foundation clockwise.
+  const SideForce::Total &contact = record.answer.contact_force.resultant;
+  checks.near("moment: contact moment", contact.moment[0] - 0.5 * contact.force[1], -0.6, 1e-10);
+  checks.that("moment: part of the side has lifted",
+              record.contact.active < record.sizes.multipliers);
+  checks.throws<InputError>(
+    "moment beyond the edge", "it tips over", [&]() { with_moment("1.1"); });
+  checks.throws<InputError>(
+    "moment beyond the other edge", "it tips over", [&]() { with_moment("-1.1"); });
+}
+
+void test_escapes(Checks &checks)
+{
+  checks.throws<InputError>("upwards", "along (0, 1), and no pressure", [&]() {
+    solve(pressed("0, -1", "set Plate force = top: -1\n", "0"));
+  });
+  const std::string block = boundary("set Contact = bottom\nset Traction = right: T; 0\n") +
+                            load("set Body force = 0; -1\n");
+  checks.throws<InputError>("sideways",
+                            "the loads drive the translation along (1, 0) of the body",
+                            [&]() { solve(entry("Constants", "Values", "T=-0.01") + block); });
+  const StudyResult<2> still = solve(entry("Constants", "Values", "T=0") + block);
+  const std::vector<std::string> &undetermined = still.levels.back().motions.undetermined;
+  checks.that("at rest: sliding is undetermined, and said so",
+              undetermined == std::vector<std::string>{"the translation along (1, 0)"} &&
+                still.verdict.outcome == Outcome::certified);
+  checks.throws<InputError>("no load", "no load presses it onto the foundation", [&]() {
+    solve(boundary("set Contact = bottom\n"));
+  });
+}
+
+/** Lengths times 1e3 and moduli times 1e9: the same answer in other units. */
+void test_units(Checks &checks)
+{
+  const auto in_units = [](const std::string &L, const std::string &E) {
+    return solve(
+      "subsection Geometry\nset Upper right = " + L + ", " + L + "\nend\n" +
+        entry("Constants", "Values", "L=" + L) + entry("Material", "Young's modulus", E) +
+        boundary("set Contact = bottom\nset Plates = top: 0, -1 turning\n") +
+        load("set Plate force = top: 1\nset Plate moment = top: 0\n") + gap("0.5*L*(x/L-0.4)^2"),
+      {"Load/Plate force=top: " + std::to_string(0.05 * std::stod(L) * std::stod(E))});
+  };
+  const LevelRecord a = in_units("1", "1").levels.back();
+  const LevelRecord b = in_units("1e3", "1e9").levels.back();
+  checks.that("units: iterations", a.dual.iterations == b.dual.iterations);
+  checks.near("units: travel",
+              b.motions.plates.at(0).motion.travel / a.motions.plates.at(0).motion.travel,
+              1e3,
+              1e-6);
+  checks.near("units: rotation",
+              b.motions.plates.at(0).motion.rotation / a.motions.plates.at(0).motion.rotation,
+              1.,
+              1e-9);
+}
+
+/** Graded meshes approach the same travel. */
+void test_graded(Checks &checks)
+{
+  const std::string text = pressed("0, -1", "set Plate force = top: 0.05\n", parabola);
+  const StudyResult<2> nested = solve(text, levels(3, 6));
+  const StudyResult<2> graded =
+    solve(text, {"Discretization/Strategy=hp", "Discretization/Target error=1e-3"});
+  const double a = nested.levels.back().motions.plates.at(0).motion.travel;
+  const double b = graded.levels.back().motions.plates.at(0).motion.travel;
+  checks.near("graded: travel", a / b, 1., 2e-3);
+  const ErrorBound &bound = *nested.levels.back().bound;
+  checks.between("graded: energy between the bounds of nested levels",
+                 graded.levels.back().certificate.energy,
+                 *bound.energy_lower,
+                 *bound.energy_upper);
+  checks.that("graded: verdict", graded.verdict.outcome == Outcome::accuracy_estimated);
+}
+/** A cantilever whose tip a force presses onto a parabola: the exact energy lies between the bounds
+ * of all meshes, small ones, too. */
+void test_bounds(Checks &checks)
+{
+  const std::string text = "subsection Geometry\nset Upper right = 3, 1\nset Cells = 3, 1\nend\n" +
+                           boundary("set Clamped = left\nset Contact = bottom\n"
+                                    "set Plates = right: 0, -1 turning\n") +
+                           load("set Plate force = right: 0.02\n") + gap("0.01 + 0.4*(x-1.5)^2");
+  const double energy =
+    solve(text, {"Discretization/Strategy=hp", "Discretization/Target error=1e-5"})
+      .levels.back()
+      .certificate.energy;
+  for (const unsigned int level : {1, 2, 3, 4})
+  {
+    const ErrorBound bound = *solve(text, levels(level, level)).levels.back().bound;
+    checks.between("cantilever, level " + std::to_string(level) + ": energy",
+                   energy,
+                   *bound.energy_lower,
+                   *bound.energy_upper);
+  }
+}
+
+/** A disc on a table, held by its weight alone: its force is pi R² w, and it may roll. */
+void test_roller(Checks &checks)
+{
+  const std::string text = "subsection Geometry\nset Shape = disc\nset Centre = 0, 1\nend\n" +
+                           boundary("set Contact = arc\n") + load("set Body force = 0; -0.01\n") +
+                           entry("Contact", "Foundation", "plane 0,0 normal 0,1");
+  const double pi = std::acos(-1.);
+  for (const bool is_graded : {false, true})
+  {
+    const std::string name = is_graded ? "roller, hp" : "roller";
+    const StudyResult<2> result =
+      solve(text,
+            is_graded ? std::vector<std::string>{"Discretization/Strategy=hp",
+                                                 "Discretization/Target error=1e-3"}
+                      : levels(3, 5));
+    const LevelRecord &finest = result.levels.back();
+    const SideForce &contact = finest.answer.contact_force;
+    checks.near(name + ": force / weight",
+                contact.resultant.force[1] / (0.01 * pi),
+                1.,
+                is_graded ? 1e-6 : 1e-2);
+    checks.near(name + ": through its axis", (*contact.through)[0], 0., 1e-6);
+    checks.near(name + ": symmetric zone",
+                finest.answer.zones.at(0).start.place.point[0] +
+                  finest.answer.zones.at(0).end.place.point[0],
+                0.,
+                is_graded ? 1e-3 : 1e-7);
+  }
+}
+
+/** A ring on a shaft that is larger by delta: Lame's p = delta E'/((b² + a²)/(b² - a²) + nu') for
+ * a = 1, b = 2; a shaft beside the centre moves the ring there. */
+void test_interference(Checks &checks)
+{
+  const auto fit = [](const std::string &g) {
+    return solve(
+      "subsection Geometry\nset Shape = ring\nset Inner radius = 1\nset Radius = 2\nend\n"
+      "subsection Material\nset Young's modulus = 1\nset Poisson's ratio = 0.3\n"
+      "set Plane state = stress\nend\n" +
+        boundary("set Contact = inner\n") + gap(g),
+      levels(2, 3));
+  };
+  const StudyResult<2> ring = fit("-0.001");
+  const double pressure = 0.001 / (5. / 3. + 0.3);
+  for (const double p : ring.pressure.P)
+    if (std::abs(p / pressure + 1.) > 3e-3)
+      checks.near("interference: pressure", p, -pressure, 3e-3 * pressure);
+  checks.that("interference: verdict", ring.verdict.is_certified());
+  const StudyResult<2> moved = fit("-0.001 - 0.0005*x");
+  checks.near("interference: beside the centre",
+              relative_distance(moved.pressure.P, ring.pressure.P),
+              0.,
+              1e-8);
+  checks.throws<InputError>("interference that lifts the body off",
+                            "leaves the translation along (0, 1) free",
+                            [&]() { solve(boundary("set Contact = bottom\n") + gap("-0.001")); });
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  Checks checks;
+  test_column(checks);
+  test_force_and_travel(checks);
+  test_turning(checks);
+  test_elastic_resistance(checks);
+  test_moment(checks);
+  test_escapes(checks);
+  test_units(checks);
+  test_graded(checks);
+  test_bounds(checks);
+  test_roller(checks);
+  test_interference(checks);
+  return checks.exit_code();
+}

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The direct solvers: known answers, counted solves, singular matrices, and numbers of ranks.
+
+#include <signorini/base/errors.h>
+#include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/problem/input/make_scene.h>
+#include <signorini/solvers/stiffness/condensed_inverse.h>
+
+#include "one_level.h"
+#include "study_helpers.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace
+{
+bool one_rank()
+{
+  return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+}
+
+std::vector<LinearSolver> solvers()
+{
+  std::vector<LinearSolver> all = {
+    LinearSolver::automatic, LinearSolver::amesos_klu, LinearSolver::amesos_mumps};
+  if (one_rank())
+    all.push_back(LinearSolver::condensed);
+  return all;
+}
+
+struct System
+{
+  System(Scene<2> given_scene, const unsigned int level)
+    : scene(std::move(given_scene))
+    , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
+    , space(mesh, scene)
+    , A(std::move(assemble_linear_system(space, scene, 3).matrix))
+  {
+  }
+
+  DistributedVector distribute(const dealii::Vector<double> &values) const
+  {
+    DistributedVector vector = space.make_vector();
+    for (const auto i : space.locally_owned())
+      vector(i) = values[i];
+    vector.compress(dealii::VectorOperation::insert);
+    return vector;
+  }
+  DistributedVector random_vector(const unsigned int seed) const
+  {
+    return distribute(RandomNumbers(seed).vector(space.dofs().n_dofs()));
+  }
+
+  Scene<2> scene;
+  Mesh<2> mesh;
+  DisplacementSpace<2> space;
+  dealii::TrilinosWrappers::SparseMatrix A;
+};
+
+const std::string clamped = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
+
+Scene<2> held()
+{
+  return make_scene<2>(parse_parameters(clamped, "test"));
+}
+
+/** The same body with nothing that holds it. */
+Scene<2> loose()
+{
+  Scene<2> scene = held();
+  for (auto &condition : scene.boundary)
+    condition.role = Role::free;
+  return scene;
+}
+
+/** Held against all motions but one. */
+Scene<2> sliding()
+{
+  Scene<2> scene = loose();
+  scene.boundary[scene.geometry.find_side("left")].role = Role::roller;
+  return scene;
+}
+
+double relative_distance(DistributedVector a, const DistributedVector &b)
+{
+  a -= b;
+  return a.l2_norm() / b.l2_norm();
+}
+
+void known_answers(Checks &checks)
+{
+  const System system(held(), 3);
+  const DistributedVector exact = system.random_vector(1), other = system.random_vector(2);
+  DistributedVector b = system.space.make_vector(), x = b, b_other = b;
+  system.A.vmult(b, exact);
+  system.A.vmult(b_other, other);
+  for (const LinearSolver solver : solvers())
+  {
+    const std::string name = to_text(solver);
+    const auto inverse = factorise(system.A, 1., solver);
+    checks.that(name + ": no solve yet", inverse->n_solves() == 0);
+    inverse->solve(x, b);
+    checks.near(name + ": known answer", relative_distance(x, exact), 0., 1e-12);
+    inverse->solve(x, b_other);
+    checks.near(name + ": second right-hand side", relative_distance(x, other), 0., 1e-12);
+    b_other *= 1e12;
+    inverse->solve(x, b_other);
+    x *= 1e-12;
+    b_other *= 1e-12;
+    checks.near(name + ": large right-hand side", relative_distance(x, other), 0., 1e-12);
+    x = 1.;
+    inverse->solve(x, system.space.make_vector());
+    checks.near(name + ": b = 0", x.linfty_norm(), 0., 0.);
+    checks.that(name + ": solves are counted", inverse->n_solves() == 4);
+    checks.between(name + ": residual", inverse->largest_residual(), 1e-18, 1e-12);
+    factorise(system.A, 4., solver)->solve(x, b);
+    x *= 4.;
+    checks.near(name + ": the inverse of 4 A", relative_distance(x, exact), 0., 1e-12);
+  }
+}
+
+/** Whether two answers agree: bit by bit on one rank; on several ranks MUMPS adds contributions in
+ * the order in which they arrive, and last digits differ. */
+bool same(const DistributedVector &a, const DistributedVector &b, const double tolerance)
+{
+  const bool one_rank = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+  return relative_distance(a, b) <= (one_rank ? 0. : tolerance);
+}
+
+/** Loads as smooth and as rough as they come, very large and very small ones. */
+std::vector<DistributedVector> different_loads(const System &system)
+{
+  std::vector<DistributedVector> loads;
+  for (const unsigned int seed : {11U, 12U, 13U})
+    loads.push_back(system.random_vector(seed));
+  loads[1] *= 1e12;
+  // A force at one node, and A times something rough: the answers differ by orders of magnitude.
+  dealii::Vector<double> one(system.space.dofs().n_dofs());
+  one[one.size() / 2] = 1e-9;
+  loads.push_back(system.distribute(one));
+  loads.push_back(system.space.make_vector());
+  system.A.vmult(loads.back(), system.random_vector(14));
+  return loads;
+}
+
+/** What was solved before changes no bit of an answer; several at once are several.
+ * @param is_refined whether steps of refinement are needed. */
+void without_history(Checks &checks,
+                     const std::string &body,
+                     const System &system,
+                     const bool is_refined,
+                     const double tolerance)
+{
+  const std::vector<DistributedVector> loads = different_loads(system);
+  for (const LinearSolver solver : solvers())
+  {
+    const std::string name = body + ", " + to_text(solver);
+    const auto inverse = factorise(system.A, 1., solver);
+    std::vector<DistributedVector> first;
+    for (const DistributedVector &b : loads)
+    {
+      first.push_back(inverse->make_vector());
+      inverse->solve(first.back(), b);
+    }
+    checks.that(name + (is_refined ? ": refined" : ": not refined"),
+                (inverse->rounding_error() > 0.) == is_refined);
+    bool unchanged = true;
+    for (std::size_t k = loads.size(); k-- > 0;)
+    {
+      DistributedVector x = inverse->make_vector();
+      x = 1e5;
+      inverse->solve(x, loads[k]);
+      unchanged = unchanged && same(x, first[k], tolerance);
+    }
+    checks.that(name + ": the same answer after other loads", unchanged);
+    std::vector<DistributedVector> several(loads.size(), inverse->make_vector());
+    const unsigned int n_solves = inverse->n_solves();
+    inverse->solve(several, loads);
+    double largest = 0.;
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      largest = std::max(largest, relative_distance(several[k], first[k]));
+    checks.near(name + ": several at once", largest, 0., tolerance);
+    checks.that(name + ": each of several counts", inverse->n_solves() == n_solves + loads.size());
+  }
+}
+
+/** Right-hand sides in and outside the range of A. */
+void singular(Checks &checks, const std::string &body, const System &system)
+{
+  DistributedVector in_range = system.space.make_vector();
+  system.A.vmult(in_range, system.random_vector(3));
+  const std::pair<const char *, DistributedVector> right_hand_sides[] = {
+    {"any load", system.random_vector(4)}, {"balanced load", in_range}};
+  for (const LinearSolver solver : solvers())
+    for (const auto &b : right_hand_sides)
+      checks.throws<ComputationError>(
+        body + ", " + b.first + ", " + to_text(solver), "singular", [&]() {
+          const auto inverse = factorise(system.A, 1., solver);
+          DistributedVector x = system.space.make_vector();
+          inverse->solve(x, b.second);
+        });
+}
+
+/** What a value of Linear solver means on these ranks. */
+void choice(Checks &checks)
+{
+  const System system(held(), 2);
+  const auto automatic = factorise(system.A, 1., LinearSolver::automatic);
+  checks.that("automatic is condensed on one rank only",
+              (dynamic_cast<const CondensedInverse *>(automatic.get()) != nullptr) == one_rank());
+  checks.that("automatic is resolved",
+              resolve(LinearSolver::automatic, 1) == LinearSolver::condensed &&
+                resolve(LinearSolver::automatic, 2) == LinearSolver::amesos_mumps);
+  checks.that("others stay as they are",
+              resolve(LinearSolver::condensed, 2) == LinearSolver::condensed &&
+                resolve(LinearSolver::amesos_klu, 1) == LinearSolver::amesos_klu);
+  if (one_rank())
+    return;
+  checks.throws<InputError>(
+    "condensed is refused on several ranks",
+    "test:7: Solver/Linear solver: found 'condensed' on 2 processes, allowed on several: "
+    "automatic, amesos_mumps, amesos_klu.",
+    [&]() { solve("\n" + clamped + entry("Solver", "Linear solver", "condensed")); });
+  checks.throws<dealii::ExceptionBase>("the factorisation knows, too", "on one rank only", [&]() {
+    factorise(system.A, 1., LinearSolver::condensed);
+  });
+}
+
+/** Ill-conditioned but regular: a slender bar, clamped at one end. */
+Scene<2> bar()
+{
+  return make_scene<2>(
+    parse_parameters("subsection Geometry\nset Upper right = 30, 1\nset Cells = 30, 1\nend\n"
+                     "subsection Boundary\nset Clamped = left\nset Contact = bottom\nend\n",
+                     "test"));
+}
+
+void slender_bar(Checks &checks)
+{
+  const System system(bar(), 1);
+  const DistributedVector exact = system.random_vector(7);
+  DistributedVector b = system.space.make_vector(), x = b;
+  system.A.vmult(b, exact);
+  for (const LinearSolver solver : solvers())
+  {
+    const std::string name = to_text(solver);
+    const auto inverse = factorise(system.A, 1., solver);
+    inverse->solve(x, b);
+    checks.between("slender bar, " + name, inverse->largest_residual(), 0., 1e-12);
+  }
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+  known_answers(checks);
+  choice(checks);
+  slender_bar(checks);
+  without_history(checks, "square", System(held(), 3), false, 1e-13);
+  without_history(checks, "slender bar", System(bar(), 1), true, 1e-9);
+  for (const unsigned int level : {0U, 1U, 3U, 5U})
+  {
+    singular(checks, "loose body, level " + std::to_string(level), System(loose(), level));
+    singular(checks, "sliding body, level " + std::to_string(level), System(sliding(), level));
+  }
+  return checks.exit_code();
+}
