@@ -87,7 +87,7 @@ void test_good_syntax(Checks &checks)
               split_words(assignments[3].value) == Words({"bottom", "top"}));
 }
 
-/** Wrong syntax is a part of tests/bad_input. */
+/** Wrong syntax is a part of tests/problem/bad_input. */
 void test_files(Checks &checks)
 {
   checks.throws<InputError>("unreadable file",
