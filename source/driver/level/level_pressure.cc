@@ -119,7 +119,10 @@ QPResult solve_contact(const Parameters &parameters,
   {
     if (result.escape)
       refuse_escape(parameters, discretization, modes, solution.motions, *result.escape);
-    refuse_undetermined(parameters, modes, solution.motions, result.qp.P);
+    const bool begins_inside =
+      std::any_of(F.begin(), F.end(), [](const double F_k) { return F_k < 0.; });
+    if (begins_inside)
+      refuse_undetermined(parameters, modes, solution.motions, result.qp.P);
   }
   solution.q = result.q;
   return result.qp;

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "error_control/hp/graded.h"
 #include "random_numbers.h"
-#include "refinement/graded.h"
 #include "tests.h"
 
 using namespace Signorini;

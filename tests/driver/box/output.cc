@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "box.h"
-#include "output/vtu_reader.h"
+#include "results/files/vtu_reader.h"
 #include "tests.h"
 
 using namespace Signorini;

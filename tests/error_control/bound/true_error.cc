@@ -13,7 +13,7 @@
 #include <iomanip>
 #include <memory>
 
-#include "stress/stress.h"
+#include "driver/stress/stress.h"
 
 using namespace Signorini;
 

@@ -13,7 +13,7 @@
 #include <iostream>
 #include <string>
 
-#include "scene/formulas.h"
+#include "problem/scene/formulas.h"
 
 using namespace Signorini;
 

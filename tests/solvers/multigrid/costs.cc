@@ -10,7 +10,7 @@
 #include <functional>
 #include <iomanip>
 
-#include "box/box.h"
+#include "driver/box/box.h"
 #include "v_cycle.h"
 
 using namespace Signorini;

@@ -5,7 +5,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include "box/box.h"
+#include "driver/box/box.h"
 #include "v_cycle.h"
 
 using namespace Signorini;

@@ -4,7 +4,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include "box/box.h"
+#include "driver/box/box.h"
 #include "v_cycle.h"
 
 using namespace Signorini;

@@ -6,8 +6,8 @@
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/stiffness/condensed_inverse.h>
 
+#include "error_control/hp/graded.h"
 #include "random_numbers.h"
-#include "refinement/graded.h"
 #include "tests.h"
 
 using namespace Signorini;
