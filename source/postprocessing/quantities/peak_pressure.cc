@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// The largest contact pressure, as a point value and not as a mean.
 
 #include <signorini/postprocessing/fields/contact_pressure.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
@@ -63,8 +64,6 @@ private:
   double from_, to_;
   double constant_, slope_, curvature_;
 };
-
-// The largest contact pressure, as a point value and not as a mean.
 
 std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<2> &multipliers,
                                              const dealii::Vector<double> &P,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// Coordinates, and the sizes of bodies that can be computed with.
 
 #include "geometry_input.h"
 
@@ -22,8 +23,6 @@ namespace Signorini
 {
 /** The body of Geometry/File. @throws InputError */
 Geometry<2> read_mesh_file(const GeometryParameters &given);
-
-// Coordinates, and the sizes of bodies that can be computed with.
 
 namespace
 {

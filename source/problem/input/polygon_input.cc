@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// From vertices, arcs and fillets to sides.
 
 #include "polygon_input.h"
 
@@ -57,8 +58,6 @@ struct PolygonLoop
  * @throws InputError if an arc does not fit its ends or a fillet its edges.
  */
 std::vector<Side<2>> sides_of(const PolygonLoop &loop, bool is_outer, const std::string &where);
-
-// From vertices, arcs and fillets to sides.
 
 namespace
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// What expressions must be worth: checked at points that the integrals will use or come close to.
 
 #include "scene_checks.h"
 
@@ -45,8 +46,6 @@ void check_exact_on_side(const ExactSolutionParameters &exact,
                          const Scene<dim> &scene,
                          unsigned int side,
                          const std::vector<dealii::Point<dim>> &points);
-
-// What expressions must be worth: checked at points that the integrals will use or come close to.
 
 namespace
 {

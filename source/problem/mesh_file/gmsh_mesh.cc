@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// The format MSH of Gmsh, versions 2.2 and 4.1, section by section.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
@@ -134,8 +135,6 @@ private:
   std::size_t position_ = 0;
   std::size_t line_ = 1;
 };
-
-// The format MSH of Gmsh, versions 2.2 and 4.1, section by section.
 
 namespace
 {

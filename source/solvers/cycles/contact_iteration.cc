@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// Anderson's acceleration of V-cycles and boundary problems.
 
 #include <signorini/solvers/contact/dual_problem.h>
 #include <signorini/solvers/cycles/contact_iteration.h>
@@ -65,8 +66,6 @@ private:
   Floats last_r_, last_z_, last_increment_;
   dealii::Vector<double> last_d_, last_C_d_, last_P_increment_;
 };
-
-// Anderson's acceleration of V-cycles and boundary problems.
 
 namespace
 {
