@@ -20,9 +20,10 @@ namespace
 {
 using Vector = dealii::Vector<double>;
 
-/** Of the energy of a step. w is a minimum: its own energy has twice as many digits. */
-constexpr double nodal_tolerance = 1e-14;
-constexpr unsigned int most_solves = 30;
+/** Of the energy of a step, in products of forces and displacements: the steps themselves are then
+ * below 1e-10. */
+constexpr double nodal_tolerance = 1e-20;
+constexpr unsigned int most_solves = 40;
 /** A dense matrix of 70 MB, and its factors. */
 constexpr unsigned int most_nodes_of_kernel = 3000;
 

@@ -10,12 +10,12 @@ mpirun=$3
 # The other tests keep the BLAS to one thread.
 unset OPENBLAS_NUM_THREADS OMP_WAIT_POLICY
 
-# largest_difference A B: over convergence.csv, relative to the larger of the two values. The lift behind contact_force_error
-# depends on the linear solver. Residuals and the part of the estimate that comes from p - p_H, which may be rounding
-# themselves (p is constant in e1), and counts of iterations apart. Prints the difference and its column.
+# largest_difference A B: over convergence.csv, relative to the larger of the two values. Residuals and the part of the
+# estimate that comes from p - p_H, which may be rounding themselves (p is constant in e1), and counts of iterations apart.
+# Prints the difference and its column.
 largest_difference() {
   paste -d, <(table "$1") <(table "$2") | awk -F, '
-    NR == 1 { n = NF / 2; for (c = 2; c <= n; ++c) { skip[c] = $c ~ /^kkt$|^bound_algebra$|^contact_force_error$|^estimated_pressure$|iterations$/; name[c] = $c } next }
+    NR == 1 { n = NF / 2; for (c = 2; c <= n; ++c) { skip[c] = $c ~ /^kkt$|^bound_algebra$|^estimated_pressure$|iterations$/; name[c] = $c } next }
     { for (c = 2; c <= n; ++c) if (!skip[c] && $c != $(c + n)) {
         size = $c ^ 2 > $(c + n) ^ 2 ? sqrt($c ^ 2) : sqrt($(c + n) ^ 2)
         difference = sqrt(($c - $(c + n)) ^ 2) / size
