@@ -2,13 +2,13 @@
 // Kernels for all instruction sets of this machine give the same up to rounding, in rows and in
 // lists.
 
-#include "../../../source/solvers/multigrid/kernels.h"
+#include <signorini/solvers/multigrid/cell_integration.h>
+#include <signorini/solvers/multigrid/kernels.h>
 
 #include <algorithm>
 #include <ctime>
 #include <numeric>
 
-#include "../../../source/solvers/multigrid/cell_integration.h"
 #include "random_numbers.h"
 #include "tests.h"
 
