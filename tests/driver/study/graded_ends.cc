@@ -48,10 +48,9 @@ void check_early_stop(Checks &checks)
  * the estimate, nothing is claimed. */
 void check_contradiction(Checks &checks)
 {
-  const StudyResult<2> result =
-    solve_hp("subsection Boundary\n set Contact = bottom\n"
-             " set Displacement = top: 0; x > 0.5 ? -0.05 : 0\n end\n"
-             "subsection Contact\n set Gap = 0.1*x^2\n end\n");
+  const StudyResult<2> result = solve_hp("subsection Boundary\n set Contact = bottom\n"
+                                         " set Displacement = top: 0; x > 0.5 ? -0.05 : 0\n end\n"
+                                         "subsection Contact\n set Gap = 0.1*x^2\n end\n");
   checks.that("Contradiction: not certified", !result.verdict.is_certified());
   checks.that("Contradiction: nothing is known", result.levels.back().estimate->relative >= 1.);
 }
