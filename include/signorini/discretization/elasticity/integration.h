@@ -174,9 +174,9 @@ double energy_norm(const DisplacementSpace<dim> &space,
 
 /**
  * Where the body moves as a whole, the energy norm that such a displacement has if it strains the
- * body: max|u_h| E_0^{1/2} l^{(dim-2)/2} with the unit of stiffness_unit(). |||u_h|||, forces and
- * their errors are nothing but rounding then, or what the linear solver leaves. None where the body
- * is strained. Collective.
+ * body: max|u_h| E_0^{1/2} l^{(dim-2)/2} with the unit of stiffness_unit(); max|u_h| counts as at
+ * least 1e-10 of the body's size. |||u_h|||, forces and their errors are nothing but rounding then,
+ * or what the linear solver leaves. None where the body is strained. Collective.
  */
 template <int dim>
 std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
