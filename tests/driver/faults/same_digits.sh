@@ -15,7 +15,7 @@ unset OPENBLAS_NUM_THREADS OMP_WAIT_POLICY
 # Prints the difference and its column.
 largest_difference() {
   paste -d, <(table "$1") <(table "$2") | awk -F, '
-    NR == 1 { n = NF / 2; for (c = 2; c <= n; ++c) { skip[c] = $c ~ /^kkt$|^bound_algebra$|^estimated_pressure$|iterations$/; name[c] = $c } next }
+    NR == 1 { n = NF / 2; for (c = 2; c <= n; ++c) { skip[c] = $c ~ /^kkt$|^bound_algebra$|^estimated_algebra$|^estimated_pressure$|iterations$/; name[c] = $c } next }
     { for (c = 2; c <= n; ++c) if (!skip[c] && $c != $(c + n)) {
         size = $c ^ 2 > $(c + n) ^ 2 ? sqrt($c ^ 2) : sqrt($(c + n) ^ 2)
         difference = sqrt(($c - $(c + n)) ^ 2) / size
