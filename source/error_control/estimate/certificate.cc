@@ -206,7 +206,8 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
 {
   const unsigned int m = W.size();
   const dealii::Vector<double> measures = multipliers.integrals();
-  double deepest = 0., largest_P = 0., tensile = 0.;
+  const AdmissibleSet K = multipliers.admissible_set();
+  double deepest = 0., largest_P = 0., outside = 0.;
   double length_scale =
     std::max(solution.U.linfty_norm(), least_share_of_free_state * solution.free_U.linfty_norm());
   for (unsigned int tau = 0; tau < m; ++tau)
@@ -214,10 +215,11 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
     deepest = std::max(deepest, W[tau] / measures[tau]);
     length_scale = std::max(length_scale, std::abs(solution.G[tau]) / measures[tau]);
     largest_P = std::max(largest_P, std::abs(solution.P[tau]));
-    tensile = std::max(tensile, solution.P[tau]);
+    // How far P lies outside of the admissible set.
+    outside = std::max(outside, std::abs(K.residual(tau, solution.P[tau], 0.)));
   }
   certificate.penetration = relative(deepest, length_scale);
-  certificate.sign = relative(tensile, largest_P);
+  certificate.sign = relative(outside, largest_P);
   certificate.complementarity = relative(solution.P * W, energy_scale);
   for (unsigned int tau = 0; tau < m; ++tau)
   {

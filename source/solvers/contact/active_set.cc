@@ -44,32 +44,32 @@ QPResult solve_on_growing_set(const ComplianceOperator &C,
   const unsigned int m = F.size();
   QPResult whole;
   whole.P = start.size() > 0 ? start : Vector(m);
-  Indices K;
+  Indices S;
   const auto presses = [&](const unsigned int i) { return i < m && whole.P[i] < 0.; };
   // Ends of contact move by a patch or so; i - 1 wraps around at zero.
   Indices joining = find_outside(
-    K, m, [&](const unsigned int i) { return presses(i) || presses(i - 1) || presses(i + 1); });
+    S, m, [&](const unsigned int i) { return presses(i) || presses(i - 1) || presses(i + 1); });
   const bool has_start = !joining.empty();
   if (!has_start)
-    joining = find_outside(K, m, [&](const unsigned int i) { return F[i] < 0.; });
+    joining = find_outside(S, m, [&](const unsigned int i) { return F[i] < 0.; });
   whole.converged = joining.empty(); // then P = 0 it is
   for (bool first = true; !joining.empty(); first = false)
   {
-    K.insert(K.end(), joining.begin(), joining.end());
-    std::sort(K.begin(), K.end());
-    const QPResult on_K = solve(BoundConstrainedQP(submatrix(C, K), restrict_to(K, F)),
-                                first && !has_start ? Vector() : restrict_to(K, whole.P));
+    S.insert(S.end(), joining.begin(), joining.end());
+    std::sort(S.begin(), S.end());
+    const QPResult on_S = solve(BoundConstrainedQP(submatrix(C, S), restrict_to(S, F)),
+                                first && !has_start ? Vector() : restrict_to(S, whole.P));
     whole.P = 0.;
-    for (unsigned int i = 0; i < K.size(); ++i)
-      whole.P[K[i]] = on_K.P[i];
-    whole.iterations += on_K.iterations;
-    whole.kkt_residual = on_K.kkt_residual;
-    whole.converged = on_K.converged;
-    whole.cycled = whole.cycled || on_K.cycled;
-    whole.unique = on_K.unique;
-    whole.active_set_failure = on_K.active_set_failure;
+    for (unsigned int i = 0; i < S.size(); ++i)
+      whole.P[S[i]] = on_S.P[i];
+    whole.iterations += on_S.iterations;
+    whole.kkt_residual = on_S.kkt_residual;
+    whole.converged = on_S.converged;
+    whole.cycled = whole.cycled || on_S.cycled;
+    whole.unique = on_S.unique;
+    whole.active_set_failure = on_S.active_set_failure;
     const Vector C_P = C.apply(whole.P);
-    joining = find_outside(K, m, [&](const unsigned int i) { return C_P[i] - F[i] > 0.; });
+    joining = find_outside(S, m, [&](const unsigned int i) { return C_P[i] - F[i] > 0.; });
   }
   return whole;
 }
@@ -78,27 +78,41 @@ QPResult solve_on_growing_set(const ComplianceOperator &C,
 
 namespace
 {
-using ActiveSet = std::vector<bool>;
+/** Where an unknown stands: at the lower end of its interval, inside, or at the upper end. */
+enum class State : char
+{
+  lower,
+  inside,
+  upper
+};
+using States = std::vector<State>;
 using Vector = dealii::Vector<double>;
 
-std::vector<unsigned int> indices_of(const ActiveSet &active)
+State state_of(const AdmissibleSet &K, const unsigned int i, const double p)
 {
-  std::vector<unsigned int> indices;
-  for (unsigned int i = 0; i < active.size(); ++i)
-    if (active[i])
-      indices.push_back(i);
-  return indices;
+  return K.is_inside(i, p) ? State::inside : p >= K[i].upper ? State::upper : State::lower;
 }
 
-/** C_AA P_A = F_A - C_AI bound_I, P_I = bound_I. @throws if C_AA is not positive definite. */
-Vector solve_on_set(const BoundConstrainedQP &qp, const ActiveSet &active)
+States states_of(const AdmissibleSet &K, const Vector &P)
 {
-  const std::vector<unsigned int> A = indices_of(active);
-  Vector P = qp.bound;
+  States states(K.size());
+  for (unsigned int i = 0; i < K.size(); ++i)
+    states[i] = state_of(K, i, P[i]);
+  return states;
+}
+
+/** C_AA P_A = F_A - C_AI e_I, P_I = e_I. @throws if C_AA is not positive definite. */
+Vector solve_on_set(const BoundConstrainedQP &qp, const States &states)
+{
+  std::vector<unsigned int> A;
+  Vector P(qp.size());
+  for (unsigned int i = 0; i < qp.size(); ++i)
+    if (states[i] == State::inside)
+      A.push_back(i);
+    else
+      P[i] = states[i] == State::upper ? qp.K[i].upper : qp.K[i].lower;
   if (A.empty())
     return P;
-  for (const unsigned int i : A)
-    P[i] = 0.;
   const Vector minus_rhs = qp.gradient(P);
   dealii::LAPACKFullMatrix<double> C_AA(A.size(), A.size());
   C_AA = submatrix(*qp.C, A);
@@ -113,31 +127,26 @@ Vector solve_on_set(const BoundConstrainedQP &qp, const ActiveSet &active)
   return P;
 }
 
-/** The patches on which a start value presses. */
-ActiveSet pressed(const BoundConstrainedQP &qp, const Vector &P)
-{
-  ActiveSet active(qp.size());
-  for (unsigned int i = 0; i < qp.size(); ++i)
-    active[i] = P[i] < qp.bound[i];
-  return active;
-}
-
-/** The set predicted by the solution on @p active; there W_A = 0 and P_I = bound_I exactly. */
-ActiveSet improve(const BoundConstrainedQP &qp, const ActiveSet &active, const Vector &P)
+/** The states predicted by the solution for @p states: inside, W vanishes, elsewhere P is an end.
+ */
+States improve(const BoundConstrainedQP &qp, const States &states, const Vector &P)
 {
   const Vector W = qp.gradient(P);
-  ActiveSet next(qp.size());
+  States next(states);
   for (unsigned int i = 0; i < qp.size(); ++i)
-    next[i] = active[i] ? P[i] < qp.bound[i] : W[i] > 0.;
+    if (states[i] == State::inside)
+      next[i] = state_of(qp.K, i, P[i]);
+    else if (qp.K.inward(i, P[i], W[i]) != 0.)
+      next[i] = State::inside;
   return next;
 }
 
-/** Moves the lowest index on which the sets differ to the other side. */
-ActiveSet exchange_lowest(const ActiveSet &active, const ActiveSet &wanted)
+/** Moves the lowest unknown on which the states differ. */
+States exchange_lowest(const States &states, const States &wanted)
 {
-  ActiveSet next = active;
-  for (unsigned int i = 0; i < active.size(); ++i)
-    if (active[i] != wanted[i])
+  States next = states;
+  for (unsigned int i = 0; i < states.size(); ++i)
+    if (states[i] != wanted[i])
     {
       next[i] = wanted[i];
       break;
@@ -150,12 +159,6 @@ double rounding_level(const BoundConstrainedQP &qp)
 {
   return (qp.size() + 10) * std::numeric_limits<double>::epsilon();
 }
-
-void project(const BoundConstrainedQP &qp, Vector &P)
-{
-  for (unsigned int i = 0; i < qp.size(); ++i)
-    P[i] = std::min(P[i], qp.bound[i]);
-}
 } // namespace
 
 QPResult solve_by_active_set(const BoundConstrainedQP &qp,
@@ -163,27 +166,27 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp,
                              const ActiveSetOptions &options)
 {
   QPResult result;
-  ActiveSet active = start.size() == 0 ? ActiveSet(qp.size(), true) : pressed(qp, start);
-  std::set<ActiveSet> visited;
+  States states = start.size() == 0 ? States(qp.size(), State::inside) : states_of(qp.K, start);
+  std::set<States> visited;
   bool settled = false;
   while (!settled && result.iterations < options.maximum_iterations)
   {
     ++result.iterations;
-    visited.insert(active);
-    result.P = solve_on_set(qp, active);
-    const ActiveSet wanted = improve(qp, active, result.P);
+    visited.insert(states);
+    result.P = solve_on_set(qp, states);
+    const States wanted = improve(qp, states, result.P);
     // Where P and W vanish together, rounding chooses the set anew each time: the answer is found
     // all the same.
     Vector projected = result.P;
-    project(qp, projected);
+    qp.K.project(projected);
     const double residual = qp.kkt_residual(projected);
     const bool came_back = visited.count(wanted) > 0;
-    settled = wanted == active || residual <= rounding_level(qp) ||
+    settled = wanted == states || residual <= rounding_level(qp) ||
               (came_back && residual <= 1e-3 * options.tolerance);
     result.cycled = result.cycled || (came_back && !settled);
-    active = result.cycled ? exchange_lowest(active, wanted) : wanted;
+    states = result.cycled ? exchange_lowest(states, wanted) : wanted;
   }
-  project(qp, result.P);
+  qp.K.project(result.P);
   result.kkt_residual = qp.kkt_residual(result.P);
   result.converged = result.kkt_residual <= options.tolerance;
   return result;

@@ -85,33 +85,33 @@ Matrix submatrix(const ComplianceOperator &C, const Indices &numbers)
   return part;
 }
 
-// min 1/2 P^T C P - P^T F over P <= bound: the problem, and the residual that judges every solver.
+// min 1/2 P^T C P - P^T F over P in K: the problem, and the residual that judges every solver.
 
 BoundConstrainedQP::BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C_,
                                        Vector F_,
-                                       Vector bound_)
+                                       AdmissibleSet K_)
   : C(std::move(C_))
   , diagonal(C->diagonal())
   , F(std::move(F_))
-  , bound(std::move(bound_))
+  , K(std::move(K_))
 {
-  if (C->size() != F.size() || bound.size() != F.size())
-    throw std::invalid_argument("The sizes of C, F and the bound do not fit together.");
+  if (C->size() != F.size() || K.size() != F.size())
+    throw std::invalid_argument("The sizes of C, F and K do not fit together.");
   for (unsigned int i = 0; i < size(); ++i)
     if (!(diagonal[i] > 0.))
       throw std::invalid_argument("C has a diagonal entry that is not positive: row " +
                                   std::to_string(i) + ".");
 }
 
-BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, Vector F_, Vector bound_)
+BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, Vector F_, AdmissibleSet K_)
   : BoundConstrainedQP(std::make_shared<const DenseCompliance>(std::move(C_)),
                        std::move(F_),
-                       std::move(bound_))
+                       std::move(K_))
 {
 }
 
 BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, const Vector &F_)
-  : BoundConstrainedQP(std::move(C_), F_, Vector(F_.size()))
+  : BoundConstrainedQP(std::move(C_), F_, AdmissibleSet::nonpositive(F_.size()))
 {
 }
 
@@ -139,7 +139,7 @@ double BoundConstrainedQP::kkt_residual(const Vector &P) const
   double size_of_F = 0.;
   for (unsigned int i = 0; i < size(); ++i)
   {
-    const double r = P[i] - std::min(bound[i], P[i] - W[i] / diagonal[i]);
+    const double r = K.residual(i, P[i], W[i] / diagonal[i]);
     residual += r * r;
     size_of_P += P[i] * P[i];
     size_of_F += F[i] * F[i] / (diagonal[i] * diagonal[i]);
@@ -154,7 +154,7 @@ bool BoundConstrainedQP::has_unique_solution(const Vector &P) const
   const double zero = size() > 0 ? 1e-9 * F.linfty_norm() : 0.;
   std::vector<unsigned int> touching;
   for (unsigned int i = 0; i < size(); ++i)
-    if (P[i] < bound[i] || W[i] > -zero)
+    if (K.is_inside(i, P[i]) || (P[i] >= K[i].upper ? W[i] > -zero : W[i] < zero))
       touching.push_back(i);
   const auto n = static_cast<unsigned int>(touching.size());
   if (n == 0)

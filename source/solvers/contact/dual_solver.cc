@@ -70,6 +70,6 @@ QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
   if (options.method != ContactSolver::psor && options.method != ContactSolver::mprgp &&
       !C->is_explicit())
     return solve_on_growing_set(*C, F, start, solve);
-  return solve(BoundConstrainedQP(C, F, Vector(F.size())), start);
+  return solve(BoundConstrainedQP(C, F, AdmissibleSet::nonpositive(F.size())), start);
 }
 } // namespace Signorini

@@ -38,9 +38,9 @@ public:
   Mprgp(const BoundConstrainedQP &qp, const Vector &start, const MprgpOptions &options)
     : qp_(qp)
     , options_(options)
-    , P_(start.size() > 0 ? start : qp.bound)
+    , P_(start.size() > 0 ? start : Vector(qp.size()))
   {
-    project(P_);
+    qp.K.project(P_);
     length_ = 1.9 / norm_of(*qp.C, products_);
     restart();
   }
@@ -63,12 +63,7 @@ public:
 private:
   bool is_free(const unsigned int i) const
   {
-    return P_[i] < qp_.bound[i];
-  }
-  void project(Vector &P) const
-  {
-    for (unsigned int i = 0; i < P.size(); ++i)
-      P[i] = std::min(P[i], qp_.bound[i]);
+    return qp_.K.is_inside(i, P_[i]);
   }
   Vector times_C(const Vector &v)
   {
@@ -91,12 +86,24 @@ private:
     for (unsigned int i = 0; i < P_.size(); ++i)
     {
       const double step = W_[i] / qp_.diagonal[i];
-      sum += std::pow(P_[i] - std::min(qp_.bound[i], P_[i] - step), 2);
+      sum += std::pow(qp_.K.residual(i, P_[i], step), 2);
       size_of_P += P_[i] * P_[i];
       size_of_F += std::pow(qp_.F[i] / qp_.diagonal[i], 2);
     }
     const double scale = std::max(size_of_P, size_of_F);
     return std::sqrt(scale > 0. ? sum / scale : sum);
+  }
+
+  /** W_i, as far as a step of the fixed length along it stays in K. */
+  double reduced(const unsigned int i) const
+  {
+    return std::max((P_[i] - qp_.K[i].upper) / length_,
+                    std::min((P_[i] - qp_.K[i].lower) / length_, W_[i]));
+  }
+  /** The end of the interval that a step against the direction meets. */
+  double end_behind(const unsigned int i) const
+  {
+    return direction_[i] < 0. ? qp_.K[i].upper : qp_.K[i].lower;
   }
 
   /** |beta|² <= reduced phi . phi: what bounds hold back is no more than what is free. */
@@ -105,9 +112,9 @@ private:
     double held = 0., free = 0.;
     for (unsigned int i = 0; i < P_.size(); ++i)
       if (is_free(i))
-        free += W_[i] * std::max((P_[i] - qp_.bound[i]) / length_, W_[i]);
+        free += W_[i] * reduced(i);
       else
-        held += std::pow(std::max(W_[i], 0.), 2);
+        held += std::pow(qp_.K.inward(i, P_[i], W_[i]), 2);
     return held <= free;
   }
 
@@ -135,8 +142,8 @@ private:
     const double step = (W_ * direction_) / curvature;
     double feasible = std::numeric_limits<double>::max();
     for (unsigned int i = 0; i < P_.size(); ++i)
-      if (direction_[i] < 0.)
-        feasible = std::min(feasible, (P_[i] - qp_.bound[i]) / direction_[i]);
+      if (direction_[i] != 0.)
+        feasible = std::min(feasible, (P_[i] - end_behind(i)) / direction_[i]);
     if (step <= feasible)
     {
       P_.add(-step, direction_);
@@ -149,7 +156,7 @@ private:
     W_.add(-feasible, product);
     for (unsigned int i = 0; i < P_.size(); ++i)
       if (is_free(i))
-        P_[i] = std::min(P_[i] - length_ * W_[i], qp_.bound[i]);
+        P_[i] = qp_.K.project(i, P_[i] - length_ * W_[i]);
     restart();
   }
 
@@ -158,7 +165,7 @@ private:
     Vector chopped(P_.size());
     for (unsigned int i = 0; i < P_.size(); ++i)
       if (!is_free(i))
-        chopped[i] = std::max(W_[i], 0.);
+        chopped[i] = qp_.K.inward(i, P_[i], W_[i]);
     const Vector product = times_C(chopped);
     const double step = (W_ * chopped) / (chopped * product);
     P_.add(-step, chopped);

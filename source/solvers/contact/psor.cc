@@ -20,7 +20,7 @@ double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, dealii:
       CP_i += row[j] * P[j];
     const double lambda = P[i] - (CP_i - qp.F[i]) / row[i];
     const double relaxed = (1. - relaxation) * P[i] + relaxation * lambda;
-    const double projected = std::min(qp.bound[i], relaxed);
+    const double projected = qp.K.project(i, relaxed);
     squared_increment += (projected - P[i]) * (projected - P[i]);
     P[i] = projected;
   }
@@ -35,8 +35,7 @@ QPResult solve_by_psor(const BoundConstrainedQP &qp,
     throw std::invalid_argument("Projected SOR converges for relaxations between 0 and 2 only.");
   QPResult result;
   result.P = start;
-  for (unsigned int i = 0; i < qp.size(); ++i)
-    result.P[i] = std::min(qp.bound[i], start[i]);
+  qp.K.project(result.P);
   result.converged = qp.size() == 0; // nothing to do
   double last_increment = 0.;
   while (result.iterations < options.maximum_iterations && !result.converged)

@@ -149,7 +149,9 @@ Vector solve_safely(const BoundaryModel &model, const Vector &W, const Vector &P
   const std::shared_ptr<const ComplianceOperator> C(&model, [](const ComplianceOperator *) {});
   Vector F = model.apply(P);
   F -= W;
-  return solve_by_active_set(BoundConstrainedQP(C, F, Vector(F.size())), P, {1e-12, 1000}).P;
+  return solve_by_active_set(
+           BoundConstrainedQP(C, F, AdmissibleSet::nonpositive(F.size())), P, {1e-12, 1000})
+    .P;
 }
 } // namespace
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// min 1/2 P^T C P - P^T F over P <= 0 on 2 x 2 and 3 x 3 problems solved by hand.
+// min 1/2 P^T C P - P^T F over P <= 0, and over a set with two components, on small problems solved
+// by hand.
 
 #include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/contact/mprgp.h>
@@ -31,14 +32,19 @@ const std::vector<Problem> problems = {
   {"middle opens", {{4, 3, 1}, {3, 5, 3}, {1, 3, 4}}, {-5, -5, -5}, {-1, 0, -1}},
   {"all press", {{3, 1, 0}, {1, 3, 1}, {0, 1, 3}}, {-4, -5, -4}, {-1, -1, -1}}};
 
-BoundConstrainedQP make_qp(const Problem &problem)
+BoundConstrainedQP make_qp(const Problem &problem, const AdmissibleSet &K)
 {
   const unsigned int m = problem.F.size();
   dealii::FullMatrix<double> C(m, m);
   for (unsigned int i = 0; i < m; ++i)
     for (unsigned int j = 0; j < m; ++j)
       C(i, j) = problem.C[i][j];
-  return BoundConstrainedQP(C, dealii::Vector<double>(problem.F.begin(), problem.F.end()));
+  return BoundConstrainedQP(C, dealii::Vector<double>(problem.F.begin(), problem.F.end()), K);
+}
+
+BoundConstrainedQP make_qp(const Problem &problem)
+{
+  return make_qp(problem, AdmissibleSet::nonpositive(problem.F.size()));
 }
 
 double distance(const dealii::Vector<double> &P, const std::vector<double> &expected)
@@ -49,9 +55,8 @@ double distance(const dealii::Vector<double> &P, const std::vector<double> &expe
   return largest;
 }
 
-void solve(const Problem &problem, Checks &checks)
+void solve(const Problem &problem, const BoundConstrainedQP &qp, Checks &checks)
 {
-  const BoundConstrainedQP qp = make_qp(problem);
   const dealii::Vector<double> zero(qp.size());
   const QPResult psor = solve_by_psor(qp, zero, {1.1, 1e-12, 1000});
   checks.near(problem.name + ", psor", distance(psor.P, problem.P), 0., 1e-10);
@@ -64,6 +69,12 @@ void solve(const Problem &problem, Checks &checks)
   checks.that(problem.name + ", converged",
               psor.converged && cold.converged && warm.converged && mprgp.converged);
 }
+
+/** One patch with a normal unknown, P_0 <= 0, and a tangential one, |P_1| <= 1. */
+const std::vector<Problem> two_components = {{"sticks", {{2, 1}, {1, 2}}, {-1.5, 0}, {-1, 0.5}},
+                                             {"slides", {{2, 1}, {1, 2}}, {-1, 3}, {-1, 1}},
+                                             {"slides back", {{2, 1}, {1, 2}}, {-3, -5}, {-1, -1}},
+                                             {"opens", {{2, 1}, {1, 2}}, {2, 4}, {0, 1}}};
 
 /** The energy falls in every sweep for every omega in (0, 2). */
 void descend(const Problem &problem, Checks &checks)
@@ -90,9 +101,11 @@ int main()
   Checks checks;
   for (const Problem &problem : problems)
   {
-    solve(problem, checks);
+    solve(problem, make_qp(problem), checks);
     descend(problem, checks);
   }
+  for (const Problem &problem : two_components)
+    solve(problem, make_qp(problem, AdmissibleSet(1, {Interval(), {-1., 1.}})), checks);
   const BoundConstrainedQP qp = make_qp(problems[0]);
   const dealii::Vector<double> zero(2);
   for (const double omega : {-1., 0., 2., 2.05})

@@ -20,6 +20,15 @@ using Matrix = dealii::FullMatrix<double>;
 
 namespace
 {
+/** {P <= bound}. */
+AdmissibleSet at_most(const Vector &bound)
+{
+  std::vector<Interval> intervals(bound.size());
+  for (unsigned int i = 0; i < bound.size(); ++i)
+    intervals[i].upper = bound[i];
+  return AdmissibleSet(intervals);
+}
+
 /** C_AA P_A = F_A - C_AI bound_I with the members of A as the bits of @p set. */
 Vector solve_on(const BoundConstrainedQP &qp, const unsigned int set)
 {
@@ -29,7 +38,7 @@ Vector solve_on(const BoundConstrainedQP &qp, const unsigned int set)
   for (unsigned int i = 0; i < m; ++i)
   {
     const bool active = ((set >> i) & 1U) == 1;
-    rhs[i] = active ? qp.F[i] : qp.bound[i];
+    rhs[i] = active ? qp.F[i] : qp.K[i].upper;
     for (unsigned int j = 0; j < m; ++j)
       system(i, j) = active ? qp.C->dense()(i, j) : (i == j ? 1. : 0.);
   }
@@ -44,7 +53,10 @@ double violation(const BoundConstrainedQP &qp, const Vector &P)
   const Vector W = qp.gradient(P);
   double worst = 0.;
   for (unsigned int i = 0; i < qp.size(); ++i)
-    worst = std::max({worst, P[i] - qp.bound[i], W[i], std::abs((P[i] - qp.bound[i]) * W[i])});
+  {
+    const double distance = P[i] - qp.K[i].upper;
+    worst = std::max({worst, distance, W[i], std::abs(distance * W[i])});
+  }
   return worst;
 }
 
@@ -84,7 +96,7 @@ void small_problems(Checks &checks)
     Vector F = random.vector(m), bound = random.vector(m);
     if (trial % 2 == 0)
       bound = 0.;
-    const BoundConstrainedQP qp(random_matrix(m, random), F, bound);
+    const BoundConstrainedQP qp(random_matrix(m, random), F, at_most(bound));
     const Vector exact = enumerate(qp), start = random.vector(m);
     const QPResult by_psor = solve_by_psor(qp, start, {1.2, 1e-13, 10000});
     const QPResult by_sets = solve_by_active_set(qp, {}, {1e-12, 1000});
@@ -105,6 +117,47 @@ void small_problems(Checks &checks)
   checks.near("200 random problems: mprgp", mprgp, 0., 1e-11);
   checks.near("200 random problems: active set", cold, 0., 1e-12);
   checks.near("200 random problems: active set from a random start", warm, 0., 1e-12);
+}
+
+/** The worst violation of P in K, W <= 0 where P is above the lower end, W >= 0 where it is below
+ * the upper end: P is the only solution if it is zero. */
+double violation_between(const BoundConstrainedQP &qp, const Vector &P)
+{
+  const Vector W = qp.gradient(P);
+  double worst = 0.;
+  for (unsigned int i = 0; i < qp.size(); ++i)
+  {
+    const double above = P[i] - qp.K[i].lower, below = qp.K[i].upper - P[i];
+    worst = std::max({worst, -above, -below, std::min(above, W[i]), std::min(below, -W[i])});
+  }
+  return worst;
+}
+
+/** Two bounds for some unknowns, one for the others. */
+void two_sided_problems(Checks &checks)
+{
+  RandomNumbers random(17);
+  double worst = 0.;
+  bool lower = false, inside = false, upper = false;
+  for (unsigned int trial = 0; trial < 100; ++trial)
+  {
+    const unsigned int m = 2 + trial % 12;
+    const Vector F = random.vector(m), start = random.vector(m), width = random.vector(m);
+    std::vector<Interval> intervals(m);
+    for (unsigned int i = 0; i < m; i += 2)
+      intervals[i] = {-0.3 * std::abs(width[i]), 0.3 * std::abs(width[i])};
+    const BoundConstrainedQP qp(random_matrix(m, random), F, AdmissibleSet(intervals));
+    const Vector sets = solve_by_active_set(qp, {}, {1e-12, 1000}).P;
+    for (const Vector &P : {solve_by_psor(qp, start, {1.2, 1e-13, 10000}).P,
+                            solve_by_mprgp(qp, start, {1e-13, 10000}).P,
+                            solve_by_active_set(qp, start, {1e-12, 1000}).P,
+                            sets})
+      worst = std::max(worst, violation_between(qp, P));
+    for (unsigned int i = 0; i < m; ++i)
+      (qp.K.is_inside(i, sets[i]) ? inside : sets[i] == intervals[i].lower ? lower : upper) = true;
+  }
+  checks.that("two bounds: every state occurs", lower && inside && upper);
+  checks.near("two bounds: all methods solve the problem", worst, 0., 1e-11);
 }
 
 /** Large problems with a prescribed answer: F = C P - W for P, W with P <= 0, W <= 0, P W = 0. */
@@ -159,7 +212,7 @@ bool plain_method_cycles(const BoundConstrainedQP &qp, unsigned int set)
     const Vector P = solve_on(qp, set), W = qp.gradient(P);
     unsigned int next = 0;
     for (unsigned int i = 0; i < qp.size(); ++i)
-      if (P[i] - W[i] / qp.diagonal[i] < qp.bound[i] - 1e-12)
+      if (P[i] - W[i] / qp.diagonal[i] < qp.K[i].upper - 1e-12)
         next |= 1U << i;
     if (next == set)
       return false;
@@ -173,7 +226,7 @@ Vector pressing_on(const unsigned int set, const BoundConstrainedQP &qp)
 {
   Vector start(qp.size());
   for (unsigned int i = 0; i < qp.size(); ++i)
-    start[i] = qp.bound[i] - (((set >> i) & 1U) == 1 ? 1. : 0.);
+    start[i] = qp.K[i].upper - (((set >> i) & 1U) == 1 ? 1. : 0.);
   return start;
 }
 
@@ -304,6 +357,7 @@ int main()
   dealii::deal_II_exceptions::disable_abort_on_exception();
   Checks checks;
   small_problems(checks);
+  two_sided_problems(checks);
   for (const unsigned int m : {10U, 40U})
   {
     RandomNumbers random(m);

@@ -3,6 +3,7 @@
 
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/mesh/contact_surface.h>
+#include <signorini/discretization/multiplier/admissible_set.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -63,6 +64,11 @@ public:
   unsigned int n_multipliers() const
   {
     return patch_of_.size();
+  }
+  /** Which P are admissible: pressures, P <= 0. */
+  AdmissibleSet admissible_set() const
+  {
+    return AdmissibleSet::nonpositive(n_multipliers());
   }
   Nodes nodes() const
   {

@@ -13,11 +13,11 @@ using QPSolver =
   std::function<QPResult(const BoundConstrainedQP &qp, const dealii::Vector<double> &start)>;
 
 /**
- * The dual problem with the bound zero where columns of C are expensive: solved on a set K of
- * patches, with P = 0 elsewhere; then the patches with W = C P - F > 0 join K, until there are
- * none. The answer solves the whole problem, and only the columns of K were needed.
+ * The dual problem over P <= 0 where columns of C are expensive: solved on a set S of patches, with
+ * P = 0 elsewhere; then the patches with W = C P - F > 0 join S, until there are none. The answer
+ * solves the whole problem, and only the columns of S were needed.
  *
- * @param start K begins with the patches that press in it, and their neighbours; where nothing
+ * @param start S begins with the patches that press in it, and their neighbours; where nothing
  * presses, with F < 0.
  */
 QPResult solve_on_growing_set(const ComplianceOperator &C,
@@ -36,15 +36,16 @@ struct ActiveSetOptions
 
 /**
  * Primal-dual active set method, i.e. the semi-smooth Newton method for
- * P = min(bound, P - W/diag C): patch i is active (in contact) iff P_i - W_i/C_ii < bound_i. With
- * the active set A,  C_AA P_A = F_A - C_AI bound_I,  P_I = bound_I.
+ * P = projection of P - W/diag C onto K. Each unknown is inside of its interval (active, in
+ * contact) or at one of its ends. With the active set A and the ends e_I of the others,
+ * C_AA P_A = F_A - C_AI e_I,  P_I = e_I.
  *
  * It ends when a set predicts itself, or when the residual is at the level of rounding (where P and
  * W vanish together on many patches, the sets could differ for ever). When a set comes back, single
  * exchanges (the lowest wrong index changes sides, Murty's rule) end the search: for positive
  * definite C no set can come back under that rule.
  *
- * @param start the first active set is taken from it; empty: every patch is active.
+ * @param start the first states are taken from it; empty: every unknown is active.
  */
 QPResult solve_by_active_set(const BoundConstrainedQP &qp,
                              const dealii::Vector<double> &start,

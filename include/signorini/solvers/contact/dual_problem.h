@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/discretization/multiplier/admissible_set.h>
+
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
 
@@ -64,25 +66,27 @@ dealii::FullMatrix<double> submatrix(const ComplianceOperator &C,
                                      const ComplianceOperator::Indices &numbers);
 
 /**
- * The dual problem: min 1/2 P^T C P - P^T F over P <= bound, C symmetric positive definite, m x m.
+ * The dual problem: min 1/2 P^T C P - P^T F over P in K, C symmetric positive definite, m x m.
  *
- * Its solution satisfies, with W = C P - F,  P <= bound,  W <= 0,  (P - bound)^T W = 0.
+ * Its solution satisfies, with W = C P - F,  P in K  and  W.(Q - P) >= 0 for all Q in K. Contact
+ * without friction has K = {P <= 0}: there  W <= 0,  P.W = 0.
  */
 struct BoundConstrainedQP
 {
   using Vector = dealii::Vector<double>;
 
-  /** For the contact problem the bound is zero. @throws std::invalid_argument
-   * if the sizes do not fit or a diagonal entry of C is not positive. */
-  BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C, Vector F, Vector bound);
-  BoundConstrainedQP(dealii::FullMatrix<double> C, Vector F, Vector bound);
+  /** @throws std::invalid_argument if the sizes do not fit or a diagonal entry of C is not
+   * positive. */
+  BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C, Vector F, AdmissibleSet K);
+  BoundConstrainedQP(dealii::FullMatrix<double> C, Vector F, AdmissibleSet K);
+  /** With K = {P <= 0}. */
   BoundConstrainedQP(dealii::FullMatrix<double> C, const Vector &F);
 
   std::shared_ptr<const ComplianceOperator> C;
   /** Of C. */
   Vector diagonal;
   Vector F;
-  Vector bound;
+  AdmissibleSet K;
 
   unsigned int size() const
   {
@@ -93,8 +97,8 @@ struct BoundConstrainedQP
   /** 1/2 P^T C P - P^T F. */
   double energy(const Vector &P) const;
   /**
-   * |P - min(bound, P - W/diag C)|_2 / max(|P|_2, |F/diag C|_2), 0 if both vanish: zero at the
-   * solution and nowhere else.
+   * |P - projection of P - W/diag C onto K|_2 / max(|P|_2, |F/diag C|_2), 0 if both vanish: zero
+   * at the solution and nowhere else.
    */
   double kkt_residual(const Vector &P) const;
   /**

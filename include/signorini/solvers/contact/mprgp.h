@@ -18,7 +18,7 @@ struct MprgpOptions
   double tolerance = 1e-10;
   /** Products with C before giving up. */
   unsigned int maximum_iterations = 100000;
-  /** Of C restricted to the free set, {P < bound}; empty: none. */
+  /** Of C restricted to the free set, where P is inside of K; empty: none. */
   SetPreconditioner preconditioner = {};
 };
 

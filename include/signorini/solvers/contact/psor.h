@@ -20,7 +20,7 @@ double psor_sweep(const BoundConstrainedQP &qp, double relaxation, dealii::Vecto
 
 /**
  * The algorithm (i)-(iii):  lambda_i = -(sum_{j<i} C_ij P_j^{k+1} + sum_{j>i} C_ij P_j^k -
- * F_i)/C_ii, P_i^{k+1} = min(bound_i, (1 - omega) P_i^k + omega lambda_i).
+ * F_i)/C_ii, P_i^{k+1} = projection of (1 - omega) P_i^k + omega lambda_i onto K.
  *
  * It stops when |P^{k+1} - P^k| <= tolerance |P^{k+1}| and the KKT residual is below the tolerance,
  * and goes on while the increments fall so slowly that the error, estimated from them, is above 50
