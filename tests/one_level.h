@@ -32,10 +32,16 @@ struct OneLevel
   {
     return discretization.multipliers;
   }
+  Signorini::SolverChoice solvers() const
+  {
+    return choose_solvers(parameters, scene, 0, 1);
+  }
   Signorini::LevelSolution<2> solve() const
   {
-    return Signorini::solve_level(
-      parameters, scene, discretization, dealii::Vector<double>(), [](const std::string &) {});
+    return Signorini::solve_level<2>({parameters, scene, solvers()},
+                                     discretization,
+                                     dealii::Vector<double>(),
+                                     [](const std::string &) {});
   }
 
   Signorini::Parameters parameters;

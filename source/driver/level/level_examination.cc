@@ -5,7 +5,6 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/driver/level/level.h>
-#include <signorini/driver/level/level_iteration.h>
 #include <signorini/error_control/bound/error_bound.h>
 #include <signorini/error_control/estimate/missed_contact.h>
 #include <signorini/postprocessing/errors/pressure_errors.h>
@@ -23,7 +22,7 @@ namespace
 {
 /** The limit of Inf-sup constant = automatic: it needs a factorisation of its own, which in space
  * costs more than the rest of the level from some thousand unknowns on. */
-constexpr unsigned int largest_automatic_inf_sup(const unsigned int dim)
+constexpr unsigned int max_unknowns_of_automatic_inf_sup(const unsigned int dim)
 {
   return dim == 2 ? 100000 : 5000;
 }
@@ -31,12 +30,12 @@ constexpr unsigned int largest_automatic_inf_sup(const unsigned int dim)
 /** Whether the constant of Lemma 1 is asked for on a level of this size; on graded meshes only if
  * the user wants it. */
 template <int dim>
-bool wants_inf_sup(const Parameters &parameters, const unsigned long long n_dofs)
+bool wants_inf_sup(const Parameters &parameters, const ContactState<dim> &contact)
 {
   const Choice choice = parameters.output.inf_sup_constant;
-  return choice == Choice::yes || (choice == Choice::automatic && !uses_multigrid(parameters) &&
+  return choice == Choice::yes || (choice == Choice::automatic && contact.inverse->has_factors() &&
                                    parameters.discretization.strategy == Strategy::nested &&
-                                   n_dofs <= largest_automatic_inf_sup(dim));
+                                   contact.U.size() <= max_unknowns_of_automatic_inf_sup(dim));
 }
 
 /** The bound is asked for where the study may stop. */
@@ -49,25 +48,42 @@ bool wants_bound(const DiscretizationParameters &given, const unsigned int level
 
 /** Unknowns beyond which there is no bound: it takes more memory than V-cycles do, 0.6 kB for each
  * unknown, and more time than all the rest. */
-constexpr unsigned long long most_bounded_unknowns = 10000000;
+constexpr unsigned long long max_bounded_unknowns = 10000000;
+
+template <int dim>
+LevelSizes sizes_of(const Discretization<dim> &discretization)
+{
+  return {discretization.mesh.level(),
+          discretization.mesh.triangulation().n_global_active_cells(),
+          discretization.space.dofs().n_dofs(),
+          discretization.multipliers.n_multipliers(),
+          discretization.mesh.longest_edge(),
+          discretization.surface.longest_patch(),
+          is_unstable(discretization),
+          discretization.space.largest_degree(),
+          discretization.mesh.shortest_edge()};
+}
 
 /** Where plates are and what holds them there. */
-void add_plates(const DisplacementSpace<2> &space,
-                const SolvedSystem<2> &solved,
-                const NodalForces &nodal,
-                LevelSolution<2> &solution)
+template <int dim>
+std::vector<PlateRecord> plates_of(const DisplacementSpace<dim> &space,
+                                   const Scene<dim> &scene,
+                                   const ContactState<dim> &contact,
+                                   const NodalForces &nodal)
 {
-  const Scene<2> &scene = solution.scene;
-  if (scene.plates.empty())
-    return;
-  const std::vector<PlateMotion> motions = solved.modes.plate_motions(scene.plates, solution.q);
-  const std::vector<PlateForce> forces = plate_forces(space, scene, nodal);
-  for (std::size_t p = 0; p < scene.plates.size(); ++p)
-    solution.record.motions.plates.push_back({scene.geometry.sides[scene.plates[p].side].name(),
-                                              scene.plates[p],
-                                              motions[p],
-                                              forces[p].force,
-                                              forces[p].moment});
+  std::vector<PlateRecord> plates;
+  if constexpr (dim == 2)
+  {
+    const std::vector<PlateMotion> motions = contact.modes.plate_motions(scene.plates, contact.q);
+    const std::vector<PlateForce> forces = plate_forces(space, scene, nodal);
+    for (std::size_t p = 0; p < scene.plates.size(); ++p)
+      plates.push_back({scene.geometry.sides[scene.plates[p].side].name(),
+                        scene.plates[p],
+                        motions[p],
+                        forces[p].force,
+                        forces[p].moment});
+  }
+  return plates;
 }
 
 /** The largest part of a force or moment on a free motion that nothing balances: the residual's
@@ -102,80 +118,28 @@ void subtract_work_of_plates(LevelRecord &record)
   }
 }
 
-/** Primal minus dual objective where nobody knows the body without contact: with r = f + D P - A U
- * it is P.W + r.A^{-1} r/2. */
-template <int dim>
-double gap_of_cycles(const Discretization<dim> &discretization,
-                     const NodalForces &forces,
-                     const LevelSolution<dim> &solution)
-{
-  dealii::Vector<double> W = discretization.D.transpose_product(solution.U);
-  W -= discretization.G;
-  const double scale = std::max({0.5 * std::abs(solution.U * forces.internal),
-                                 std::abs(solution.U * forces.loads),
-                                 std::abs(solution.P * discretization.G),
-                                 forces.rigid_energy()});
-  const double gap = std::abs(solution.P * W + solution.energy_of_residual);
-  return scale > 0. ? gap / scale : gap;
-}
-
-/** The certificate, and the answer, which needs the same nodal forces. */
-template <int dim>
-void add_certificate_and_answer(const Discretization<dim> &discretization,
-                                const SolvedSystem<dim> &solved,
-                                LevelSolution<dim> &solution)
-{
-  const Scene<dim> &scene = solution.scene;
-  const DisplacementSpace<dim> &space = discretization.space;
-  LevelRecord &record = solution.record;
-  record.contact = summarise_contact(discretization.multipliers, solution.P);
-  const NodalForces forces =
-    nodal_forces(space, scene, solved.system.loads, discretization.D, solution.U, solution.P);
-  record.certificate = certify(space,
-                               scene,
-                               solved.system,
-                               discretization.multipliers,
-                               discretization.D,
-                               ContactSolution<dim>{solution.U,
-                                                    solved.free.U,
-                                                    solution.P,
-                                                    solved.free.F,
-                                                    discretization.G,
-                                                    solved.pressure.C_P,
-                                                    solved.pressure.diagonal_P},
-                               forces);
-  if (solution.contact_scale > 0.)
-    record.certificate.duality_gap = gap_of_cycles(discretization, forces, solution);
-  record.certificate.motion_balance = motion_balance(scene.plates, solved.modes, forces);
-  if constexpr (dim == 2)
-    add_plates(space, solved, forces, solution);
-  record.answer =
-    compute_answer(space, scene, discretization.multipliers, forces, solution.U, solution.P);
-}
-
 /** The dual problem on other patches, for the estimate. Motions begin at q. None after V-cycles:
  * each column of C would be a linear solve, and F is not known. */
 template <int dim>
-DualProblem dual_problem(const SolvedSystem<dim> &solved, const LevelSolution<dim> &solution)
+DualProblem dual_problem(const ContactState<dim> &contact)
 {
-  if (solution.contact_scale > 0.)
+  if (!contact.dual)
     return {};
-  return [&solved,
-          &solution](const Coupling &D,
-                     const Coupling &condensed_D,
-                     const dealii::Vector<double> &F,
-                     const dealii::Vector<double> &start) -> std::optional<dealii::Vector<double>> {
+  return [&contact](const Coupling &D,
+                    const Coupling &condensed_D,
+                    const dealii::Vector<double> &F,
+                    const dealii::Vector<double> &start) -> std::optional<dealii::Vector<double>> {
     double seconds = 0.;
-    const auto C = make_compliance(solved.inverse, condensed_D, seconds);
+    const auto C = make_compliance(*contact.inverse, condensed_D, seconds);
     QPResult result;
-    if (solved.modes.size() == 0)
+    if (contact.modes.size() == 0)
       result = solve_dual_problem(C, F, start, {});
     else
     {
-      FreeMotions motions = solution.motions;
-      motions.B = solved.modes.couple(D);
-      dealii::Vector<double> K_q(solution.q.size());
-      motions.K.vmult(K_q, solution.q);
+      FreeMotions motions = contact.dual->motions;
+      motions.B = contact.modes.couple(D);
+      dealii::Vector<double> K_q(contact.q.size());
+      motions.K.vmult(K_q, contact.q);
       motions.b -= K_q;
       result = solve_dual_problem(C, F, motions, start, {}).qp;
     }
@@ -185,95 +149,136 @@ DualProblem dual_problem(const SolvedSystem<dim> &solved, const LevelSolution<di
 
 /** The estimate of the error. */
 template <int dim>
-void add_estimate(const Discretization<dim> &discretization,
-                  const SolvedSystem<dim> &solved,
-                  LevelSolution<dim> &solution)
+ErrorEstimate estimate_of(const Discretization<dim> &discretization,
+                          const Scene<dim> &scene,
+                          const ContactState<dim> &contact)
 {
-  const Scene<dim> &scene = solution.scene;
-  const PressureCorrection correction = correct_pressure<dim>({discretization.space,
-                                                               scene,
-                                                               discretization.multipliers,
-                                                               solved.free.U,
-                                                               solution.P,
-                                                               discretization.condensed_D,
-                                                               solved.inverse,
-                                                               discretization.n_points,
-                                                               dual_problem(solved, solution)});
+  const PressureCorrection correction =
+    correct_pressure<dim>({discretization.space,
+                           scene,
+                           discretization.multipliers,
+                           contact.dual ? contact.dual->free.U : contact.U,
+                           contact.P,
+                           discretization.condensed_D,
+                           *contact.inverse,
+                           discretization.n_points,
+                           dual_problem(contact)});
   OtherErrors others;
-  others.algebra = solution.algebraic_error;
+  others.algebra = contact.algebraic_error;
   if constexpr (dim == 3)
     others.contact = energy_of_missed_contact(
-      discretization.space, discretization.multipliers, scene, solution.U, solution.P);
-  solution.record.estimate =
-    estimate_error(discretization.space, scene, solution.U, correction, others);
+      discretization.space, discretization.multipliers, scene, contact.U, contact.P);
+  return estimate_error(discretization.space, scene, contact.U, correction, others);
 }
 
 /** The bound of the error of U and P, and where it comes from. */
-void add_bound(const Discretization<2> &discretization,
-               const StiffnessInverse &inverse,
-               LevelSolution<2> &solution)
+LocatedBound bound_of(const Discretization<2> &discretization,
+                      const Scene<2> &scene,
+                      const ContactState<2> &contact,
+                      const double energy)
 {
-  const StageTimer timer(solution.record.times.bound);
-  LocatedBound located = compute_located_bound({{discretization.space,
-                                                 solution.scene,
-                                                 discretization.multipliers,
-                                                 solution.U,
-                                                 solution.P,
-                                                 discretization.n_points},
-                                                inverse,
-                                                discretization.condensed_D,
-                                                discretization.G,
-                                                solution.record.certificate.energy});
-  solution.record.bound = located.bound;
-  solution.bound_fields = std::move(located.fields);
+  if (contact.U.size() > max_bounded_unknowns)
+  {
+    LocatedBound none;
+    none.bound.missing =
+      "it is not computed for more than " + std::to_string(max_bounded_unknowns) + " unknowns";
+    return none;
+  }
+  return compute_located_bound({{discretization.space,
+                                 scene,
+                                 discretization.multipliers,
+                                 contact.U,
+                                 contact.P,
+                                 discretization.n_points},
+                                *contact.inverse,
+                                discretization.condensed_D,
+                                discretization.G,
+                                energy});
+}
+
+/** Sizes, and how contact was found. */
+template <int dim>
+LevelRecord begin_record(const Discretization<dim> &discretization,
+                         const ContactState<dim> &contact)
+{
+  LevelRecord record;
+  record.sizes = sizes_of(discretization);
+  record.times = contact.times;
+  record.times.mesh = discretization.times.mesh;
+  record.times.setup = discretization.times.setup;
+  record.linear = contact.linear;
+  record.dual = contact.report;
+  record.motions.undetermined = contact.undetermined;
+  record.contact = summarise_contact(discretization.multipliers, contact.P);
+  return record;
+}
+
+/** The certificate, and the answer, which needs the same nodal forces. */
+template <int dim>
+void add_certificate_and_answer(const Discretization<dim> &discretization,
+                                const Scene<dim> &scene,
+                                const ContactState<dim> &contact,
+                                LevelRecord &record)
+{
+  const DisplacementSpace<dim> &space = discretization.space;
+  const NodalForces forces =
+    nodal_forces(space, scene, contact.system->loads, discretization.D, contact.U, contact.P);
+  record.certificate = certify(space,
+                               scene,
+                               discretization.multipliers,
+                               {contact, discretization.D, discretization.G, forces});
+  record.certificate.motion_balance = motion_balance(scene.plates, contact.modes, forces);
+  record.motions.plates = plates_of(space, scene, contact, forces);
+  record.answer =
+    compute_answer(space, scene, discretization.multipliers, forces, contact.U, contact.P);
 }
 } // namespace
 
 template <int dim>
-void examine(const Parameters &parameters,
-             const Discretization<dim> &discretization,
-             const SolvedSystem<dim> &solved,
-             const Progress &progress,
-             LevelSolution<dim> &solution)
+Examination examine(const Parameters &parameters,
+                    const Discretization<dim> &discretization,
+                    const Scene<dim> &scene,
+                    const ContactState<dim> &contact,
+                    const Progress &progress)
 {
-  LevelRecord &record = solution.record;
+  Examination found = {begin_record(discretization, contact), {}};
+  LevelRecord &record = found.record;
   const StageTimer timer(record.times.postprocess);
-  const DisplacementSpace<dim> &space = discretization.space;
-  if (wants_inf_sup<dim>(parameters, space.dofs().n_dofs()))
+  if (wants_inf_sup<dim>(parameters, contact))
   {
     progress("inf-sup constant");
-    record.inf_sup = measure_inf_sup(space,
+    record.inf_sup = measure_inf_sup(discretization.space,
                                      discretization.multipliers,
                                      discretization.condensed_D,
                                      parameters.solver.linear_solver);
   }
   progress("certificate");
-  add_certificate_and_answer(discretization, solved, solution);
+  add_certificate_and_answer(discretization, scene, contact, record);
   if (discretization.mesh.has_parents())
-    add_estimate(discretization, solved, solution);
+    record.estimate = estimate_of(discretization, scene, contact);
   if constexpr (dim == 2)
     if (wants_bound(parameters.discretization, record.sizes.level))
     {
       progress("bound of the error");
-      if (record.sizes.dofs <= most_bounded_unknowns)
-        add_bound(discretization, solved.inverse, solution);
-      else
-        record.bound.emplace().missing =
-          "it is not computed for more than " + std::to_string(most_bounded_unknowns) + " unknowns";
+      const StageTimer bound_timer(record.times.bound);
+      LocatedBound located = bound_of(discretization, scene, contact, record.certificate.energy);
+      record.bound = located.bound;
+      found.bound_fields = std::move(located.fields);
     }
   subtract_work_of_plates(record);
+  return found;
 }
 
-template void examine(const Parameters &,
-                      const Discretization<2> &,
-                      const SolvedSystem<2> &,
-                      const Progress &,
-                      LevelSolution<2> &);
-template void examine(const Parameters &,
-                      const Discretization<3> &,
-                      const SolvedSystem<3> &,
-                      const Progress &,
-                      LevelSolution<3> &);
+template Examination examine(const Parameters &,
+                             const Discretization<2> &,
+                             const Scene<2> &,
+                             const ContactState<2> &,
+                             const Progress &);
+template Examination examine(const Parameters &,
+                             const Discretization<3> &,
+                             const Scene<3> &,
+                             const ContactState<3> &,
+                             const Progress &);
 
 // What is known about a level when the exact solution is.
 
@@ -308,7 +313,7 @@ void add_errors(const Parameters &parameters,
                                             multipliers,
                                             discretization.D,
                                             *pressure,
-                                            solution.loads,
+                                            solution.system->loads,
                                             parameters.solver.linear_solver,
                                             n_points);
 }

@@ -90,7 +90,11 @@ public:
     if (parameters.solver.warm_start && last_.discretization != nullptr)
       start =
         transfer_pressure(last_.discretization->multipliers, last_.P, discretization.multipliers);
-    LevelSolution<2> solution = solve_level(parameters, scene_, discretization, start, progress);
+    LevelSolution<2> solution =
+      solve_level<2>({parameters, scene_, choose_solvers(parameters, scene_, 0, 1)},
+                     discretization,
+                     start,
+                     progress);
     LevelRecord &record = solution.record;
     record.sizes.level = n_steps_;
     progress("estimate");

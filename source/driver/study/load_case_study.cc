@@ -13,7 +13,7 @@ namespace
 CaseData case_data(const Parameters &parameters,
                    const Scene<2> &scene,
                    const Discretization<2> &discretization,
-                   const LevelFactors<2> &factors)
+                   const ContactState<2> &contact)
 {
   const SolverParameters &solver = parameters.solver;
   return {
@@ -22,8 +22,8 @@ CaseData case_data(const Parameters &parameters,
     discretization.multipliers,
     discretization.D,
     discretization.condensed_D,
-    *factors.inverse,
-    factors.modes,
+    *contact.inverse,
+    contact.modes,
     discretization.n_points,
     [&discretization](const Scene<2> &other) { return discretization.assemble_gap_of(other); },
     {solver.contact_solver,
@@ -48,7 +48,7 @@ void solve_load_cases(const Parameters &parameters,
   {
     const StageTimer timer(seconds);
     progress("load cases");
-    CaseSolver solver(case_data(parameters, scene, discretization, *solution.factors));
+    CaseSolver solver(case_data(parameters, scene, discretization, solution));
     const std::size_t n = scene.load_cases.size(), every = std::max<std::size_t>(1, n / 20);
     for (const LoadCase &load_case : scene.load_cases)
     {
@@ -67,6 +67,7 @@ void solve_load_cases(const Parameters &parameters,
   }
   solution.record.load_cases = summarise(results, seconds);
   solution.record.times.postprocess += seconds;
-  solution.factors = nullptr;
+  // The factors have done their work.
+  solution.inverse = nullptr;
 }
 } // namespace Signorini

@@ -3,7 +3,6 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/base/errors.h>
-#include <signorini/driver/level/level_iteration.h>
 #include <signorini/error_control/estimate/locking.h>
 
 #include "coarse_displacement.h"
@@ -21,8 +20,7 @@ class NestedSequence final : public Sequence<dim>
 public:
   explicit NestedSequence(const StudyContext<dim> &context)
     : context_(context)
-    , finest_parameters_(of_level(context.parameters.discretization.finest_level))
-    , memory_(finest_parameters_, context.scene, context.communicator)
+    , memory_(context.parameters, context.scene, context.communicator)
     , next_level_(context.parameters.discretization.coarsest_level)
   {
     if (context.parameters.output.errors && context.scene.has_exact_pressure())
@@ -37,13 +35,12 @@ public:
   /** The level's large objects live no longer than this call. */
   LevelRecord solve_next(const Progress &progress, ResultsWriter &writer) override
   {
-    const Parameters parameters = of_level(next_level_);
+    const Parameters &parameters = context_.parameters;
     memory_.check(next_level_);
     progress("mesh");
     const Discretization<dim> discretization(
       parameters, context_.scene, next_level_, context_.communicator);
-    const LevelStart start = start_for(discretization);
-    LevelSolution<dim> solution = solve(parameters, discretization, start, progress);
+    LevelSolution<dim> solution = solve(discretization, start_for(discretization), progress);
     progress("errors");
     add_errors(parameters, context_.scene, discretization, exact_pressure_.get(), solution);
     finished_ = next_level_ == parameters.discretization.finest_level ||
@@ -78,36 +75,35 @@ public:
   }
 
 private:
-  Parameters of_level(const unsigned int level) const
+  SolverChoice solvers_of(const unsigned int level) const
   {
-    Parameters parameters = context_.parameters;
+    const SolverParameters &solver = context_.parameters.solver;
     if (failure_of_cycles_)
-      parameters.solver.contact_solver.value = ContactSolver::active_set;
-    return parameters_of_level(parameters,
-                               context_.scene,
-                               level,
-                               dealii::Utilities::MPI::n_mpi_processes(context_.communicator));
+      return {ContactSolver::active_set, solver.linear_solver};
+    return choose_solvers(context_.parameters,
+                          context_.scene,
+                          level,
+                          dealii::Utilities::MPI::n_mpi_processes(context_.communicator));
   }
 
   /** By V-cycles or by factors. Where V-cycles were chosen automatically and do not end, factors
    * answer, on this level and on all that follow, and the records of these levels say so. */
-  LevelSolution<dim> solve(const Parameters &parameters,
-                           const Discretization<dim> &discretization,
-                           const LevelStart &start,
+  LevelSolution<dim> solve(const Discretization<dim> &discretization,
+                           const ContactStart &start,
                            const Progress &progress)
   {
-    const auto solve_with = [&](const Parameters &with) {
-      LevelSolution<dim> solution =
-        solve_level(with, context_.scene, discretization, start, progress);
+    LevelProblem<dim> problem = {context_.parameters, context_.scene, solvers_of(next_level_)};
+    const auto solve_with_choice = [&]() {
+      LevelSolution<dim> solution = solve_level(problem, discretization, start, progress);
       solution.record.dual.failure_of_cycles = failure_of_cycles_;
       return solution;
     };
     if (context_.parameters.solver.contact_solver != ContactSolver::automatic ||
-        !iterates_contact(parameters))
-      return solve_with(parameters);
+        !problem.solvers.is_by_cycles())
+      return solve_with_choice();
     try
     {
-      LevelSolution<dim> solution = solve_with(parameters);
+      LevelSolution<dim> solution = solve_with_choice();
       if (solution.record.dual.converged)
         return solution;
       failure_of_cycles_ = name_of_next() + " did not end within " +
@@ -118,13 +114,14 @@ private:
       // The linear systems of the estimate do not end, either.
       failure_of_cycles_ = name_of_next() + ": " + error.what();
     }
-    return solve_with(of_level(next_level_));
+    problem.solvers = solvers_of(next_level_);
+    return solve_with_choice();
   }
 
   /** What the levels before leave to start from. */
-  LevelStart start_for(const Discretization<dim> &discretization)
+  ContactStart start_for(const Discretization<dim> &discretization)
   {
-    LevelStart start;
+    ContactStart start;
     if (!context_.parameters.solver.warm_start || pressure_.patches.empty())
       return start;
     start.P = transfer_pressure<dim>(pressure_, discretization.surface.patches());
@@ -137,20 +134,18 @@ private:
   }
   void keep_for_next(const Discretization<dim> &discretization, const LevelSolution<dim> &solution)
   {
-    scale_ = solution.contact_scale;
+    scale_ = solution.cycles ? solution.cycles->scale : 0.;
     relative_error_ = {};
     if (solution.record.estimate)
       relative_error_ = solution.record.estimate->relative;
-    if (iterates_contact(of_level(discretization.mesh.level() + 1)))
+    if (solvers_of(discretization.mesh.level() + 1).is_by_cycles())
       displacement_ =
         std::make_unique<const CoarseDisplacement<dim>>(discretization.space, solution.U);
   }
 
   StudyContext<dim> context_;
-  /** Before all that of_level() is asked for. */
+  /** Before all that solvers_of() is asked for. */
   std::optional<std::string> failure_of_cycles_;
-  /** Those of the finest level. */
-  Parameters finest_parameters_;
   MemoryLimit<dim> memory_;
   /** Null if it is not known. */
   std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
@@ -159,7 +154,7 @@ private:
   PatchPressure<dim> pressure_;
   /** Of the last level, where V-cycles find contact; else null. */
   std::unique_ptr<const CoarseDisplacement<dim>> displacement_;
-  /** Of the last level, see LevelStart. */
+  /** Of the last level, see ContactStart. */
   double scale_ = 0.;
   std::optional<double> relative_error_;
 };

@@ -146,7 +146,7 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization,
   if constexpr (dim == 2)
     if (parameters_.output.pictures && last_level)
       prepare_pictures(discretization, scene, solution);
-  if (solution.system != nullptr)
+  if (parameters_.output.compliance)
     write_dual_problem(discretization, solution);
 }
 
@@ -249,19 +249,22 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
     });
     write_vector("f", f);
     write_vector("G", G);
-    write_vector("F", solution.F);
+    write_vector("F", solution.dual->F);
     write_vector("P", solution.P);
     if (solution.q.size() > 0)
     {
-      write_vector("b", solution.motions.b);
+      write_vector("b", solution.dual->motions.b);
       write_vector("q", solution.q);
-      write("B", [&](std::ostream &stream) { write_matrix_market(stream, solution.motions.B); });
+      write("B",
+            [&](std::ostream &stream) { write_matrix_market(stream, solution.dual->motions.B); });
       write("K", [&](std::ostream &stream) {
-        write_symmetric_matrix_market(stream, solution.motions.K);
+        write_symmetric_matrix_market(stream, solution.dual->motions.K);
       });
     }
-    if (solution.C.m() > 0)
-      write("C", [&](std::ostream &stream) { write_symmetric_matrix_market(stream, solution.C); });
+    if (solution.dual->C != nullptr)
+      write("C", [&](std::ostream &stream) {
+        write_symmetric_matrix_market(stream, solution.dual->C->dense());
+      });
   });
 }
 

@@ -78,15 +78,18 @@ std::string describe_meshes(const Parameters &parameters)
 } // namespace
 
 template <int dim>
-void print_scene(const Parameters &parameters, const Scene<dim> &scene, std::ostream &screen)
+void print_scene(const Parameters &parameters,
+                 const Scene<dim> &scene,
+                 const SolverChoice &solvers,
+                 std::ostream &screen)
 {
   const SolverParameters &solver = parameters.solver;
   screen << "Scene     " << scene.name << ": " << scene.title << "\n"
          << "Body      from (" << scene.geometry.lower << ") to (" << scene.geometry.upper << ")\n"
          << "Boundary  " << describe_boundary(scene) << "\n"
-         << describe_meshes(parameters) << "Solver    " << to_text(solver.contact_solver.value)
-         << ", tolerance " << solver.tolerance << ", linear solver "
-         << to_text(solver.linear_solver.value) << "\n\n";
+         << describe_meshes(parameters) << "Solver    " << to_text(solvers.contact)
+         << ", tolerance " << solver.tolerance << ", linear solver " << to_text(solvers.linear)
+         << "\n\n";
 }
 
 void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &screen)
@@ -151,6 +154,8 @@ void print_verdict(const std::vector<LevelRecord> &levels,
            << verdict.residual_bound << ".\n";
 }
 
-template void print_scene(const Parameters &, const Scene<3> &, std::ostream &);
-template void print_scene(const Parameters &, const Scene<2> &, std::ostream &);
+template void
+print_scene(const Parameters &, const Scene<3> &, const SolverChoice &, std::ostream &);
+template void
+print_scene(const Parameters &, const Scene<2> &, const SolverChoice &, std::ostream &);
 } // namespace Signorini

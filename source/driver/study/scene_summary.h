@@ -4,6 +4,7 @@
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/results/verdict/judge.h>
+#include <signorini/solvers/methods/contact_method.h>
 
 #include <ostream>
 #include <vector>
@@ -12,7 +13,10 @@ namespace Signorini
 {
 /** The scene in five lines. */
 template <int dim>
-void print_scene(const Parameters &parameters, const Scene<dim> &scene, std::ostream &screen);
+void print_scene(const Parameters &parameters,
+                 const Scene<dim> &scene,
+                 const SolverChoice &solvers,
+                 std::ostream &screen);
 
 /** What a user should know about a level at once. */
 void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &screen);

@@ -5,7 +5,6 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
-#include <signorini/driver/level/level_iteration.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
 #include <deal.II/base/mpi.h>
@@ -205,14 +204,12 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
   : n_coarse_cells_(scene.geometry.n_coarse_cells)
   , n_contact_sides_(static_cast<double>(scene.contact_sides().size()))
   , given_(parameters.discretization)
-  , condensed_(resolve(parameters.solver.linear_solver,
-                       dealii::Utilities::MPI::n_mpi_processes(communicator)) ==
+  , solvers_(choose_solvers(parameters,
+                            scene,
+                            parameters.discretization.finest_level,
+                            dealii::Utilities::MPI::n_mpi_processes(communicator)))
+  , condensed_(resolve(solvers_.linear, dealii::Utilities::MPI::n_mpi_processes(communicator)) ==
                LinearSolver::condensed)
-  , multigrid_(
-      uses_multigrid(parameters_of_level(parameters,
-                                         scene,
-                                         judged_level(parameters.discretization),
-                                         dealii::Utilities::MPI::n_mpi_processes(communicator))))
   , available_(available_bytes())
 {
   const bool may_stop_early = given_.target_error > 0.;
@@ -266,7 +263,7 @@ double MemoryLimit<dim>::n_patches(const unsigned int level) const
 template <int dim>
 double MemoryLimit<dim>::needed(const unsigned int level) const
 {
-  if (multigrid_)
+  if (solvers_.is_matrix_free())
     return bytes_without_factor<dim>(n_cells(level));
   return sparse_bytes<dim>(n_cells(level)) +
          dense_bytes(n_patches(level), dim * n_contact_faces(level), condensed_);

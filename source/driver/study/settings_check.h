@@ -3,6 +3,7 @@
 
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/scene.h>
+#include <signorini/solvers/methods/contact_method.h>
 
 #include <mpi.h>
 
@@ -51,9 +52,8 @@ private:
   double n_contact_sides_;
   const DiscretizationParameters &given_;
   /** Whether the factor holds the dense Schur complement of the contact unknowns. */
+  SolverChoice solvers_;
   bool condensed_;
-  /** Whether nothing is factorised. */
-  bool multigrid_;
   double available_;
 
   double n_cells(unsigned int level) const;

@@ -2,7 +2,6 @@
 // Level after level, until the sequence ends.
 
 #include <signorini/base/errors.h>
-#include <signorini/driver/level/level_iteration.h>
 #include <signorini/driver/study/study.h>
 #include <signorini/results/files/answer_output.h>
 #include <signorini/results/files/tables.h>
@@ -47,11 +46,12 @@ StudyResult<dim> run_study(const Parameters &parameters,
     make_sequence<dim>({parameters, scene, communicator, judge});
   ResultsWriter writer(parameters, judge, scene.description, report.directory, communicator);
   StudyResult<dim> result;
-  print_scene(parameters_of_level(parameters,
-                                  scene,
-                                  parameters.discretization.finest_level,
-                                  dealii::Utilities::MPI::n_mpi_processes(communicator)),
+  print_scene(parameters,
               scene,
+              choose_solvers(parameters,
+                             scene,
+                             parameters.discretization.finest_level,
+                             dealii::Utilities::MPI::n_mpi_processes(communicator)),
               report.screen);
   const bool graded = parameters.discretization.strategy == Strategy::hp;
   report.screen << screen_legend(graded) << "\n" << screen_header(graded) << std::endl;

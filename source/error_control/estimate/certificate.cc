@@ -194,26 +194,29 @@ Deformation deformation(const DisplacementSpace<dim> &space, const NodalVector &
 
 /** Contact may leave less of the displacement without contact than rounding does. A residual of
  * 1e-8 of this share of it is 50 times the unit roundoff. */
-constexpr double least_share_of_free_state = 1e-6;
+constexpr double min_share_of_free_state = 1e-6;
 
 /** Signs, penetration and complementarity of P and W = D^T U - G. */
 template <int dim>
 void check_contact(const MultiplierSpace<dim> &multipliers,
-                   const ContactSolution<dim> &solution,
+                   const SolvedContact<dim> &solved,
                    const dealii::Vector<double> &W,
                    const double energy_scale,
                    Certificate &certificate)
 {
+  const ContactState<dim> &solution = solved.contact;
   const unsigned int m = W.size();
   const dealii::Vector<double> measures = multipliers.integrals();
   const AdmissibleSet K = multipliers.admissible_set();
   double deepest = 0., largest_P = 0., outside = 0.;
-  double length_scale =
-    std::max(solution.U.linfty_norm(), least_share_of_free_state * solution.free_U.linfty_norm());
+  double length_scale = solution.U.linfty_norm();
+  if (solution.dual)
+    length_scale =
+      std::max(length_scale, min_share_of_free_state * solution.dual->free.U.linfty_norm());
   for (unsigned int tau = 0; tau < m; ++tau)
   {
     deepest = std::max(deepest, W[tau] / measures[tau]);
-    length_scale = std::max(length_scale, std::abs(solution.G[tau]) / measures[tau]);
+    length_scale = std::max(length_scale, std::abs(solved.G[tau]) / measures[tau]);
     largest_P = std::max(largest_P, std::abs(solution.P[tau]));
     // How far P lies outside of the admissible set.
     outside = std::max(outside, std::abs(K.residual(tau, solution.P[tau], 0.)));
@@ -236,15 +239,31 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
  * a(V,V)/2 and a(V,V) = a(U,V) - f(V); dual: P^T F - P^T C P/2.
  */
 template <int dim>
-double duality_gap(const ContactSolution<dim> &solution,
+double duality_gap(const ContactState<dim> &contact,
+                   const DualData &data,
                    const NodalForces &forces,
                    const double energy_scale)
 {
-  NodalVector V = solution.U;
-  V -= solution.free_U;
+  NodalVector V = contact.U;
+  V -= data.free.U;
   const double primal = 0.5 * (V * forces.internal - V * forces.loads);
-  const double dual = solution.P * solution.F - 0.5 * (solution.P * solution.C_P);
+  const double dual = contact.P * data.free.F - 0.5 * (contact.P * data.C_P);
   return relative(primal - dual, std::max(energy_scale, std::abs(dual)));
+}
+
+/** Where nobody knows the body without contact: with r = f + D P - A U the gap is P.W + r.A^{-1}
+ * r/2. */
+template <int dim>
+double duality_gap(const SolvedContact<dim> &solved,
+                   const CycleData &cycles,
+                   const dealii::Vector<double> &W)
+{
+  const ContactState<dim> &contact = solved.contact;
+  const double scale = std::max({0.5 * std::abs(contact.U * solved.forces.internal),
+                                 std::abs(contact.U * solved.forces.loads),
+                                 std::abs(contact.P * solved.G),
+                                 solved.forces.rigid_energy()});
+  return relative(contact.P * W + cycles.energy_of_residual, scale);
 }
 } // namespace
 
@@ -256,12 +275,10 @@ Columns<Certificate> Certificate::columns()
 template <int dim>
 Certificate certify(const DisplacementSpace<dim> &space,
                     const Scene<dim> &scene,
-                    const LinearSystem<dim> &system,
                     const MultiplierSpace<dim> &multipliers,
-                    const Coupling &D,
-                    const ContactSolution<dim> &solution,
-                    const NodalForces &forces)
+                    const SolvedContact<dim> &solved)
 {
+  const auto &[solution, D, G, forces] = solved;
   Certificate certificate;
   certificate.moments_are_exact = !space.mesh().is_curved();
   certificate.stationarity = stationarity(space, forces);
@@ -277,26 +294,27 @@ Certificate certify(const DisplacementSpace<dim> &space,
     contact += of_piece;
     size_of_contact += of_piece.force.norm();
   }
-  balance(space, scene, system.applied, contact, size_of_contact, forces, certificate);
+  balance(space, scene, solution.system->applied, contact, size_of_contact, forces, certificate);
 
   dealii::Vector<double> W = D.transpose_product(solution.U);
-  W -= solution.G;
+  W -= G;
   // A translation has no strain energy, but its product with rounding of forces may be large.
   const double strain_energy = 0.5 * (deformed.V * forces.internal);
   const double work_of_loads = solution.U * forces.loads;
-  const double work_of_gap = solution.P * solution.G;
-  const double energy_scale =
-    std::max({strain_energy,
-              std::abs(work_of_loads),
-              std::abs(work_of_gap),
-              least_share_of_free_state * std::abs(solution.P * solution.F),
-              forces.rigid_energy()});
-  check_contact(multipliers, solution, W, energy_scale, certificate);
+  const double work_of_gap = solution.P * G;
+  double energy_scale = std::max(
+    {strain_energy, std::abs(work_of_loads), std::abs(work_of_gap), forces.rigid_energy()});
+  if (solution.dual)
+    energy_scale = std::max(energy_scale,
+                            min_share_of_free_state * std::abs(solution.P * solution.dual->free.F));
+  check_contact(multipliers, solved, W, energy_scale, certificate);
   // J of (22); [p, Bu - g] is P^T W.
   certificate.energy = strain_energy - work_of_loads - solution.P * W;
 
-  if (solution.C_P.size() > 0)
-    certificate.duality_gap = duality_gap(solution, forces, energy_scale);
+  if (solution.cycles)
+    certificate.duality_gap = duality_gap(solved, *solution.cycles, W);
+  else if (solution.dual && solution.dual->C_P.size() > 0)
+    certificate.duality_gap = duality_gap(solution, *solution.dual, forces, energy_scale);
   const double unit_roundoff = std::numeric_limits<double>::epsilon();
   const double noise = unit_roundoff * forces.magnitude;
   certificate.rounding = forces.rigid ? unit_roundoff
@@ -307,16 +325,10 @@ Certificate certify(const DisplacementSpace<dim> &space,
 
 template Certificate certify(const DisplacementSpace<2> &,
                              const Scene<2> &,
-                             const LinearSystem<2> &,
                              const MultiplierSpace<2> &,
-                             const Coupling &,
-                             const ContactSolution<2> &,
-                             const NodalForces &);
+                             const SolvedContact<2> &);
 template Certificate certify(const DisplacementSpace<3> &,
                              const Scene<3> &,
-                             const LinearSystem<3> &,
                              const MultiplierSpace<3> &,
-                             const Coupling &,
-                             const ContactSolution<3> &,
-                             const NodalForces &);
+                             const SolvedContact<3> &);
 } // namespace Signorini

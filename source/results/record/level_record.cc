@@ -24,13 +24,6 @@ Columns<LevelSizes> LevelSizes::columns()
 
 // What convergence.csv shows of the dual problem's solver.
 
-Columns<DualSolve> DualSolve::columns()
-{
-  return {{"qp_iterations", &DualSolve::iterations},
-          {"kkt", &DualSolve::kkt},
-          {"qp_increment_iterations", &DualSolve::increment_iterations}};
-}
-
 // What convergence.csv shows of plates.
 
 Columns<MotionRecord> MotionRecord::columns()

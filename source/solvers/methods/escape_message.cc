@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Why contact cannot hold a body.
 
+#include "escape_message.h"
+
 #include <signorini/base/errors.h>
 #include <signorini/discretization/elasticity/traces.h>
 #include <signorini/solvers/kinematics/motion_modes.h>
 #include <signorini/solvers/kinematics/seen_motions.h>
-#include <signorini/solvers/methods/escape_message.h>
 
 #include <algorithm>
 

@@ -134,13 +134,16 @@ inline Measured measure(const std::string &text, const std::vector<std::string> 
   const Scene<2> scene = make_scene<2>(parameters);
   const Discretization<2> discretization(
     parameters, scene, measured.finest().sizes.level, MPI_COMM_WORLD);
-  const LevelSolution<2> level = solve_level(
-    parameters, scene, discretization, dealii::Vector<double>(), [](const std::string &) {});
-  if (level.C.m() == 0)
+  const LevelSolution<2> level =
+    solve_level<2>({parameters, scene, choose_solvers(parameters, scene, 0, 1)},
+                   discretization,
+                   dealii::Vector<double>(),
+                   [](const std::string &) {});
+  if (level.dual->C == nullptr)
     return measured;
-  const BoundConstrainedQP qp(level.C, level.F);
+  const BoundConstrainedQP qp(level.dual->C->dense(), level.dual->F);
   const SolverParameters &solver = parameters.solver;
-  measured.condition = condition_number(level.C);
+  measured.condition = condition_number(level.dual->C->dense());
   measured.psor = solve_by_psor(qp,
                                 dealii::Vector<double>(qp.size()),
                                 {solver.relaxation, solver.tolerance, solver.maximum_iterations})

@@ -207,12 +207,14 @@ Vector check_scene(LargestValues &largest, const std::string &name, const std::s
     const double P_distance = distance(solution.P, mixed.P);
     largest.add(solver + ", U", name, distance(solution.U, mixed.U) / U_size);
     largest.add(solver + ", P", name, P_size > 0. ? P_distance / P_size : P_distance);
-    if (solver == "psor" && solution.C.m() > 0)
+    if (solver == "psor" && solution.dual->C != nullptr)
       for (const char *relaxation : {"0.5", "1.1", "1.8"})
         largest.add(
           std::string("objective, relaxation ") + relaxation,
           name,
-          missing_decrease(BoundConstrainedQP(solution.C, solution.F), std::stod(relaxation), 300));
+          missing_decrease(BoundConstrainedQP(solution.dual->C->dense(), solution.dual->F),
+                           std::stod(relaxation),
+                           300));
   }
   return mixed.P;
 }

@@ -39,8 +39,8 @@ struct GradedLevel
   }
   Signorini::LevelSolution<2> solve() const
   {
-    return solve_level(
-      parameters, scene, discretization, dealii::Vector<double>(), [](const std::string &) {});
+    return Signorini::solve_level<2>(
+      {parameters, scene}, discretization, dealii::Vector<double>(), [](const std::string &) {});
   }
 
   Signorini::Parameters parameters;

@@ -52,7 +52,7 @@ void patch_test(Checks &checks)
   const OneLevel level(pressed_patch_test, 3);
   const LevelSolution<2> solution = level.solve();
   checks.near("the scene has this pressure", solution.P.linfty_norm() - 0.375, 0., 1e-12);
-  check_zero(checks, "patch test", numbers(level, solution.loads));
+  check_zero(checks, "patch test", numbers(level, solution.system->loads));
 }
 
 /**

@@ -43,24 +43,23 @@ struct Solved
                     const LinearSystem<2> &linear_system,
                     const dealii::Vector<double> &G) const
   {
+    ContactState<2> contact;
+    contact.U = displacement;
+    contact.P = pressure;
+    contact.diagonal_P = diagonal_times(*C, pressure);
+    // Lives as long as the caller's.
+    contact.system = {std::shared_ptr<void>(), &linear_system};
+    contact.dual = DualData{free, free.F, C->apply(pressure), C, {}};
+    const NodalForces forces = nodal_forces(level.space(),
+                                            level.scene,
+                                            linear_system.loads,
+                                            level.discretization.D,
+                                            displacement,
+                                            pressure);
     return certify(level.space(),
                    level.scene,
-                   linear_system,
                    level.multipliers(),
-                   level.discretization.D,
-                   ContactSolution<2>{displacement,
-                                      free.U,
-                                      pressure,
-                                      free.F,
-                                      G,
-                                      C->apply(pressure),
-                                      diagonal_times(*C, pressure)},
-                   nodal_forces(level.space(),
-                                level.scene,
-                                linear_system.loads,
-                                level.discretization.D,
-                                displacement,
-                                pressure));
+                   {contact, level.discretization.D, G, forces});
   }
   Certificate judge(const NodalVector &displacement, const dealii::Vector<double> &pressure) const
   {

@@ -36,8 +36,8 @@ CaseSolver make_solver(const OneLevel &level, const LevelSolution<2> &solution)
      level.multipliers(),
      level.discretization.D,
      level.discretization.condensed_D,
-     *solution.factors->inverse,
-     solution.factors->modes,
+     *solution.inverse,
+     solution.modes,
      level.discretization.n_points,
      [&level](const Scene<2> &scene) { return level.discretization.assemble_gap_of(scene); },
      {}});

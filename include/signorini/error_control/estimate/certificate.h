@@ -5,6 +5,7 @@
 #include <signorini/discretization/elasticity/linear_system.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/postprocessing/fields/forces.h>
+#include <signorini/solvers/methods/contact_state.h>
 
 namespace Signorini
 {
@@ -51,31 +52,24 @@ struct Certificate
   static Columns<Certificate> columns();
 };
 
-/** The level's solution and what it was computed from. */
+/** What is checked: contact as a method has found it, and the equations that it solves. */
 template <int dim>
-struct ContactSolution
+struct SolvedContact
 {
-  const NodalVector &U;
-  /** A^{-1} f. */
-  const NodalVector &free_U;
-  const dealii::Vector<double> &P;
-  const dealii::Vector<double> &F;
+  const ContactState<dim> &contact;
+  const Coupling &D;
   const dealii::Vector<double> &G;
-  /** C P, and C_kk P_k for all k; empty if nothing touches. */
-  const dealii::Vector<double> &C_P;
-  const dealii::Vector<double> &diagonal_P;
+  /** nodal_forces() of U and P. */
+  const NodalForces &forces;
 };
 
 /**
  * Computes the certificate from the cells' integrals, without the assembled and factorised A.
- * @param forces nodal_forces() of the solution. Collective.
+ * Collective.
  */
 template <int dim>
 Certificate certify(const DisplacementSpace<dim> &space,
                     const Scene<dim> &scene,
-                    const LinearSystem<dim> &system,
                     const MultiplierSpace<dim> &multipliers,
-                    const Coupling &D,
-                    const ContactSolution<dim> &solution,
-                    const NodalForces &forces);
+                    const SolvedContact<dim> &solved);
 } // namespace Signorini

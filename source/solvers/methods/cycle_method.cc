@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Contact by V-cycles, each followed by a problem on the boundary: no A, no factors, no C.
+
+#include <signorini/base/errors.h>
+#include <signorini/solvers/cycles/contact_iteration.h>
+#include <signorini/solvers/multigrid/stiffness_multigrid.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "methods.h"
+
+namespace Signorini
+{
+namespace
+{
+/** t grows a little from level to level. */
+constexpr double growth_of_scale = 1.05;
+/** Of the error of the discretisation. */
+constexpr double share_of_discretisation_error = 0.1;
+/** Where MINRES needs more than that, a factorisation is the better choice. */
+constexpr unsigned int max_cycles = 1000;
+/** Between the tolerances of stationarity and of the KKT residual. */
+constexpr double stationarity_per_tolerance = 10.;
+/** How exactly the linear systems behind the estimate of the error are solved. */
+constexpr double tolerance_of_estimates = 1e-4;
+
+/** Nodal values without those of constrained rows; zero where there are none. */
+template <int dim>
+NodalVector free_part(const DisplacementSpace<dim> &space, const NodalVector &U)
+{
+  if (U.size() == 0)
+    return NodalVector(space.dofs().n_dofs());
+  NodalVector free(U);
+  for (const auto &line : space.constraints().get_lines())
+    free[line.index] = 0.;
+  return free;
+}
+
+/** U = T U_free + k. */
+template <int dim>
+NodalVector complete_free_part(const DisplacementSpace<dim> &space, const NodalVector &U_free)
+{
+  DistributedVector free = space.make_vector();
+  for (const auto i : space.locally_owned())
+    free(i) = U_free[i];
+  free.compress(dealii::VectorOperation::insert);
+  return space.complete(free);
+}
+
+template <int dim>
+class CycleMethod final : public ContactMethod<dim>
+{
+public:
+  CycleMethod(const Parameters &parameters, const Scene<dim> &scene)
+    : parameters_(parameters)
+    , scene_(scene)
+  {
+  }
+
+  ContactState<dim> solve(const Discretization<dim> &discretization,
+                          const ContactStart &start,
+                          const Progress &progress) const override
+  {
+    const DisplacementSpace<dim> &space = discretization.space;
+    ContactState<dim> state;
+    progress("assembly");
+    state.system = timed(state.times.assembly, [&]() {
+      return std::make_shared<const LinearSystem<dim>>(
+        assemble_right_hand_side(space, scene_, discretization.n_points));
+    });
+    progress("factorisation");
+    const std::shared_ptr<const MultigridInverse> inverse = timed(state.times.factor, [&]() {
+      return make_multigrid_inverse(space, scene_, tolerance_of_estimates);
+    });
+    state.inverse = inverse;
+    state.modes = make_motion_modes(space, scene_, *inverse);
+    if (state.modes.size() > 0 || !state.modes.unseen.empty())
+      refuse_solver_for_free_motions(parameters_.solver);
+    progress("V-cycles");
+    const StageTimer timer(state.times.qp);
+    iterate(discretization, inverse->stiffness(), start, state);
+    return state;
+  }
+
+private:
+  void iterate(const Discretization<dim> &discretization,
+               const StiffnessOperator &A,
+               const ContactStart &start,
+               ContactState<dim> &state) const
+  {
+    const DisplacementSpace<dim> &space = discretization.space;
+    const auto model = make_boundary_model(discretization.multipliers);
+    const NodalVector f(state.system->f);
+    dealii::Vector<double> gap(discretization.G);
+    gap -= discretization.D.transpose_product(space.prescribed(scene_));
+    const ContactIterationOptions options = options_for(start);
+    const ContactIterationResult result =
+      solve_contact_by_cycles({A,
+                               f,
+                               discretization.condensed_D,
+                               gap,
+                               *model,
+                               space.condense(NodalVector(state.system->loads)).l2_norm()},
+                              free_part(space, start.U),
+                              start.P.size() > 0 ? start.P : dealii::Vector<double>(gap.size()),
+                              options);
+    state.P = result.P;
+    state.U = complete_free_part(space, result.U);
+    state.cycles = CycleData{result.scale, result.energy_of_residual};
+    state.report.method = ContactSolver::multigrid;
+    state.report.iterations = result.cycles + result.cycles_for_scale;
+    state.report.kkt = result.kkt_residual;
+    state.report.converged = result.converged;
+    state.report.stalled = result.stalled;
+    state.report.energy_tolerance = options.energy_tolerance;
+    dealii::Vector<double> diagonal = model->diagonal();
+    diagonal *= result.scale;
+    state.diagonal_P = result.P;
+    state.diagonal_P.scale(diagonal);
+    dealii::Vector<double> W = discretization.D.transpose_product(state.U);
+    W -= discretization.G;
+    state.algebraic_error = std::hypot(
+      algebraic_error(discretization.multipliers.admissible_set(), result.P, W, diagonal),
+      std::sqrt(2. * std::abs(result.energy_of_residual)));
+  }
+
+  ContactIterationOptions options_for(const ContactStart &start) const
+  {
+    const SolverParameters &solver = parameters_.solver;
+    ContactIterationOptions options;
+    options.tolerance = solver.tolerance;
+    options.stationarity = stationarity_per_tolerance * solver.tolerance;
+    options.maximum_cycles = std::min<unsigned int>(solver.maximum_iterations, max_cycles);
+    options.scale = growth_of_scale * start.scale;
+    options.energy_tolerance = energy_tolerance(start);
+    return options;
+  }
+
+  /**
+   * The algebraic error that does not matter beside that of the discretisation, relative in the
+   * energy norm. u_h has about half the error of the level before, and pi^{2h} u_h, which gains an
+   * order where the solution is smooth, not less than the square of that.
+   */
+  double energy_tolerance(const ContactStart &start) const
+  {
+    if (parameters_.solver.stop_at != StopAt::discretisation_error || !start.relative_error)
+      return 0.;
+    const double before = *start.relative_error;
+    return share_of_discretisation_error * std::min(0.25 * before, before * before);
+  }
+
+  const Parameters &parameters_;
+  const Scene<dim> &scene_;
+};
+} // namespace
+
+template <int dim>
+std::unique_ptr<ContactMethod<dim>> make_cycle_method(const Parameters &parameters,
+                                                      const Scene<dim> &scene)
+{
+  return std::make_unique<CycleMethod<dim>>(parameters, scene);
+}
+
+void refuse_solver_for_free_motions(const SolverParameters &solver)
+{
+  throw InputError(solver.contact_solver.where() + ": found '" +
+                   to_text(solver.contact_solver.value) +
+                   "' for a body or a plate that moves freely, allowed there: psor, active set.");
+}
+
+template std::unique_ptr<ContactMethod<2>> make_cycle_method(const Parameters &, const Scene<2> &);
+template std::unique_ptr<ContactMethod<3>> make_cycle_method(const Parameters &, const Scene<3> &);
+} // namespace Signorini

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Contact by the dual problem: A, its inverse, F and C = D^T A^{-1} D, P and q, then U.
+
+#include <signorini/base/errors.h>
+#include <signorini/solvers/contact/compliance.h>
+#include <signorini/solvers/contact/dual_solver.h>
+#include <signorini/solvers/cycles/boundary_model.h>
+#include <signorini/solvers/multigrid/stiffness_multigrid.h>
+
+#include <algorithm>
+
+#include "escape_message.h"
+#include "methods.h"
+
+namespace Signorini
+{
+namespace
+{
+using Vector = dealii::Vector<double>;
+
+DualSolve summary_of(const QPResult &result, const ContactSolver method)
+{
+  DualSolve summary;
+  summary.method = method;
+  summary.iterations = result.iterations;
+  if (method == ContactSolver::psor)
+    summary.increment_iterations = result.increment_iterations;
+  summary.kkt = result.kkt_residual;
+  summary.converged = result.converged;
+  summary.unique = result.unique;
+  summary.active_set_failure = result.active_set_failure;
+  return summary;
+}
+
+/** Tells the user of every twentieth part of the columns of C. */
+ColumnProgress column_progress(const Progress &progress, const unsigned int n_columns)
+{
+  const unsigned int every = std::max(1U, n_columns / 20);
+  return [&progress, every, n_columns](const unsigned int done) {
+    if (done % every == 0)
+      progress("compliance: " + std::to_string(done) + " columns, up to " +
+               std::to_string(n_columns));
+  };
+}
+
+template <int dim>
+class DualMethod final : public ContactMethod<dim>
+{
+public:
+  DualMethod(const Parameters &parameters, const Scene<dim> &scene, const SolverChoice &choice)
+    : parameters_(parameters)
+    , scene_(scene)
+    , choice_(choice)
+  {
+  }
+
+  ContactState<dim> solve(const Discretization<dim> &discretization,
+                          const ContactStart &start,
+                          const Progress &progress) const override
+  {
+    ContactState<dim> state;
+    state.dual.emplace();
+    factorise_stiffness(discretization, progress, state);
+    find_free_state(discretization, state);
+    DualData &dual = *state.dual;
+    state.P.reinit(discretization.multipliers.n_multipliers());
+    if (state.modes.size() == 0 && dual.free.nothing_touches())
+      state.U = dual.free.U;
+    else
+    {
+      form_compliance(discretization, progress, state);
+      progress("dual problem");
+      find_pressure(discretization, start.P, state);
+      recover(discretization, state);
+      correct_rounding(discretization, state);
+      state.algebraic_error = algebraic_part(discretization, state);
+    }
+    prescribe_motions(state);
+    state.linear = {state.inverse->n_solves(),
+                    state.inverse->largest_residual(),
+                    state.inverse->rounding_error()};
+    return state;
+  }
+
+private:
+  /** A, f and A^{-1}. */
+  void factorise_stiffness(const Discretization<dim> &discretization,
+                           const Progress &progress,
+                           ContactState<dim> &state) const
+  {
+    const DisplacementSpace<dim> &space = discretization.space;
+    progress("assembly");
+    state.system = timed(state.times.assembly, [&]() {
+      return std::make_shared<const LinearSystem<dim>>(
+        choice_.is_matrix_free() ? assemble_right_hand_side(space, scene_, discretization.n_points)
+                                 : assemble_linear_system(space, scene_, discretization.n_points));
+    });
+    progress("factorisation");
+    state.inverse = timed(state.times.factor, [&]() -> std::unique_ptr<StiffnessInverse> {
+      if (choice_.is_matrix_free())
+        return make_multigrid_inverse(space, scene_, goal_of_solves);
+      return factorise(state.system->matrix,
+                       state.system->unit,
+                       choice_.linear,
+                       contact_unknowns(discretization.condensed_D));
+    });
+  }
+
+  /** F, and what moves freely. @throws InputError if loads drive a motion that contact does not
+   * see. */
+  void find_free_state(const Discretization<dim> &discretization, ContactState<dim> &state) const
+  {
+    const StageTimer timer(state.times.compliance);
+    const DisplacementSpace<dim> &space = discretization.space;
+    DualData &dual = *state.dual;
+    dual.free =
+      solve_free_state(*state.inverse, space, state.system->f, discretization.D, discretization.G);
+    dual.F = dual.free.F;
+    state.modes = make_motion_modes(space, scene_, *state.inverse);
+    const MotionModes<dim> &modes = state.modes;
+    const NodalVector loads(state.system->loads);
+    if (modes.size() > 0)
+    {
+      const MotionWork work = modes.work(scene_.plates, loads, dual.free.U);
+      dual.motions = {modes.couple(discretization.D), modes.K, work.value, work.magnitude};
+    }
+    if (modes.unseen.empty())
+      return;
+    if (const auto driven = modes.driven_unseen(scene_.plates, loads))
+      refuse_sliding(parameters_, *modes.unseen[*driven].rigid);
+    for (const FreeMotion &motion : modes.unseen)
+      state.undetermined.push_back(motion.rigid->name());
+  }
+
+  /** C, by products only where MPRGP meets a solver without factors. */
+  void form_compliance(const Discretization<dim> &discretization,
+                       const Progress &progress,
+                       ContactState<dim> &state) const
+  {
+    const Coupling &D = discretization.condensed_D;
+    const auto model = state.inverse->has_factors() ? nullptr : boundary_model(discretization);
+    if (model != nullptr)
+      state.dual->C =
+        std::make_shared<const SolvedCompliance>(*state.inverse, D, model->diagonal());
+    else
+      state.dual->C = make_compliance(
+        *state.inverse, D, state.times.compliance, column_progress(progress, D.n_columns()));
+  }
+
+  /** P, and q where motions are free. */
+  void find_pressure(const Discretization<dim> &discretization,
+                     const Vector &start,
+                     ContactState<dim> &state) const
+  {
+    const StageTimer timer(state.times.qp);
+    const DualData &dual = *state.dual;
+    const DualSolverOptions options = options_for(discretization);
+    QPResult result;
+    if (state.modes.size() == 0)
+      result = solve_dual_problem(dual.C, dual.F, start, options);
+    else
+    {
+      if (choice_.contact == ContactSolver::mprgp)
+        refuse_solver_for_free_motions(parameters_.solver);
+      const MotionResult found = solve_dual_problem(dual.C, dual.F, dual.motions, start, options);
+      if constexpr (dim == 2)
+        if (found.escape)
+          refuse_escape(parameters_, discretization, state.modes, dual.motions, *found.escape);
+      if constexpr (dim == 2)
+        if (std::any_of(dual.F.begin(), dual.F.end(), [](const double F_k) { return F_k < 0.; }))
+          refuse_undetermined(parameters_, state.modes, dual.motions, found.qp.P);
+      state.q = found.q;
+      result = found.qp;
+    }
+    state.report = summary_of(result, choice_.contact);
+    state.P = result.P;
+    state.dual->C_P = dual.C->apply(state.P);
+    state.diagonal_P = effect_on_itself(*dual.C, state.P);
+  }
+
+  /** U = A^{-1}(f + D P) + Z q. */
+  void recover(const Discretization<dim> &discretization, ContactState<dim> &state) const
+  {
+    const StageTimer timer(state.times.recovery);
+    state.U = recover_displacement(
+      *state.inverse, discretization.space, discretization.condensed_D, state.P, state.system->f);
+    if (state.modes.size() > 0)
+      state.modes.add_to(state.U, state.q);
+  }
+
+  /**
+   * Openings by U and by C differ where rounding has spoilt C: D^T U - G is C P + B q - F + r. Then
+   * F - r takes the place of F, up to three times. Only what rounding has done is corrected:
+   * without it r is zero, however P was found.
+   */
+  void correct_rounding(const Discretization<dim> &discretization, ContactState<dim> &state) const
+  {
+    constexpr unsigned int max_passes = 3;
+    constexpr double negligible = 1e-10;
+    const double measure = discretization.multipliers.integrals().l2_norm();
+    const Vector F = state.dual->F;
+    for (unsigned int pass = 0; pass < max_passes; ++pass)
+    {
+      // F - r = C P + B q - W
+      Vector corrected(state.dual->C_P);
+      if (state.modes.size() > 0)
+        state.dual->motions.B.vmult_add(corrected, state.q);
+      corrected -= discretization.D.transpose_product(state.U);
+      corrected += discretization.G;
+      Vector r(corrected);
+      r -= state.dual->F;
+      if (r.l2_norm() <= negligible * measure * state.U.linfty_norm())
+        break;
+      state.dual->F = corrected;
+      find_pressure(discretization, state.P, state);
+      recover(discretization, state);
+    }
+    state.dual->F = F;
+  }
+
+  /** What the tolerance leaves, in the energy norm. */
+  double algebraic_part(const Discretization<dim> &discretization,
+                        const ContactState<dim> &state) const
+  {
+    const AdmissibleSet K = discretization.multipliers.admissible_set();
+    Vector W = discretization.D.transpose_product(state.U);
+    W -= discretization.G;
+    const ComplianceOperator &C = *state.dual->C;
+    if (choice_.contact == ContactSolver::mprgp)
+      return algebraic_error(K, state.P, W, C.diagonal());
+    // Where nothing presses nor penetrates, a column of C may cost a solve.
+    Vector counted(state.P.size());
+    for (unsigned int k = 0; k < counted.size(); ++k)
+      counted[k] = state.P[k] != 0. || W[k] > 0. ? 1. : 0.;
+    return algebraic_error(K, state.P, W, diagonal_times(C, counted));
+  }
+
+  /** Makes q part of what is prescribed: U_0 + Z q is the body without contact then. */
+  void prescribe_motions(ContactState<dim> &state) const
+  {
+    if (state.modes.size() == 0)
+      return;
+    state.modes.add_to(state.dual->free.U, state.q);
+    Vector B_q(state.dual->free.F.size());
+    state.dual->motions.B.vmult(B_q, state.q);
+    state.dual->free.F -= B_q;
+  }
+
+  /** C^ for MPRGP; null for other methods, and for other multipliers than constants. */
+  std::shared_ptr<const BoundaryModel>
+  boundary_model(const Discretization<dim> &discretization) const
+  {
+    if (choice_.contact != ContactSolver::mprgp ||
+        !discretization.multipliers.is_piecewise_constant())
+      return nullptr;
+    return make_boundary_model(discretization.multipliers);
+  }
+
+  DualSolverOptions options_for(const Discretization<dim> &discretization) const
+  {
+    const SolverParameters &solver = parameters_.solver;
+    DualSolverOptions options = {choice_.contact,
+                                 solver.relaxation,
+                                 solver.tolerance,
+                                 solver.maximum_iterations,
+                                 is_unstable(discretization),
+                                 {}};
+    if (const auto model = boundary_model(discretization))
+      options.preconditioner = [model](const std::vector<unsigned int> &set, const Vector &r) {
+        return model->solve(set, r);
+      };
+    return options;
+  }
+
+  /** C_kk P_k. */
+  Vector effect_on_itself(const ComplianceOperator &C, const Vector &P) const
+  {
+    if (choice_.contact != ContactSolver::mprgp)
+      return diagonal_times(C, P);
+    Vector product(P);
+    product.scale(C.diagonal());
+    return product;
+  }
+
+  const Parameters &parameters_;
+  const Scene<dim> &scene_;
+  SolverChoice choice_;
+};
+} // namespace
+
+template <int dim>
+std::unique_ptr<ContactMethod<dim>> make_dual_method(const Parameters &parameters,
+                                                     const Scene<dim> &scene,
+                                                     const SolverChoice &choice)
+{
+  return std::make_unique<DualMethod<dim>>(parameters, scene, choice);
+}
+
+template std::unique_ptr<ContactMethod<2>> make_dual_method(const Parameters &,
+                                                            const Scene<2> &,
+                                                            const SolverChoice &);
+template std::unique_ptr<ContactMethod<3>> make_dual_method(const Parameters &,
+                                                            const Scene<3> &,
+                                                            const SolverChoice &);
+} // namespace Signorini
