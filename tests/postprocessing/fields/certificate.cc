@@ -49,7 +49,11 @@ struct Solved
     contact.diagonal_P = diagonal_times(*C, pressure);
     // Lives as long as the caller's.
     contact.system = {std::shared_ptr<void>(), &linear_system};
-    contact.dual = DualData{free, free.F, C->apply(pressure), C, {}};
+    contact.dual.emplace();
+    contact.dual->free = free;
+    contact.dual->F = free.F;
+    contact.dual->C_P = C->apply(pressure);
+    contact.dual->C = C;
     const NodalForces forces = nodal_forces(level.space(),
                                             level.scene,
                                             linear_system.loads,
