@@ -51,15 +51,19 @@ void patch_test(Checks &checks,
   const ContactSummary contact = summarise_contact(box.multipliers, dual.P);
   checks.near(name + "contact force", contact.normal_force, 0.4 * confined_modulus, 1e-12);
   checks.near(name + "contact area", contact.length, 2., 1e-13);
+  ContactState<3> found;
+  found.U = U;
+  found.P = dual.P;
+  found.diagonal_P = diagonal_times(*C, dual.P);
+  found.system = {std::shared_ptr<void>(), &system};
+  found.dual.emplace();
+  found.dual->free = free;
+  found.dual->C_P = C->apply(dual.P);
   const Certificate certificate =
     certify(box.space,
             scene,
-            system,
             box.multipliers,
-            box.D,
-            ContactSolution<3>{
-              U, free.U, dual.P, free.F, box.G, C->apply(dual.P), diagonal_times(*C, dual.P)},
-            nodal_forces(box.space, scene, system.loads, box.D, U, dual.P));
+            {found, box.D, box.G, nodal_forces(box.space, scene, system.loads, box.D, U, dual.P)});
   for (const double residual : {certificate.stationarity,
                                 certificate.penetration,
                                 certificate.sign,
