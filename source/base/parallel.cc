@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <dlfcn.h>
 #include <limits>
 #include <thread>
 
@@ -37,6 +38,43 @@ void work_on_ranges(const unsigned int n_threads,
     [](const bool) {});
 }
 
+// OpenBLAS and OpenMP are found at run time: which BLAS a system uses is decided there.
+
+namespace
+{
+constexpr int unknown_setting = -1;
+
+int library_setting(const char *const function)
+{
+  void *const symbol = dlsym(RTLD_DEFAULT, function);
+  return symbol != nullptr ? reinterpret_cast<int (*)()>(symbol)() : unknown_setting;
+}
+
+void set_library(const char *const function, const int value)
+{
+  if (void *const symbol = dlsym(RTLD_DEFAULT, function))
+    reinterpret_cast<void (*)(int)>(symbol)(value);
+}
+} // namespace
+
+LibraryThreads::LibraryThreads(const unsigned int n)
+  : blas_threads_before_(library_setting("openblas_get_num_threads"))
+  , parallel_levels_before_(library_setting("omp_get_max_active_levels"))
+{
+  static const int blas_threads_given = blas_threads_before_;
+  if (blas_threads_before_ != unknown_setting)
+    set_library("openblas_set_num_threads", std::clamp(static_cast<int>(n), 1, blas_threads_given));
+  if (parallel_levels_before_ != unknown_setting)
+    set_library("omp_set_max_active_levels", n > 1 ? 1 : 0);
+}
+
+LibraryThreads::~LibraryThreads()
+{
+  if (blas_threads_before_ != unknown_setting)
+    set_library("openblas_set_num_threads", blas_threads_before_);
+  if (parallel_levels_before_ != unknown_setting)
+    set_library("omp_set_max_active_levels", parallel_levels_before_);
+}
 // Texts of all ranks for the one that writes files.
 
 std::vector<std::string> gather_texts(std::string text, MPI_Comm communicator)

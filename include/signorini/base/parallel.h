@@ -57,6 +57,28 @@ void work_on_ranges(unsigned int n_threads,
                     std::size_t n,
                     const std::function<void(std::size_t, std::size_t)> &work);
 
+/**
+ * Sets the number of threads of OpenBLAS, and whether other libraries may use OpenMP, while it
+ * lives; where these are not in use it does nothing.
+ *
+ * Threads pay for the large dense fronts of MUMPS. On the small blocks of everything else they cost
+ * CPU time and gain nothing (CHOLMOD moves its blocks by four OpenMP threads, however many cores
+ * there are). So the program runs with one, and MUMPS asks for more.
+ */
+class LibraryThreads
+{
+public:
+  /** @param n not more than OpenBLAS had at first (OPENBLAS_NUM_THREADS, or all cores) is taken. */
+  explicit LibraryThreads(unsigned int n);
+  ~LibraryThreads();
+  LibraryThreads(const LibraryThreads &) = delete;
+  LibraryThreads &operator=(const LibraryThreads &) = delete;
+
+private:
+  int blas_threads_before_;
+  int parallel_levels_before_;
+};
+
 /** All ranks' texts on rank 0, in order; nothing on the others. Collective. @throws
  * ComputationError if one has 2 GiB or more. */
 std::vector<std::string> gather_texts(std::string text, MPI_Comm communicator);

@@ -10,8 +10,7 @@
 #include <signorini/postprocessing/errors/pressure_errors.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/norms/inf_sup.h>
-#include <signorini/solvers/contact/compliance.h>
-#include <signorini/solvers/contact/dual_solver.h>
+#include <signorini/solvers/methods/contact_method.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,41 +117,21 @@ void subtract_work_of_plates(LevelRecord &record)
   }
 }
 
-/** The dual problem on other patches, for the estimate. Motions begin at q. None after V-cycles:
- * each column of C would be a linear solve, and F is not known. */
-template <int dim>
-DualProblem dual_problem(const ContactState<dim> &contact)
-{
-  if (!contact.dual)
-    return {};
-  return [&contact](const Coupling &D,
-                    const Coupling &condensed_D,
-                    const dealii::Vector<double> &F,
-                    const dealii::Vector<double> &start) -> std::optional<dealii::Vector<double>> {
-    double seconds = 0.;
-    const auto C = make_compliance(*contact.inverse, condensed_D, seconds);
-    QPResult result;
-    if (contact.modes.size() == 0)
-      result = solve_dual_problem(C, F, start, {});
-    else
-    {
-      FreeMotions motions = contact.dual->motions;
-      motions.B = contact.modes.couple(D);
-      dealii::Vector<double> K_q(contact.q.size());
-      motions.K.vmult(K_q, contact.q);
-      motions.b -= K_q;
-      result = solve_dual_problem(C, F, motions, start, {}).qp;
-    }
-    return result.converged ? std::optional<dealii::Vector<double>>(result.P) : std::nullopt;
-  };
-}
-
 /** The estimate of the error. */
 template <int dim>
 ErrorEstimate estimate_of(const Discretization<dim> &discretization,
                           const Scene<dim> &scene,
                           const ContactState<dim> &contact)
 {
+  // None after V-cycles: each column of C would be a linear solve, and F is not known.
+  DualProblem on_other_patches;
+  if (contact.dual)
+    on_other_patches = [&contact](const Coupling &D,
+                                  const Coupling &condensed_D,
+                                  const dealii::Vector<double> &F,
+                                  const dealii::Vector<double> &start) {
+      return solve_on_other_patches(contact, {D, condensed_D}, F, start);
+    };
   const PressureCorrection correction =
     correct_pressure<dim>({discretization.space,
                            scene,
@@ -162,7 +141,7 @@ ErrorEstimate estimate_of(const Discretization<dim> &discretization,
                            discretization.condensed_D,
                            *contact.inverse,
                            discretization.n_points,
-                           dual_problem(contact)});
+                           on_other_patches});
   OtherErrors others;
   others.algebra = contact.algebraic_error;
   if constexpr (dim == 3)

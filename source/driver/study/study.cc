@@ -2,15 +2,18 @@
 // Level after level, until the sequence ends.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/parallel.h>
+#include <signorini/driver/sequence/load_cases.h>
+#include <signorini/driver/sequence/sequence.h>
 #include <signorini/driver/study/study.h>
 #include <signorini/results/files/answer_output.h>
 #include <signorini/results/files/tables.h>
-#include <signorini/solvers/stiffness/stiffness_inverse.h>
+#include <signorini/results/output/results_writer.h>
+#include <signorini/results/output/screen.h>
 
-#include "results_writer.h"
-#include "scene_summary.h"
+#include <deal.II/base/mpi.h>
+
 #include "settings_check.h"
-#include "study_internal.h"
 
 namespace Signorini
 {
@@ -26,6 +29,137 @@ void print_end(const std::vector<LevelRecord> &levels, const StudyReport &report
   print_answer(report.screen, levels, report.directory);
   report.screen << "\n";
 }
+
+/** What refinement aims at: Target error, with hp 1e-3 where none is given. */
+double target_error(const DiscretizationParameters &given)
+{
+  constexpr double usual = 1e-3;
+  return given.strategy == Strategy::hp && given.target_error == 0. ? usual
+                                                                    : given.target_error.value;
+}
+
+template <int dim>
+class Study
+{
+public:
+  Study(const Parameters &parameters,
+        const Scene<dim> &scene,
+        MPI_Comm communicator,
+        const StudyReport &report)
+    : parameters_(parameters)
+    , scene_(scene)
+    , n_ranks_(dealii::Utilities::MPI::n_mpi_processes(communicator))
+    , report_(report)
+    , judge_({parameters.solver.tolerance,
+              parameters.solver.tolerated_error,
+              target_error(parameters.discretization),
+              parameters.discretization.target_error > 0.,
+              can_be_graded<dim>(n_ranks_),
+              dim == 2})
+    , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_}))
+    , writer_(parameters, judge_, scene.description, report.directory, communicator)
+  {
+  }
+
+  StudyResult<dim> run()
+  {
+    print_scene(
+      parameters_,
+      scene_,
+      choose_solvers(parameters_, scene_, parameters_.discretization.finest_level, n_ranks_),
+      judge_,
+      report_.screen);
+    const bool graded = parameters_.discretization.strategy == Strategy::hp;
+    report_.screen << screen_legend(graded) << "\n" << screen_header(graded) << std::endl;
+    try
+    {
+      while (!solve_next())
+      {
+      }
+    }
+    catch (const WritingError &error)
+    {
+      print_end(result_.levels, report_);
+      writer_.write_failure(result_.levels, judge_.failed(result_.levels, error.what()));
+      throw;
+    }
+    catch (const ComputationError &error)
+    {
+      result_.verdict = judge_.failed(result_.levels, error.what());
+      writer_.write_failure(result_.levels, result_.verdict);
+    }
+    catch (const InputError &)
+    {
+      writer_.abandon();
+      throw;
+    }
+    print_end(result_.levels, report_);
+    print_verdict(result_.levels, judge_, result_.verdict, report_.screen);
+    return result_;
+  }
+
+private:
+  /** Solves one level and writes it, whose large objects live no longer than this call. @return
+   * whether it is the last. */
+  bool solve_next()
+  {
+    const Progress progress = [this, name = sequence_->name_of_next()](const std::string &stage) {
+      report_.progress(name + ": " + stage);
+    };
+    LevelResult<dim> level = sequence_->solve_next(progress);
+    LevelRecord &record = level.solution.record;
+    if (level.is_last)
+      solve_cases(level, progress);
+    progress("output");
+    timed(record.times.output, [&]() {
+      writer_.write_fields(scene_, level);
+      return true;
+    });
+    record.resources = measure_resources();
+    report_.progress("");
+    std::vector<LevelRecord> &levels = result_.levels;
+    report_.screen << screen_row(record, levels.empty() ? nullptr : &levels.back()) << std::endl;
+    print_warnings(record, judge_, report_.screen);
+    levels.push_back(record);
+    result_.verdict = level.is_last ? judge_.verdict(levels) : judge_.unfinished(levels);
+    writer_.write_tables(levels, result_.verdict);
+    if (level.is_last)
+    {
+      writer_.write_answer(levels, result_.verdict);
+      const std::string missing = writer_.write_pictures(levels);
+      if (!missing.empty())
+        report_.screen << "Pictures: " << missing << "\n";
+      result_.pressure = level.pressure();
+    }
+    return level.is_last;
+  }
+
+  void solve_cases(LevelResult<dim> &level, const Progress &progress)
+  {
+    if constexpr (dim == 2)
+    {
+      const Scene<2> &scene = sequence_->scene();
+      if (scene.load_cases.empty())
+        return;
+      const auto write_fields = [&](const unsigned int number,
+                                    const Scene<2> &scene_of_case,
+                                    const NodalVector &U,
+                                    const dealii::Vector<double> &P) {
+        writer_.write_case_fields(*level.discretization, scene_of_case, U, P, number);
+      };
+      writer_.write_cases(solve_load_cases({parameters_, scene}, level, write_fields, progress));
+    }
+  }
+
+  const Parameters &parameters_;
+  const Scene<dim> &scene_;
+  unsigned int n_ranks_;
+  const StudyReport &report_;
+  Judge judge_;
+  std::unique_ptr<Sequence<dim>> sequence_;
+  ResultsWriter writer_;
+  StudyResult<dim> result_;
+};
 } // namespace
 
 template <int dim>
@@ -34,72 +168,9 @@ StudyResult<dim> run_study(const Parameters &parameters,
                            MPI_Comm communicator,
                            const StudyReport &report)
 {
-  const Judge judge({parameters.solver.tolerance,
-                     parameters.solver.tolerated_error,
-                     target_error(parameters.discretization),
-                     parameters.discretization.target_error > 0.,
-                     can_be_graded<dim>(dealii::Utilities::MPI::n_mpi_processes(communicator)),
-                     dim == 2});
   const LibraryThreads one_thread_in_libraries(1);
   check_settings(parameters, scene, communicator);
-  const std::unique_ptr<Sequence<dim>> sequence =
-    make_sequence<dim>({parameters, scene, communicator, judge});
-  ResultsWriter writer(parameters, judge, scene.description, report.directory, communicator);
-  StudyResult<dim> result;
-  print_scene(parameters,
-              scene,
-              choose_solvers(parameters,
-                             scene,
-                             parameters.discretization.finest_level,
-                             dealii::Utilities::MPI::n_mpi_processes(communicator)),
-              report.screen);
-  const bool graded = parameters.discretization.strategy == Strategy::hp;
-  report.screen << screen_legend(graded) << "\n" << screen_header(graded) << std::endl;
-  try
-  {
-    for (bool last = false; !last;)
-    {
-      const Progress progress = [&](const std::string &stage) {
-        report.progress(sequence->name_of_next() + ": " + stage);
-      };
-      const LevelRecord record = sequence->solve_next(progress, writer);
-      report.progress("");
-      report.screen << screen_row(record, result.levels.empty() ? nullptr : &result.levels.back())
-                    << std::endl;
-      print_warnings(record, judge, report.screen);
-      result.levels.push_back(record);
-      last = sequence->is_finished();
-      result.verdict = last ? judge.verdict(result.levels) : judge.unfinished(result.levels);
-      writer.write_tables(result.levels, result.verdict);
-      if (last)
-      {
-        writer.write_answer(result.levels, result.verdict);
-        const std::string missing = writer.write_pictures(result.levels);
-        if (!missing.empty())
-          report.screen << "Pictures: " << missing << "\n";
-        result.pressure = sequence->pressure();
-      }
-    }
-  }
-  catch (const WritingError &error)
-  {
-    print_end(result.levels, report);
-    writer.write_failure(result.levels, judge.failed(result.levels, error.what()));
-    throw;
-  }
-  catch (const ComputationError &error)
-  {
-    result.verdict = judge.failed(result.levels, error.what());
-    writer.write_failure(result.levels, result.verdict);
-  }
-  catch (const InputError &)
-  {
-    writer.abandon();
-    throw;
-  }
-  print_end(result.levels, report);
-  print_verdict(result.levels, judge, result.verdict, report.screen);
-  return result;
+  return Study<dim>(parameters, scene, communicator, report).run();
 }
 
 template StudyResult<2>

@@ -296,6 +296,37 @@ std::unique_ptr<ContactMethod<dim>> make_dual_method(const Parameters &parameter
   return std::make_unique<DualMethod<dim>>(parameters, scene, choice);
 }
 
+template <int dim>
+std::optional<Vector> solve_on_other_patches(const ContactState<dim> &contact,
+                                             const CouplingPair &patches,
+                                             const Vector &F,
+                                             const Vector &start)
+{
+  double seconds = 0.;
+  const auto C = make_compliance(*contact.inverse, patches.condensed_D, seconds);
+  QPResult result;
+  if (contact.modes.size() == 0)
+    result = solve_dual_problem(C, F, start, {});
+  else
+  {
+    FreeMotions motions = contact.dual->motions;
+    motions.B = contact.modes.couple(patches.D);
+    Vector K_q(contact.q.size());
+    motions.K.vmult(K_q, contact.q);
+    motions.b -= K_q;
+    result = solve_dual_problem(C, F, motions, start, {}).qp;
+  }
+  return result.converged ? std::optional<Vector>(result.P) : std::nullopt;
+}
+
+template std::optional<Vector> solve_on_other_patches(const ContactState<2> &,
+                                                      const CouplingPair &,
+                                                      const Vector &,
+                                                      const Vector &);
+template std::optional<Vector> solve_on_other_patches(const ContactState<3> &,
+                                                      const CouplingPair &,
+                                                      const Vector &,
+                                                      const Vector &);
 template std::unique_ptr<ContactMethod<2>> make_dual_method(const Parameters &,
                                                             const Scene<2> &,
                                                             const SolverChoice &);

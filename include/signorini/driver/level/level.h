@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/postprocessing/errors/dual_norm_errors.h>
-#include <signorini/results/record/level_record.h>
+#include <signorini/results/record/level_result.h>
 #include <signorini/solvers/methods/contact_method.h>
 
 namespace Signorini
@@ -14,17 +14,6 @@ struct LevelProblem
   const Parameters &parameters;
   const Scene<dim> &scene;
   SolverChoice solvers = {};
-};
-
-/** The answer of one level: contact as it was found, and what is known about it. */
-template <int dim>
-struct LevelSolution : ContactState<dim>
-{
-  LevelRecord record;
-  /** Empty where record.bound is. */
-  BoundFields bound_fields;
-  /** The scene with plates where they have moved to. */
-  Scene<dim> scene;
 };
 
 /**

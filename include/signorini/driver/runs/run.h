@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/driver/level/level.h>
 #include <signorini/results/record/level_record.h>
 
 #include <mpi.h>

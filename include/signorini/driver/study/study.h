@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/driver/level/level.h>
-#include <signorini/problem/parameters/parameters.h>
-#include <signorini/problem/scene/scene.h>
 #include <signorini/results/verdict/judge.h>
 
 #include <filesystem>

@@ -15,9 +15,18 @@ struct StepFindings
   std::vector<ContactBracket> brackets;
   /** Faces on which the body penetrates though nothing presses: the numbers of their cells. */
   std::vector<unsigned int> unseen_contact;
-  /** The estimated error and the one that is asked for, (force length)^{1/2}. */
+  /** The estimated error, where there is an estimate, and the one that is aimed at, (force
+   * length)^{1/2}. */
   double error = 0.;
   double target = 0.;
+  /** What errors are divided by, see energy_scale(). */
+  double scale = 0.;
+
+  /** Without it the next mesh will see another problem. */
+  bool has_estimate() const
+  {
+    return unseen_contact.empty();
+  }
 };
 
 /** The plan of the first step: a uniform mesh with degree 2, and what is singular by the data. */

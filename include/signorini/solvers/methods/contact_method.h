@@ -63,4 +63,20 @@ template <int dim>
 std::unique_ptr<ContactMethod<dim>> make_contact_method(const Parameters &parameters,
                                                         const Scene<dim> &scene,
                                                         const SolverChoice &choice);
+/** D of some patches, and what unconstrained degrees of freedom see of it. */
+struct CouplingPair
+{
+  const Coupling &D;
+  const Coupling &condensed_D;
+};
+
+/**
+ * Solves the dual problem of a level again on other patches, with its F there, from the pressure
+ * @p start; motions begin at contact.q. Needs contact.dual. @return nothing if the solver fails.
+ */
+template <int dim>
+std::optional<dealii::Vector<double>> solve_on_other_patches(const ContactState<dim> &contact,
+                                                             const CouplingPair &patches,
+                                                             const dealii::Vector<double> &F,
+                                                             const dealii::Vector<double> &start);
 } // namespace Signorini

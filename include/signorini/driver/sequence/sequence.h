@@ -7,8 +7,6 @@
 #include <memory>
 #include <string>
 
-#include "results_writer.h"
-
 namespace Signorini
 {
 /** What the levels of a study have in common. */
@@ -30,12 +28,11 @@ public:
 
   /** For the user to watch: "level 3". */
   virtual std::string name_of_next() const = 0;
-  /** Solves on the next mesh and writes its fields. @throws ComputationError */
-  virtual LevelRecord solve_next(const Progress &progress, ResultsWriter &writer) = 0;
-  /** Whether the mesh solved last is the finest of the study. */
-  virtual bool is_finished() const = 0;
-  /** The pressure on the mesh solved last. */
-  virtual PatchPressure<dim> pressure() const = 0;
+  /** The scene as this sequence integrates it. */
+  virtual const Scene<dim> &scene() const = 0;
+  /** Solves on the next mesh. The result shares its large objects with the sequence until the next
+   * call at most. @throws ComputationError */
+  virtual LevelResult<dim> solve_next(const Progress &progress) = 0;
 };
 
 /** T^h, T^{h/2}, ... from Coarsest level to Finest level, or until the target error is reached.
@@ -55,7 +52,4 @@ std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context)
       return make_hp_sequence(context);
   return make_nested_sequence(context);
 }
-
-/** What refinement aims at: Target error, with hp 1e-3 where none is given. */
-double target_error(const DiscretizationParameters &given);
 } // namespace Signorini

@@ -16,6 +16,7 @@ template <int dim>
 void print_scene(const Parameters &parameters,
                  const Scene<dim> &scene,
                  const SolverChoice &solvers,
+                 const Judge &judge,
                  std::ostream &screen);
 
 /** What a user should know about a level at once. */

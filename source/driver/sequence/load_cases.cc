@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // All load cases of a scene on its finest level.
 
-#include "load_case_study.h"
-
 #include <signorini/base/columns.h>
+#include <signorini/driver/sequence/load_cases.h>
 #include <signorini/postprocessing/load_cases/case_solver.h>
 
 namespace Signorini
@@ -34,40 +33,35 @@ CaseData case_data(const Parameters &parameters,
 }
 } // namespace
 
-void solve_load_cases(const Parameters &parameters,
-                      const Scene<2> &scene,
-                      const Discretization<2> &discretization,
-                      const Progress &progress,
-                      ResultsWriter &writer,
-                      LevelSolution<2> &solution)
+std::vector<CaseResult> solve_load_cases(const LevelProblem<2> &problem,
+                                         LevelResult<2> &level,
+                                         const CaseFields &use_fields,
+                                         const Progress &progress)
 {
-  if (scene.load_cases.empty())
-    return;
   double seconds = 0.;
   std::vector<CaseResult> results;
   {
     const StageTimer timer(seconds);
+    const Scene<2> &scene = problem.scene;
     progress("load cases");
-    CaseSolver solver(case_data(parameters, scene, discretization, solution));
+    CaseSolver solver(case_data(problem.parameters, scene, *level.discretization, level.solution));
     const std::size_t n = scene.load_cases.size(), every = std::max<std::size_t>(1, n / 20);
     for (const LoadCase &load_case : scene.load_cases)
     {
       results.push_back(solver.solve(load_case));
       if (load_case.has_fields && results.back().escape.empty())
-        writer.write_case_fields(
-          discretization,
-          with_plates_moved(scene_of_case(scene, load_case), results.back().plates),
-          solver.displacement(),
-          solver.pressure(),
-          results.size());
+        use_fields(results.size(),
+                   with_plates_moved(scene_of_case(scene, load_case), results.back().plates),
+                   solver.displacement(),
+                   solver.pressure());
       if (results.size() % every == 0)
         progress("load cases: " + std::to_string(results.size()) + " of " + std::to_string(n));
     }
-    writer.write_cases(results);
   }
-  solution.record.load_cases = summarise(results, seconds);
-  solution.record.times.postprocess += seconds;
-  // The factors have done their work.
-  solution.inverse = nullptr;
+  LevelRecord &record = level.solution.record;
+  record.load_cases = summarise(results, seconds);
+  record.times.postprocess += seconds;
+  level.solution.inverse = nullptr;
+  return results;
 }
 } // namespace Signorini

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What a user reads before and after the table.
 
-#include "scene_summary.h"
-
 #include <signorini/base/text.h>
+#include <signorini/results/output/screen.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-
-#include "study_internal.h"
 
 namespace Signorini
 {
@@ -58,7 +55,7 @@ std::string describe_partition(const DiscretizationParameters &given)
 constexpr double tolerated_strained_share = 0.01;
 
 /** Which meshes follow one another. */
-std::string describe_meshes(const Parameters &parameters)
+std::string describe_meshes(const Parameters &parameters, const Judge &judge)
 {
   const DiscretizationParameters &given = parameters.discretization;
   std::ostringstream text;
@@ -69,7 +66,7 @@ std::string describe_meshes(const Parameters &parameters)
     return text.str();
   }
   text << "Steps     graded meshes from level " << given.coarsest_level << " on, degrees 2 to "
-       << given.maximum_degree << ", to the error " << target_error(given) << " or "
+       << given.maximum_degree << ", to the error " << judge.target_error() << " or "
        << given.maximum_unknowns << " unknowns\n"
        << "Ignored   Finest level, Element, Patch ratio, Patches"
        << (parameters.output.lemmas ? ", Lemmas" : "") << " (Strategy = hp)\n";
@@ -81,13 +78,14 @@ template <int dim>
 void print_scene(const Parameters &parameters,
                  const Scene<dim> &scene,
                  const SolverChoice &solvers,
+                 const Judge &judge,
                  std::ostream &screen)
 {
   const SolverParameters &solver = parameters.solver;
   screen << "Scene     " << scene.name << ": " << scene.title << "\n"
          << "Body      from (" << scene.geometry.lower << ") to (" << scene.geometry.upper << ")\n"
          << "Boundary  " << describe_boundary(scene) << "\n"
-         << describe_meshes(parameters) << "Solver    " << to_text(solvers.contact)
+         << describe_meshes(parameters, judge) << "Solver    " << to_text(solvers.contact)
          << ", tolerance " << solver.tolerance << ", linear solver " << to_text(solvers.linear)
          << "\n\n";
 }
@@ -154,8 +152,14 @@ void print_verdict(const std::vector<LevelRecord> &levels,
            << verdict.residual_bound << ".\n";
 }
 
-template void
-print_scene(const Parameters &, const Scene<3> &, const SolverChoice &, std::ostream &);
-template void
-print_scene(const Parameters &, const Scene<2> &, const SolverChoice &, std::ostream &);
+template void print_scene(const Parameters &,
+                          const Scene<3> &,
+                          const SolverChoice &,
+                          const Judge &,
+                          std::ostream &);
+template void print_scene(const Parameters &,
+                          const Scene<2> &,
+                          const SolverChoice &,
+                          const Judge &,
+                          std::ostream &);
 } // namespace Signorini

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The files of a run.
 
-#include "results_writer.h"
-
 #include <signorini/base/errors.h>
 #include <signorini/base/parallel.h>
 #include <signorini/results/files/answer_output.h>
@@ -11,6 +9,7 @@
 #include <signorini/results/files/mesh_svg.h>
 #include <signorini/results/files/solution_vtu.h>
 #include <signorini/results/files/tables.h>
+#include <signorini/results/output/results_writer.h>
 #include <signorini/results/pictures/convergence_picture.h>
 #include <signorini/results/pictures/deformed_picture.h>
 #include <signorini/results/pictures/pressure_picture.h>
@@ -125,13 +124,12 @@ std::filesystem::path ResultsWriter::level_file(const char *name,
 }
 
 template <int dim>
-void ResultsWriter::write_fields(const Discretization<dim> &discretization,
-                                 const Scene<dim> &scene,
-                                 const LevelSolution<dim> &solution,
-                                 const bool last_level)
+void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim> &level)
 {
   if (directory_.empty())
     return;
+  const Discretization<dim> &discretization = *level.discretization;
+  const LevelSolution<dim> &solution = level.solution;
   start_directory();
   TracedContact<dim> traced;
   write_on_first_rank([&]() {
@@ -141,10 +139,10 @@ void ResultsWriter::write_fields(const Discretization<dim> &discretization,
                [&](std::ostream &stream) { write_contact_csv(stream, traced); });
   });
   const VtuLevels vtu = parameters_.output.vtu;
-  if (vtu == VtuLevels::all || (vtu == VtuLevels::finest && last_level))
+  if (vtu == VtuLevels::all || (vtu == VtuLevels::finest && level.is_last))
     write_vtu(discretization, scene, solution, traced);
   if constexpr (dim == 2)
-    if (parameters_.output.pictures && last_level)
+    if (parameters_.output.pictures && level.is_last)
       prepare_pictures(discretization, scene, solution);
   if (parameters_.output.compliance)
     write_dual_problem(discretization, solution);
@@ -354,12 +352,6 @@ template void ResultsWriter::write_case_fields(const Discretization<2> &,
                                                const NodalVector &,
                                                const dealii::Vector<double> &,
                                                unsigned int);
-template void ResultsWriter::write_fields(const Discretization<2> &,
-                                          const Scene<2> &,
-                                          const LevelSolution<2> &,
-                                          bool);
-template void ResultsWriter::write_fields(const Discretization<3> &,
-                                          const Scene<3> &,
-                                          const LevelSolution<3> &,
-                                          bool);
+template void ResultsWriter::write_fields(const Scene<2> &, const LevelResult<2> &);
+template void ResultsWriter::write_fields(const Scene<3> &, const LevelResult<3> &);
 } // namespace Signorini

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Nested levels, coarsest to finest, each started from the one before.
 
-#include <signorini/base/columns.h>
 #include <signorini/base/errors.h>
+#include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/estimate/locking.h>
-
-#include "coarse_displacement.h"
-#include "load_case_study.h"
-#include "settings_check.h"
-#include "study_internal.h"
+#include <signorini/postprocessing/fields/coarse_displacement.h>
+#include <signorini/solvers/methods/memory_limit.h>
 
 namespace Signorini
 {
@@ -32,46 +29,34 @@ public:
     return "level " + std::to_string(next_level_);
   }
 
-  /** The level's large objects live no longer than this call. */
-  LevelRecord solve_next(const Progress &progress, ResultsWriter &writer) override
+  const Scene<dim> &scene() const override
+  {
+    return context_.scene;
+  }
+
+  LevelResult<dim> solve_next(const Progress &progress) override
   {
     const Parameters &parameters = context_.parameters;
     memory_.check(next_level_);
     progress("mesh");
-    const Discretization<dim> discretization(
+    LevelResult<dim> result;
+    result.discretization = std::make_shared<const Discretization<dim>>(
       parameters, context_.scene, next_level_, context_.communicator);
-    LevelSolution<dim> solution = solve(discretization, start_for(discretization), progress);
+    const Discretization<dim> &discretization = *result.discretization;
+    result.solution = solve(discretization, start_for(discretization), progress);
+    LevelRecord &record = result.solution.record;
     progress("errors");
-    add_errors(parameters, context_.scene, discretization, exact_pressure_.get(), solution);
-    finished_ = next_level_ == parameters.discretization.finest_level ||
-                !solution.record.dual.converged || context_.judge.reaches_target(solution.record);
-    if (finished_ && discretization.space.strain_operator() == StrainOperator::symmetric_gradient)
-      solution.record.locking_number =
-        locking_number(discretization.mesh, *context_.scene.material);
-    if constexpr (dim == 2)
-      if (finished_)
-        solve_load_cases(parameters, context_.scene, discretization, progress, writer, solution);
-    progress("output");
-    {
-      const StageTimer timer(solution.record.times.output);
-      writer.write_fields(discretization, context_.scene, solution, finished_);
-    }
-    solution.record.resources = measure_resources();
-    pressure_ = {discretization.surface.patches(), solution.P};
-    if (!finished_)
-      keep_for_next(discretization, solution);
+    add_errors(parameters, context_.scene, discretization, exact_pressure_.get(), result.solution);
+    result.is_last = next_level_ == parameters.discretization.finest_level ||
+                     !record.dual.converged || context_.judge.reaches_target(record);
+    const bool may_lock =
+      discretization.space.strain_operator() == StrainOperator::symmetric_gradient;
+    if (result.is_last && may_lock)
+      record.locking_number = locking_number(discretization.mesh, *context_.scene.material);
+    if (!result.is_last)
+      keep_for_next(result);
     ++next_level_;
-    return solution.record;
-  }
-
-  bool is_finished() const override
-  {
-    return finished_;
-  }
-
-  PatchPressure<dim> pressure() const override
-  {
-    return pressure_;
+    return result;
   }
 
 private:
@@ -132,8 +117,12 @@ private:
     displacement_.reset();
     return start;
   }
-  void keep_for_next(const Discretization<dim> &discretization, const LevelSolution<dim> &solution)
+
+  void keep_for_next(const LevelResult<dim> &result)
   {
+    const Discretization<dim> &discretization = *result.discretization;
+    const LevelSolution<dim> &solution = result.solution;
+    pressure_ = result.pressure();
     scale_ = solution.cycles ? solution.cycles->scale : 0.;
     relative_error_ = {};
     if (solution.record.estimate)
@@ -150,7 +139,6 @@ private:
   /** Null if it is not known. */
   std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
   unsigned int next_level_;
-  bool finished_ = false;
   PatchPressure<dim> pressure_;
   /** Of the last level, where V-cycles find contact; else null. */
   std::unique_ptr<const CoarseDisplacement<dim>> displacement_;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/driver/level/level.h>
 #include <signorini/results/files/contact_files.h>
 #include <signorini/results/files/files.h>
 #include <signorini/results/pictures/gnuplot.h>
+#include <signorini/results/record/level_result.h>
 #include <signorini/results/verdict/judge.h>
 
 #include <filesystem>
@@ -35,10 +35,7 @@ public:
   /** contact-LL.csv, and as far as asked for the VTU files (of graded meshes also mesh-LL.svg) and
    * the dual problem. */
   template <int dim>
-  void write_fields(const Discretization<dim> &discretization,
-                    const Scene<dim> &scene,
-                    const LevelSolution<dim> &solution,
-                    bool last_level);
+  void write_fields(const Scene<dim> &scene, const LevelResult<dim> &level);
 
   /** solution-case-NNNNNN.vtu and contact-case-NNNNNN.csv of a load case. @param scene that of the
    * case. */

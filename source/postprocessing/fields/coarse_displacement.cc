@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // A displacement carried over to the next level.
 
-#include "coarse_displacement.h"
-
+#include <signorini/postprocessing/fields/coarse_displacement.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 
 namespace Signorini

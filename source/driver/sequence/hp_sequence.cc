@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Graded meshes: solve, find the ends of contact, estimate, plan the next mesh.
+
+#include <signorini/base/columns.h>
+#include <signorini/base/errors.h>
+#include <signorini/base/text.h>
+#include <signorini/driver/sequence/sequence.h>
+#include <signorini/error_control/hp/contact_zone.h>
+#include <signorini/error_control/hp/hidden_data.h>
+#include <signorini/error_control/hp/step_examination.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace Signorini
+{
+namespace
+{
+/** A mesh with the solution on it. */
+struct HpStep
+{
+  std::shared_ptr<const Discretization<2>> discretization;
+  NodalVector U;
+  dealii::Vector<double> P;
+};
+
+/** The mesh is graded to the places where data is singular, so that rules need not be. */
+Scene<2> without_graded_rules(Scene<2> scene)
+{
+  scene.kinks = scene.kinks.without_ends();
+  return scene;
+}
+
+void require_few(const DiscretizationParameters &given,
+                 const double n_unknowns,
+                 const std::string &text)
+{
+  const auto &max_unknowns = given.maximum_unknowns;
+  if (n_unknowns > max_unknowns)
+    throw InputError(max_unknowns.where() + ": found '" + std::to_string(max_unknowns.value) +
+                     "', but the first mesh has " + text +
+                     " unknowns, allowed: that many, or a smaller Coarsest level.");
+}
+
+/** The plan of the first mesh. @throws InputError where it is much too fine, which is found out
+ * before it is made, and where the material hides between all points. */
+MeshPlan make_first_plan(const Scene<2> &scene, const DiscretizationParameters &given)
+{
+  MeshPlan plan = first_plan(scene, given.coarsest_level, given.maximum_degree);
+  // Every cell is of degree 2: by Euler's formula there are more than four nodes for each.
+  const double fewest = 8. * scene.geometry.n_coarse_cells * std::pow(4., plan.base_level);
+  require_few(given, fewest, "more than " + number_text(fewest));
+  if (const std::optional<dealii::Point<2>> hidden = show_hidden_data(scene, plan))
+  {
+    std::ostringstream message;
+    message << given.strategy.where() << ": the material changes within a layer at (" << *hidden
+            << ") that is too thin for cells that are not aligned with it, allowed: lines of the "
+               "mesh at both of its sides (Kinks at x, Kinks at y; in a polygon sides or a mesh "
+               "file that follow it).";
+    throw InputError(message.str());
+  }
+  return plan;
+}
+
+class HpSequence final : public Sequence<2>
+{
+public:
+  explicit HpSequence(const StudyContext<2> &context)
+    : context_(context)
+    , scene_(without_graded_rules(context.scene))
+    , examination_(scene_, context.judge.target_error())
+    , plan_(make_first_plan(scene_, context.parameters.discretization))
+    , next_(make_first_discretization())
+  {
+  }
+
+  std::string name_of_next() const override
+  {
+    return "step " + std::to_string(n_steps_);
+  }
+
+  const Scene<2> &scene() const override
+  {
+    return scene_;
+  }
+
+  LevelResult<2> solve_next(const Progress &progress) override
+  {
+    const Parameters &parameters = context_.parameters;
+    LevelResult<2> result;
+    result.discretization = next_;
+    const Discretization<2> &discretization = *next_;
+    dealii::Vector<double> start;
+    if (parameters.solver.warm_start && last_.discretization != nullptr)
+      start =
+        transfer_pressure(last_.discretization->multipliers, last_.P, discretization.multipliers);
+    LevelSolution<2> &solution = result.solution;
+    solution = solve_level<2>({parameters, scene_, choose_solvers(parameters, scene_, 0, 1)},
+                              discretization,
+                              start,
+                              progress);
+    LevelRecord &record = solution.record;
+    record.sizes.level = n_steps_;
+    progress("estimate");
+    const StepFindings findings = examine(discretization, solution);
+    progress("errors");
+    add_errors<2>(parameters, context_.scene, discretization, nullptr, solution);
+    last_ = {next_, solution.U, solution.P};
+    // Where the contact solver did not end, there is no solution to plan a mesh from.
+    result.is_last = !record.dual.converged || examination_.stagnates() ||
+                     (context_.judge.reaches_target(record) && examination_.is_checked(findings)) ||
+                     !plan_next(findings);
+    ++n_steps_;
+    return result;
+  }
+
+private:
+  std::shared_ptr<const Discretization<2>> make_discretization() const
+  {
+    return std::make_shared<const Discretization<2>>(context_.parameters, scene_, plan_);
+  }
+
+  /** @throws InputError if the first mesh has too many unknowns. */
+  std::shared_ptr<const Discretization<2>> make_first_discretization() const
+  {
+    auto first = make_discretization();
+    const auto n_dofs = first->space.dofs().n_dofs();
+    require_few(context_.parameters.discretization, n_dofs, std::to_string(n_dofs));
+    return first;
+  }
+
+  /** Adds the estimate of the error to the record. */
+  StepFindings examine(const Discretization<2> &discretization, LevelSolution<2> &solution)
+  {
+    const StageTimer timer(solution.record.times.postprocess);
+    std::optional<StepField> before;
+    if (last_.discretization != nullptr)
+      before.emplace(StepField{last_.discretization->space, last_.U});
+    const StepFindings findings = examination_.examine({discretization.space,
+                                                        discretization.multipliers,
+                                                        solution.U,
+                                                        solution.P,
+                                                        solution.algebraic_error},
+                                                       before,
+                                                       plan_.aim);
+    if (findings.has_estimate())
+      solution.record.estimate = ErrorEstimate{
+        {}, findings.error, findings.error > 0. ? findings.error / findings.scale : 0., {}, {}};
+    return findings;
+  }
+
+  /** Makes the next mesh. @return whether it has few enough unknowns. */
+  bool plan_next(const StepFindings &findings)
+  {
+    const Discretization<2> &discretization = *last_.discretization;
+    plan_ =
+      next_plan(plan_, scene_, discretization.mesh, degrees_of(discretization.space), findings);
+    next_ = make_discretization();
+    return next_->space.dofs().n_dofs() <= context_.parameters.discretization.maximum_unknowns;
+  }
+
+  StudyContext<2> context_;
+  /** For everything but the errors against an exact solution. */
+  Scene<2> scene_;
+  StepExamination examination_;
+  MeshPlan plan_;
+  /** The mesh of the step that is solved next. */
+  std::shared_ptr<const Discretization<2>> next_;
+  HpStep last_;
+  unsigned int n_steps_ = 0;
+};
+} // namespace
+
+std::unique_ptr<Sequence<2>> make_hp_sequence(const StudyContext<2> &context)
+{
+  return std::make_unique<HpSequence>(context);
+}
+} // namespace Signorini
