@@ -28,7 +28,7 @@ namespace
 {
 namespace po = boost::program_options;
 
-/** The library that the BLAS calls end in: which one it is decides the speed. */
+/** Returns the library that the BLAS calls end in, which decides the speed. */
 std::string blas_in_use()
 {
   if (void *const symbol = dlsym(RTLD_DEFAULT, "openblas_get_config"))
@@ -109,7 +109,7 @@ po::variables_map parse(const int argc, char **argv, const po::options_descripti
   }
   return values;
 }
-/** One directory per file. */
+/** Returns one directory per file. */
 std::vector<std::string> choose_directories(const std::vector<std::string> &files,
                                             const std::filesystem::path &output,
                                             const bool is_given)

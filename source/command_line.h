@@ -8,21 +8,21 @@
 
 namespace Signorini
 {
-/** What the command line asks for. */
+/** The files, options and texts of a command line. */
 struct CommandLine
 {
-  /** The parameter files to run; empty if @p text is all that was asked for. */
+  /** The parameter files to run; empty if only @p text is printed. */
   std::vector<std::string> parameter_files;
   /** "Subsection/Parameter=value", in the order given. */
   std::vector<std::string> overrides;
   /** "Subsection/Parameter=v1, v2, v3", in the order given. */
   std::vector<std::string> sweeps;
-  /** Where the results of each file go. */
+  /** The directory of each file's results. */
   std::vector<std::string> directories;
-  /** Answer of --help, --version, --list-scenes or --print-parameters. */
+  /** The answer of --help, --version, --list-scenes or --print-parameters. */
   std::string text;
 
-  /** For messages between ranks. */
+  /** Packs the command line for messages between ranks. */
   template <typename Archive>
   void serialize(Archive &archive, const unsigned int /*version*/)
   {
@@ -30,10 +30,10 @@ struct CommandLine
   }
 };
 
-/** @throws InputError if the options make no sense. */
+/** Reads the command line. @throws InputError if the options make no sense. */
 CommandLine read_command_line(int argc, char **argv);
 
-/** The command line of the first rank, for all of them. @return the ranks that were given another
- * one, in words; else nothing. Collective. */
+/** Replaces the command line of every rank by that of the first one. @return the ranks that were
+ * given another one, in words; else nothing. Collective. */
 std::string share_command_line(CommandLine &command_line, MPI_Comm communicator);
 } // namespace Signorini

@@ -30,8 +30,8 @@ void complain(const std::string &sentence)
   std::cerr << "signorini: " << sentence << std::endl;
 }
 
-/** What was printed must have arrived: a full disk or a closed pipe is told, by the exit code too.
- */
+/** Flushes the standard output; a full disk or a closed pipe gives a message and an exit code.
+ * @return the exit code. */
 int confirm_screen(const int code)
 {
   if (std::cout.flush())
@@ -40,7 +40,7 @@ int confirm_screen(const int code)
   return code != 0 ? code : other_error;
 }
 
-/** One parameter file, or all runs of its sweeps. */
+/** Runs one parameter file, or all runs of its sweeps. */
 RunSummary run_file(const CommandLine &command_line,
                     const std::size_t i,
                     MPI_Comm communicator,
@@ -62,7 +62,7 @@ RunSummary run_file(const CommandLine &command_line,
   });
 }
 
-/** One scene after the other. @return the largest exit code. */
+/** Runs one scene after the other. @return the largest exit code. */
 int run(CommandLine command_line, MPI_Comm communicator)
 {
   Screen screen(communicator);
@@ -86,8 +86,8 @@ int run(CommandLine command_line, MPI_Comm communicator)
   return confirm_screen(code);
 }
 
-/** Ranks that failed alone, by exceptions that are not agreed upon, say so and must not leave the
- * others waiting. @return the exit code. */
+/** Reports a failure of this rank alone, by an exception that is not agreed upon, and does not
+ * leave the others waiting. @return the exit code. */
 int fail_alone(const std::string &sentence)
 {
   if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
@@ -97,13 +97,13 @@ int fail_alone(const std::string &sentence)
   }
   complain("rank " + std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)) +
            ": " + sentence);
-  // MPI ends all ranks by a signal, about which nothing is left to say.
+  // MPI ends all ranks by a signal, which needs no message of its own.
   describe_interruption("");
   MPI_Abort(MPI_COMM_WORLD, other_error);
   return other_error;
 }
 
-/** run(), where no exception leaves. */
+/** Calls run() and catches all exceptions. @return the exit code. */
 int run_safely(const CommandLine &command_line)
 {
   try
@@ -126,7 +126,7 @@ int run_safely(const CommandLine &command_line)
   }
 }
 
-/** With MPI. @return the exit code. */
+/** Starts MPI and runs all scenes. @return the exit code. */
 int start_and_run(int argc, char **argv, const CommandLine &command_line)
 {
   const std::vector<int> signals = ending_signals();

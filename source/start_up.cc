@@ -26,13 +26,13 @@ namespace Signorini
 {
 namespace
 {
-/** The stderr of the user while MPI starts; negative: MPI is not starting. */
+/** The user's stderr while MPI starts; negative: MPI is not starting. */
 int standard_error = -1;
 
-/** What the user set for Open MPI; it adds variables of its own while it starts. */
+/** The user's settings of Open MPI; it adds variables of its own while it starts. */
 std::string given_settings;
 
-/** Names of variables of the environment that steer Open MPI, for the message. */
+/** Returns the names of variables of the environment that steer Open MPI, for the message. */
 std::string settings_of_mpi()
 {
   std::vector<std::string> names;
@@ -42,17 +42,17 @@ std::string settings_of_mpi()
   return names.empty() ? "" : " (the environment sets " + shorten(join(names)) + ")";
 }
 
-/** A process that no launcher has started is alone: Open MPI needs no daemon, no network, no shared
- * memory and no picture of the machine for it, which take as long to start as a small scene to
+/** Sets up Open MPI for a process that no launcher has started: it needs no daemon, no network, no
+ * shared memory and no picture of the machine, which take as long to start as a small scene to
  * solve. Nor does it need a folder of its session: all such processes would share one, and one that
- * ends would remove it while another makes it. What the user has set for these stays. */
+ * ends would remove it while another makes it. Settings of the user for these stay. */
 void settle_for_one_process()
 {
   for (const char *launched : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"})
     if (std::getenv(launched) != nullptr)
       return;
   constexpr int keep = 0;
-  // The daemon would be started by the framework plm: who sets that wants it.
+  // The daemon would be started by the framework plm: a user who sets that wants it.
   if (std::getenv("OMPI_MCA_plm") == nullptr)
     setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
   setenv("OMPI_MCA_orte_create_session_dirs", "0", keep);
@@ -63,7 +63,7 @@ void settle_for_one_process()
   setenv("HWLOC_PLUGINS_BLACKLIST", "hwloc_gl.so,hwloc_opencl.so,hwloc_pci.so", keep);
 }
 
-/** What has been printed on stderr since MPI starts. */
+/** Returns what has been printed on stderr since MPI starts. */
 std::string text_of_mpi()
 {
   std::string text;
@@ -81,7 +81,8 @@ void print_to_user(const std::string &text)
     return;
 }
 
-/** Of messages in frames of dashes the first, which names the cause, as words on one line. */
+/** Returns the first of the messages in frames of dashes, which names the cause, as words on one
+ * line. */
 std::string first_message(const std::string &text)
 {
   std::istringstream words(text);
@@ -98,7 +99,7 @@ std::string first_message(const std::string &text)
   return message;
 }
 
-/** One line instead of all that MPI has printed. */
+/** Prints one line instead of all that MPI has printed. */
 void report_failed_start()
 {
   const std::string message = first_message(text_of_mpi());
@@ -108,7 +109,7 @@ void report_failed_start()
     (message.empty() ? "" : " It says:" + message) + "\n");
 }
 
-/** One product is enough for a thread of OpenBLAS to get its buffer. */
+/** Multiplies two matrices: one product is enough for a thread of OpenBLAS to get its buffer. */
 void multiply_matrices()
 {
   dealii::FullMatrix<double> a(200, 200), product(200, 200);
@@ -116,7 +117,7 @@ void multiply_matrices()
   a.mmult(product, a);
 }
 
-/** Whether there is room for the next so many bytes of address space. */
+/** Returns whether so many bytes of address space are free. */
 bool has_room(const std::size_t bytes)
 {
   void *const room =
@@ -127,7 +128,8 @@ bool has_room(const std::size_t bytes)
   return true;
 }
 
-/** OpenBLAS takes 128 MiB of address space per thread, libc as much for what a thread allocates. */
+/** Takes the buffers of the BLAS: 128 MiB of address space per thread for OpenBLAS, and as much for
+ * what a thread allocates in libc. */
 void reserve_buffers()
 {
   rlimit limit = {};
@@ -178,9 +180,9 @@ StartOfMPI::~StartOfMPI()
 } // namespace Signorini
 
 /**
- * Open MPI ends a process in which it cannot start by _exit(1), and its libraries find this
- * function before that of libc. It is the only way to learn of the failure: MPI has no error codes
- * yet.
+ * Reports a failed start of MPI. Open MPI ends a process in which it cannot start by _exit(1), and
+ * its libraries find this function before that of libc. It is the only way to detect the failure:
+ * MPI has no error codes yet.
  */
 extern "C" void _exit(int status)
 {

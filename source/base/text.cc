@@ -87,7 +87,7 @@ std::string shorten(const std::string &text)
   constexpr std::size_t longest = 120, beginning = 80, ending = 30;
   if (text.size() <= longest)
     return text;
-  // Not in the middle of a character of UTF-8.
+  // Do not cut inside a character of UTF-8.
   const auto is_continued = [&](const std::size_t i) { return (text[i] & 0xC0) == 0x80; };
   std::size_t first = beginning, last = text.size() - ending;
   while (first > 0 && is_continued(first))

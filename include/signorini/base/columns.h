@@ -10,8 +10,8 @@
 namespace Signorini
 {
 /**
- * A column of a table: its name, and its value in a row, empty where that is not known. The value
- * may be a pointer to a member of Row.
+ * A column of a table: its name, and a function that returns its value in a row, empty where the
+ * value is unknown. The function may be a pointer to a member of Row.
  */
 template <typename Row>
 struct Column
@@ -23,7 +23,7 @@ struct Column
 template <typename Row>
 using Columns = std::vector<Column<Row>>;
 
-/** The columns that a part of a row declares by Part::columns(), as columns of the row. */
+/** Returns the columns that a part of a row declares by Part::columns(), as columns of the row. */
 template <typename Row, typename Part>
 Columns<Row> columns_of(Part Row::*const part)
 {
@@ -34,7 +34,7 @@ Columns<Row> columns_of(Part Row::*const part)
   return columns;
 }
 
-/** The same for a part that a row may lack; its columns are empty there. */
+/** Returns the same columns for a part that a row may lack; they are empty there. */
 template <typename Row, typename Part>
 Columns<Row> columns_of(std::optional<Part> Row::*const part)
 {
@@ -47,8 +47,8 @@ Columns<Row> columns_of(std::optional<Part> Row::*const part)
 }
 
 /**
- * Adds the wall seconds of its life to a number. A timer that starts within another one's life
- * stops that one meanwhile: the time of a stage within a stage counts once.
+ * A timer that adds the wall seconds of its life to a number. A timer that starts within another
+ * one's life stops that one meanwhile, so the time of a stage within a stage counts once.
  */
 class StageTimer
 {
@@ -88,7 +88,7 @@ private:
   Clock::time_point start_;
 };
 
-/** What @p stage returns; its wall seconds are added to @p seconds. */
+/** Calls @p stage, adds its wall seconds to @p seconds, and returns its result. */
 template <typename Stage>
 auto timed(double &seconds, const Stage &stage)
 {
@@ -116,7 +116,7 @@ struct StageTimes
   static Columns<StageTimes> columns();
 };
 
-/** What this process has used since it began. */
+/** The resources that this process has used since it began. */
 struct Resources
 {
   double cpu_seconds = 0.;
@@ -125,6 +125,6 @@ struct Resources
   static Columns<Resources> columns();
 };
 
-/** The resources used until now. */
+/** Returns the resources used until now. */
 Resources measure_resources();
 } // namespace Signorini

@@ -9,12 +9,12 @@
 
 namespace Signorini
 {
-/** A sentence on one line: what would break the line or steer a terminal becomes a question mark.
- */
+/** Returns the sentence with a question mark in place of every control character, which would break
+ * the line or steer a terminal. */
 std::string one_line(std::string sentence);
 
 /**
- * The input is wrong and the user can mend it: exit code 1.
+ * Thrown if the input is wrong and the user can mend it: exit code 1.
  *
  * The message is one sentence that names the place (file and line, or command line option), the
  * parameter, what was found and what is allowed.
@@ -28,7 +28,7 @@ public:
   }
 };
 
-/** The computation cannot reach what was asked for: exit code 2. The message names the cause. */
+/** Thrown if a result cannot be computed: exit code 2. The message names the cause. */
 class ComputationError : public std::runtime_error
 {
 public:
@@ -38,7 +38,7 @@ public:
   }
 };
 
-/** Results cannot be written: exit code 3. The message names the file. */
+/** Thrown if results cannot be written: exit code 3. The message names the file. */
 class WritingError : public ComputationError
 {
   using ComputationError::ComputationError;
@@ -52,7 +52,7 @@ class WritingError : public ComputationError
  */
 void agree(MPI_Comm communicator, const std::function<void()> &work);
 
-/** "rank 1" or "the ranks 1, 3": those on which @p condition holds; empty if there are none. Every
- * rank knows the answer. Collective. */
+/** Returns "rank 1" or "the ranks 1, 3", the ranks on which @p condition holds; empty if there are
+ * none. All ranks get the same result. Collective. */
 std::string list_ranks(MPI_Comm communicator, bool condition);
 } // namespace Signorini

@@ -13,14 +13,15 @@
 namespace Signorini
 {
 /**
- * How many threads this process may use: DEAL_II_NUM_THREADS if that is set; otherwise one if
- * several ranks share the work, and all cores that this process may run on if not.
+ * Returns how many threads this process may use: DEAL_II_NUM_THREADS if that is set; otherwise one
+ * if there are several ranks, and one for each core if there is a single rank.
  */
 unsigned int number_of_threads(MPI_Comm communicator);
 
 /**
- * consume(produce(i)) for i = 0, ..., n - 1: @p produce on @p n_threads threads at once, @p consume
- * on this one and in order, so that sums have the same digits for any number of threads.
+ * Computes consume(produce(i)) for i = 0, ..., n - 1: @p produce runs on @p n_threads threads at
+ * once, @p consume on this one and in order, so that sums have the same digits for any number of
+ * threads.
  * @throws what either throws. (dealii::WorkStream ends the program when a worker throws; here wrong
  * data at a quadrature point must become a message.)
  */
@@ -49,9 +50,10 @@ void produce_in_parallel(const unsigned int n_threads,
 }
 
 /**
- * work(begin, end) for ranges that make up [0, n), with all threads given. The ranges are the same
- * for any number of threads: if work writes to what belongs to its range, and nothing else, so are
- * the digits. @throws what work throws.
+ * Calls work(begin, end) for ranges that make up [0, n), on @p n_threads threads. The ranges are
+ * the same for any number of threads: if work writes only to what belongs to its range, so are the
+ * digits.
+ * @throws what work throws.
  */
 void work_on_ranges(unsigned int n_threads,
                     std::size_t n,
@@ -79,7 +81,7 @@ private:
   int parallel_levels_before_;
 };
 
-/** All ranks' texts on rank 0, in order; nothing on the others. Collective. @throws
- * ComputationError if one has 2 GiB or more. */
+/** Returns the texts of all ranks, in order, on rank 0, and nothing on the others. Collective.
+ * @throws ComputationError if a text has 2 GiB or more. */
 std::vector<std::string> gather_texts(std::string text, MPI_Comm communicator);
 } // namespace Signorini

@@ -10,7 +10,7 @@ namespace Signorini
 /** Removes blanks at both ends. */
 std::string trim(const std::string &text);
 
-/** The words of a text, separated by blanks or commas. */
+/** Returns the words of a text, which blanks or commas separate. */
 std::vector<std::string> split_words(const std::string &text);
 
 /**
@@ -22,21 +22,21 @@ std::vector<std::string> split_list(const std::string &text, char separator);
 /** Reads a whole text as one finite number; returns false if it is not one. */
 bool read_number(const std::string &text, double &number);
 
-/** Numbers separated by commas. Returns false if one of them is not a finite number. */
+/** Reads numbers separated by commas; returns false if one of them is not a finite number. */
 bool read_numbers(const std::string &text, std::vector<double> &numbers);
 
-/** For messages: of a long text the beginning and the end. */
+/** Returns the beginning and the end of a long text, for messages. */
 std::string shorten(const std::string &text);
 
-/** For messages: of a path that is longer than a line the last 60 characters, after "...". */
+/** Returns the last 60 characters of a long path, after "...", for messages. */
 std::string shorten_path(const std::string &path);
 
-/** 'text' for messages, shortened. */
+/** Returns 'text', shortened, for messages. */
 std::string quote(const std::string &text);
 
-/** A number for messages: 0.5, 1e+300, nan. */
+/** Returns a number as text, for messages: 0.5, 1e+300, nan. */
 std::string number_text(double number);
 
-/** "a, b, c" for messages. */
+/** Returns the words joined by the separator: "a, b, c". */
 std::string join(const std::vector<std::string> &words, const std::string &separator = ", ");
 } // namespace Signorini

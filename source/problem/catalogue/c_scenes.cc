@@ -51,14 +51,14 @@ namespace
 constexpr double xi = dealii::numbers::SQRT1_2;
 const double eta = 1. / std::sqrt(3.);
 
-/** -A (1 - t²/a²)_+^3 with two derivatives. */
+/** Returns -A (1 - t²/a²)_+^3 with two derivatives. */
 std::array<double, 3> bump(const double A, const double a, const double t)
 {
   return cube_of_positive_part(-A, {1. - t * t / (a * a), -2. * t / (a * a), -2. / (a * a)});
 }
 
-/** u1 = x q(y), u2 = B(y) d(x), q = p2/L, d = (p1 - p1(0))/L, B = y - y^3, lambda = mu = 1, L = 3.
- */
+/** Returns u1 = x q(y), u2 = B(y) d(x), q = p2/L, d = (p1 - p1(0))/L, B = y - y^3, lambda = mu = 1,
+ * L = 3. */
 FieldAtPoint corner_field(const dealii::Point<2> &point)
 {
   constexpr double lambda = 1., mu = 1., L = 3.;

@@ -77,7 +77,7 @@ std::string line(const std::string &key, const std::string &text)
   return key + std::string(10 - key.size(), ' ') + text + "\n";
 }
 
-/** Manufactured scenes with u1 = V, u2 = U on y = 0, see LiftFamily. */
+/** Returns the text of manufactured scenes with u1 = V, u2 = U on y = 0, see LiftFamily. */
 std::string lift(const std::string &pressure, const std::string &slack)
 {
   return unit_square + lame + manufactured +
@@ -87,7 +87,7 @@ std::string lift(const std::string &pressure, const std::string &slack)
          line("Exact p", pressure);
 }
 
-/** Scenes from Westergaard's stress function Z and its integral. */
+/** Returns the text of scenes from Westergaard's stress function Z and its integral. */
 std::string westergaard(const std::string &Z,
                         const std::string &integral,
                         const std::string &pressure,
@@ -104,7 +104,7 @@ std::string b1(const std::string &xi)
   return westergaard("i (z-xi)^(1/2), xi = " + xi + ",", "xi", "-(xi-x)_+^(1/2)", "0");
 }
 
-/** O1 and V1: the contact of A1 in other materials. */
+/** Returns the text of O1 and V1, the contact of A1 in other materials. */
 std::string contact_of_a1(const std::string &material,
                           const std::string &displacement,
                           const std::string &pressure)
@@ -163,7 +163,7 @@ const std::string block =
   "Gap       x^2/4\n"
   "Exact u   not known\n";
 
-/** Scenes with the displacement of D3. */
+/** Returns the text of scenes with the displacement of D3. */
 std::string contact_on_disc(const std::string &modulus, const std::string &pressure)
 {
   return line("Body", "the unit cube") + line("Material", "E = " + modulus + ", nu = 0.3") +

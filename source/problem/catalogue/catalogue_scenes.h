@@ -5,7 +5,7 @@
 
 namespace Signorini
 {
-// Each file says what its scenes are.
+// The file of each scene describes it.
 Scene<2> make_a1();
 Scene<2> make_a1l();
 Scene<2> make_a2();
@@ -25,12 +25,12 @@ Scene<2> make_e2();
 Scene<2> make_e3();
 Scene<2> make_o1();
 Scene<2> make_v1();
-/** Constant strain under full contact: exact on every mesh. */
+/** Returns constant strain under full contact, which is exact on every mesh. */
 Scene<2> make_patch_test();
-/** An elastic block pressed on a parabolic foundation. */
+/** Returns an elastic block pressed on a parabolic foundation. */
 Scene<2> make_block_on_parabola();
-/** In space: smooth contact on a disc. */
+/** Returns smooth contact on a disc, in 3-D. */
 Scene<3> make_d3();
-/** The same with a material that varies in space. */
+/** Returns the same with a material that varies from point to point. */
 Scene<3> make_v3();
 } // namespace Signorini

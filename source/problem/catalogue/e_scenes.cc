@@ -15,7 +15,7 @@ namespace
 constexpr double lambda = 1., mu = 1., M = lambda + 2. * mu;
 constexpr double R1 = 1., R2 = 2.;
 
-/** Value and two derivatives. */
+/** A value with two derivatives. */
 using Jet = std::array<double, 3>;
 
 double square_of_positive_part(const double t)
@@ -23,7 +23,8 @@ double square_of_positive_part(const double t)
   return t > 0. ? t * t : 0.;
 }
 
-/** A body clamped on one side and in contact on another; the data depends on the angle. */
+/** Returns the scene of a body clamped on one side and in contact on another; the data depends on
+ * the angle. */
 Scene<2> make_scene_of(const Geometry<2> &geometry,
                        const char *clamped,
                        const char *contact,
@@ -44,7 +45,7 @@ Scene<2> make_scene_of(const Geometry<2> &geometry,
   return scene;
 }
 
-/** The ray from the origin at @p angle, continued to a line. */
+/** Returns the ray from the origin at @p angle, continued to a line. */
 KinkLine<2> line_at_angle(const double angle)
 {
   return {dealii::Tensor<1, 2>({-std::sin(angle), std::cos(angle)}), 0.};
@@ -60,14 +61,14 @@ PolarDerivatives sum(const PolarDerivatives &u, const PolarDerivatives &v)
   return {u.v + v.v, u.r + v.r, u.t + v.t, u.rr + v.rr, u.rt + v.rt, u.tt + v.tt};
 }
 
-/** p = -3 (cos theta - 0.3)_+^3 with two derivatives. */
+/** Returns p = -3 (cos theta - 0.3)_+^3 with two derivatives. */
 Jet pressure_of_e2(const double theta)
 {
   return cube_of_positive_part(-3., {std::cos(theta) - 0.3, -std::sin(theta), -std::cos(theta)});
 }
 
-/** u_r = (U + x b) Cc, u_theta = (V + x a) Cc, x = r - R2, Cc = 1 - (x/(R2-R1))^2, which makes
- * sigma_rr = p and sigma_rt = 0 at r = R2. */
+/** Returns u_r = (U + x b) Cc, u_theta = (V + x a) Cc, x = r - R2, Cc = 1 - (x/(R2-R1))^2, which
+ * makes sigma_rr = p and sigma_rt = 0 at r = R2. */
 PolarDisplacement displacement_of_e2(const double r, const double theta)
 {
   const double s = std::sin(theta), c = std::cos(theta);
@@ -86,7 +87,7 @@ PolarDisplacement displacement_of_e2(const double r, const double theta)
   return {sum(product(cut, U), product(x_cut, b)), sum(product(cut, V), product(x_cut, a))};
 }
 
-/** p = -20 (-sin theta - 0.6)_+^3 with two derivatives. */
+/** Returns p = -20 (-sin theta - 0.6)_+^3 with two derivatives. */
 Jet pressure_of_e3(const double theta)
 {
   return cube_of_positive_part(-20., {-std::sin(theta) - 0.6, -std::cos(theta), std::sin(theta)});

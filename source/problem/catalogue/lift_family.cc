@@ -9,14 +9,14 @@ namespace Signorini
 {
 namespace
 {
-/** u_{i,kl} besides the field. */
+/** A field with its second derivatives u_{i,kl}. */
 struct Jet
 {
   FieldAtPoint field;
   std::array<std::array<std::array<double, 2>, 2>, 2> ddu;
 };
 
-/** Voigt vectors (11, 22, 12). */
+/** A Voigt vector (11, 22, 12). */
 using Voigt = std::array<double, 3>;
 
 Voigt multiply(const std::array<Voigt, 3> &C, const Voigt &e)
@@ -56,7 +56,7 @@ Jet lift(const LiftFamily &family, const dealii::Point<2> &x)
   return jet;
 }
 
-/** f = -div(m C eps) = -(m C eps_{,k} + m_{,k} C eps) contracted. */
+/** Returns f = -div(m C eps) = -(m C eps_{,k} + m_{,k} C eps) contracted. */
 std::array<double, 2> body_force(const LiftFamily &family,
                                  const dealii::Point<2> &x,
                                  const Jet &jet)

@@ -24,19 +24,19 @@ using Modulus = std::array<double, 3>;
  */
 struct LiftFamily
 {
-  /** U(x) = u2(x, 0); by default 0.1 x (1 - x). */
+  /** The displacement U(x) = u2(x, 0); by default 0.1 x (1 - x). */
   std::function<Derivatives(double)> U = [](const double x) {
     return Derivatives{0.1 * x * (1. - x), 0.1 - 0.2 * x, -0.2, 0.};
   };
-  /** V(x) = u1(x, 0); by default 0.1 x^2. */
+  /** The displacement V(x) = u1(x, 0); by default 0.1 x^2. */
   std::function<Derivatives(double)> V = [](const double x) {
     return Derivatives{0.1 * x * x, 0.2 * x, 0.2, 0.};
   };
-  /** ptilde(x) <= 0; the third derivative is not needed. */
+  /** The pressure ptilde(x) <= 0; the third derivative is not needed. */
   std::function<Derivatives(double)> p;
-  /** Slack s(x) of the gap. */
+  /** The slack s(x) of the gap. */
   Profile slack;
-  /** C[i][j], strains (e11, e22, 2 e12); by default lambda = mu = 1. */
+  /** The Voigt matrix C[i][j], strains (e11, e22, 2 e12); by default lambda = mu = 1. */
   std::array<std::array<double, 3>, 3> C = {{{{3., 1., 0.}}, {{1., 3., 0.}}, {{0., 0., 1.}}}};
   std::function<Modulus(const dealii::Point<2> &)> modulus = [](const dealii::Point<2> &) {
     return Modulus{1., 0., 0.};
@@ -44,13 +44,13 @@ struct LiftFamily
   std::vector<double> kinks_at_x;
 };
 
-/** The scene of the family, for a material whose Hooke tensor is m C. */
+/** Returns the scene of the family, for a material whose Hooke tensor is m C. */
 Scene<2> make_lift_scene(const LiftFamily &family,
                          const std::shared_ptr<const Material<2>> &material);
 
-/** ptilde = -a (xi - x)_+^3. */
+/** Returns ptilde = -a (xi - x)_+^3. */
 std::function<Derivatives(double)> cubic_pressure(double a, double xi);
 
-/** s = (x - xi)_+^2. */
+/** Returns s = (x - xi)_+^2. */
 Profile quadratic_slack(double xi);
 } // namespace Signorini

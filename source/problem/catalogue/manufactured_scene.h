@@ -23,34 +23,35 @@ using FieldOf = std::function<ExactField<dim>(const dealii::Point<dim> &)>;
 using FieldAtPoint = ExactField<2>;
 using Field = FieldOf<2>;
 
-/** a (q)_+^3 with two derivatives, from q with two derivatives. */
+/** Returns a (q)_+^3 with two derivatives, from q with two derivatives. */
 std::array<double, 3> cube_of_positive_part(double a, const std::array<double, 3> &q);
 
 /** A function of the coordinate x or y. */
 using Profile = std::function<double(double)>;
 
-/** u and its gradient as a deal.II function. */
+/** Returns u and its gradient as a deal.II function. */
 FunctionPointer<2> displacement_of(const Field &field);
 FunctionPointer<3> displacement_of(const FieldOf<3> &field);
-/** f as a deal.II function. */
+/** Returns f as a deal.II function. */
 FunctionPointer<2> body_force_of(const Field &field);
 FunctionPointer<3> body_force_of(const FieldOf<3> &field);
-/** t = sigma n as a deal.II function. */
+/** Returns t = sigma n as a deal.II function. */
 FunctionPointer<2> traction_of(const Field &field,
                                std::shared_ptr<const Material<2>> material,
                                const dealii::Tensor<1, 2> &normal);
 FunctionPointer<3> traction_of(const FieldOf<3> &field,
                                std::shared_ptr<const Material<3>> material,
                                const dealii::Tensor<1, 3> &normal);
-/** A profile in the coordinate @p d. */
+/** Returns a profile in the coordinate @p d as a deal.II function. */
 FunctionPointer<2> function_of(const Profile &profile, unsigned int d = 0);
 
-/** lambda and mu as E = mu (3 lambda + 2 mu)/(lambda + mu), nu = lambda/(2 (lambda + mu)). */
+/** Returns the material with lambda and mu: E = mu (3 lambda + 2 mu)/(lambda + mu), nu = lambda/(2
+ * (lambda + mu)). */
 std::shared_ptr<const Material<2>> make_lame_material(double lambda, double mu);
 
 /**
- * The unit square, clamped at the top, in contact at the bottom with the given gap and pressure,
- * with the field's tractions on the left and right.
+ * Returns the scene on the unit square, clamped at the top, in contact at the bottom with the given
+ * gap and pressure, with the field's tractions on the left and right.
  */
 Scene<2> make_manufactured_scene(const Field &field,
                                  const std::shared_ptr<const Material<2>> &material,
@@ -69,7 +70,7 @@ struct PolarDerivatives
   double tt = 0.;
 };
 
-/** u_r and u_theta at a point. */
+/** The components u_r and u_theta at a point. */
 struct PolarDisplacement
 {
   PolarDerivatives radial;
@@ -78,11 +79,11 @@ struct PolarDisplacement
 
 using PolarField = std::function<PolarDisplacement(double r, double theta)>;
 
-/** u(r) v(theta), from the values and the first two derivatives of both. */
+/** Returns u(r) v(theta), from the values and the first two derivatives of both. */
 PolarDerivatives product(const std::array<double, 3> &u, const std::array<double, 3> &v);
 
 /**
- * A displacement in polar coordinates about the origin as a field in the plane, with the body force
+ * Returns a displacement in polar coordinates about the origin as a 2-D field, with the body force
  * of an isotropic material, M = lambda + 2 mu:
  *
  *     f_r     = -[M (u_r,rr + u_r,r/r - u_r/r²) + mu u_r,tt/r² + (lambda + mu) u_t,rt/r
@@ -94,6 +95,6 @@ PolarDerivatives product(const std::array<double, 3> &u, const std::array<double
  */
 Field field_of(const PolarField &polar, double lambda, double mu);
 
-/** A function of the angle. */
+/** Returns a function of the angle as a deal.II function. */
 FunctionPointer<2> function_of_angle(const Profile &profile);
 } // namespace Signorini

@@ -32,7 +32,7 @@ constexpr double lambda =
   youngs_modulus * poissons_ratio / ((1. + poissons_ratio) * (1. - 2. * poissons_ratio));
 constexpr double mu = youngs_modulus / (2. * (1. + poissons_ratio));
 
-/** The centre of the disc and its radius, which no mesh knows. */
+/** The centre of the disc and its radius, which coincide with lines of no mesh. */
 const double xc = 0.5707106781186547, yc = 0.4422649730810374, s = 1. / dealii::numbers::E;
 
 double distance_from_centre(const dealii::Point<3> &x)
@@ -40,14 +40,14 @@ double distance_from_centre(const dealii::Point<3> &x)
   return std::hypot(x[0] - xc, x[1] - yc);
 }
 
-/** W. */
+/** Returns W. */
 double bump(const dealii::Point<3> &x)
 {
   const double r = distance_from_centre(x);
   return std::max(0., 1. - r * r / (s * s));
 }
 
-/** a. */
+/** Returns a. */
 double foundation(const dealii::Point<3> &x)
 {
   return -0.05 * (1. + x[0] * (1. - x[0]) + x[1] * (1. - x[1]));
@@ -84,13 +84,14 @@ ExactField<3> d3_field(const dealii::Point<3> &x)
   return field;
 }
 
-/** Young's modulus of V3, and its gradient. */
+/** Returns Young's modulus of V3. */
 double modulus_of_v3(const dealii::Point<3> &x)
 {
   return 1. + 0.5 * x[0] + x[1] * x[2];
 }
 
-/** f = -div(E sigma) = E f_D3 - sigma grad E, where D3 has the modulus one. */
+/** Returns the field of V3: f = -div(E sigma) = E f_D3 - sigma grad E, where D3 has the modulus
+ * one. */
 ExactField<3> v3_field(const dealii::Point<3> &x)
 {
   ExactField<3> field = d3_field(x);
@@ -118,7 +119,7 @@ double gap_of_d3(const dealii::Point<3> &x)
   return -foundation(x) + 0.5 * beyond * beyond;
 }
 
-/** A number at every point. */
+/** A function with one component. */
 class ScalarFunction : public dealii::Function<3>
 {
 public:

@@ -20,7 +20,7 @@ namespace
 {
 using Complex = std::complex<double>;
 
-/** Zh = int Z, Z and Z' at a point of the upper half plane. */
+/** The values of Zh = int Z, Z and Z' at a point of the upper half-plane. */
 struct StressFunction
 {
   Complex Zh, Z, dZ;
@@ -47,7 +47,7 @@ UncutField uncut_field(const StressFunction &Z, const double y)
             {{(b * Z.Z.imag() - ydZ.real()) / m, (a * Z.Z.real() + ydZ.imag()) / m}}}}};
 }
 
-/** c(y) w with c = 1 - y^2, and f = -div sigma(c w). */
+/** Returns c(y) w with c = 1 - y^2, and f = -div sigma(c w). */
 FieldAtPoint cut_off(const UncutField &uncut, const double y)
 {
   const auto &w = uncut.w;
@@ -84,7 +84,7 @@ Scene<2> make_westergaard_scene(const StressFunctionOf &Z,
     field_of(Z), make_lame_material(lambda, mu), gap, pressure, transitions);
 }
 
-/** g = u_n + (x - xi)_+/2: open behind xi. */
+/** Returns g = u_n + (x - xi)_+/2: open behind xi. */
 Profile opening_gap(const StressFunctionOf &Z, const double xi)
 {
   const Field field = field_of(Z);
@@ -95,7 +95,7 @@ Profile opening_gap(const StressFunctionOf &Z, const double xi)
 
 const Profile flat = [](const double) { return 0.; };
 
-/** Z = i c0 (z-xi)^s, p = -c0 sin(pi s) (xi-x)_+^s. */
+/** Returns Z = i c0 (z-xi)^s, which has p = -c0 sin(pi s) (xi-x)_+^s. */
 StressFunctionOf power(const double c0, const double xi, const double s)
 {
   return [=](const Complex &z) {
@@ -106,7 +106,7 @@ StressFunctionOf power(const double c0, const double xi, const double s)
   };
 }
 
-/** The true singularity of a contact end: p = -(xi-x)_+^{1/2}, flat foundation. */
+/** Returns the true singularity of a contact end: p = -(xi-x)_+^{1/2}, flat foundation. */
 Scene<2> make_b1_at(const double xi)
 {
   return make_westergaard_scene(power(1., xi, 0.5),
@@ -125,7 +125,7 @@ double ellipse(const double x)
   return -c0 * std::sqrt(std::max((x - a) * (b - x), 0.));
 }
 
-/** Z = i c0 R, R = sqrt(z-a) sqrt(z-b). */
+/** Returns Z = i c0 R, R = sqrt(z-a) sqrt(z-b). */
 StressFunction two_ends(const Complex &z)
 {
   const Complex i(0., 1.), t = z - middle, R = std::sqrt(z - a) * std::sqrt(z - b);
@@ -156,13 +156,14 @@ Scene<2> make_b1()
   return make_b1_at(dealii::numbers::SQRT1_2);
 }
 
-// The transition always at the same place in its patch: in the middle (patches odd in number).
+// B1q: the transition is always at the same place in its patch: in the middle (patches odd in
+// number).
 Scene<2> make_b1q()
 {
   return make_b1_at(0.5);
 }
 
-// One or two thirds into its patch on every level.
+// B1t: the transition is one or two thirds into its patch on every level.
 Scene<2> make_b1t()
 {
   return make_b1_at(1. / 3.);

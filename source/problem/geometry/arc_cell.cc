@@ -92,7 +92,7 @@ dealii::Point<2> ArcCell::pull_back(const dealii::Point<2> &x) const
   for (unsigned int step = 0; step < most_steps; ++step)
   {
     const dealii::Tensor<1, 2> residual = x - push_forward(chart_point);
-    // Newton's method goes on until rounding ends it.
+    // Newton's method continues until rounding ends it.
     if (residual.norm() < rounding ||
         (residual.norm() < 1e-12 * size && residual.norm() >= distance))
       return chart_point;

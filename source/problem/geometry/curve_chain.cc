@@ -14,10 +14,10 @@ namespace Signorini
 {
 namespace
 {
-/** How far pieces that follow one another may be apart, in lengths of the chain. */
+/** The largest distance between pieces that follow one another, in lengths of the chain. */
 constexpr double largest_hole = 1e-8;
 
-/** Segments in a row on one line become one. */
+/** Returns the pieces with all segments in a row on one line joined to one. */
 std::vector<Curve> without_straight_joints(const std::vector<Curve> &pieces)
 {
   std::vector<Curve> merged;
@@ -98,7 +98,7 @@ const Curve::Chain::Box &Curve::Chain::make_box(const std::size_t n,
   {
     const Curve &piece = pieces_[first];
     box = {piece.start(), piece.start()};
-    // Part of an arc is nowhere farther from its end than it is long.
+    // A part of an arc is nowhere farther from its end than it is long.
     const unsigned int n_parts = piece.is_flat() ? 1 : 8;
     for (unsigned int i = 1; i <= n_parts; ++i)
       for (unsigned int d = 0; d < 2; ++d)
@@ -181,7 +181,7 @@ double Curve::Chain::arc_length(const dealii::Point<2> &x) const
   double s = starts_[nearest.piece] + nearest.s;
   if (is_closed_)
     return s < length() ? s : 0.;
-  // The outer pieces go on.
+  // The outer pieces go on beyond the ends of the chain.
   if (nearest.piece == 0 && nearest.s == 0.)
     s = std::min(0., piece.arc_length(x));
   else if (nearest.piece + 1 == n_pieces() && nearest.s == piece.length())

@@ -8,8 +8,8 @@
 
 namespace Signorini
 {
-/** The pieces of a chain with their boxes in a tree: the range of a node is halved until it is one
- * piece. */
+/** The pieces of a chain with their boxes in a binary tree: every node halves its range until it is
+ * one piece. */
 class Curve::Chain
 {
 public:
@@ -23,7 +23,7 @@ public:
   {
     return pieces_[k];
   }
-  /** For k = n_pieces() the length. */
+  /** Returns s where piece k starts; for k = n_pieces() the length. */
   double start_of(const unsigned int k) const
   {
     return starts_[k];
@@ -41,9 +41,10 @@ public:
     return corners_;
   }
 
-  /** The piece at s and the arc length on it; between two pieces the one behind. */
+  /** Returns the piece at s and the arc length on it; between two pieces the one behind. */
   std::pair<unsigned int, double> place(double s) const;
-  /** The same; between two pieces the one in the direction of @p towards. */
+  /** Returns the piece at s and the arc length on it; between two pieces the one in the direction
+   * of @p towards. */
   std::pair<unsigned int, double> place(double s, double towards) const;
 
   double arc_length(const dealii::Point<2> &x) const;
@@ -56,7 +57,7 @@ private:
   {
     dealii::Point<2> lower, upper;
 
-    /** The square of the distance from a point; zero inside. */
+    /** Returns the square of the distance from a point; zero inside. */
     double distance_square(const dealii::Point<2> &x) const;
   };
   struct Nearest
@@ -74,7 +75,7 @@ private:
               unsigned int last,
               const dealii::Point<2> &x,
               Nearest &nearest) const;
-  /** The nearest point of piece k. */
+  /** Returns the nearest point of piece k. */
   Nearest on_piece(unsigned int k, const dealii::Point<2> &x) const;
 
   std::vector<Curve> pieces_;

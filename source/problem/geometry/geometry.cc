@@ -16,14 +16,14 @@ namespace Signorini
 {
 namespace
 {
-/** The outward normal of a side that has the body on its left. */
+/** Returns the outward normal of a side that has the body on its left. */
 dealii::Tensor<1, 2> normal_to_the_right(const dealii::Point<2> &start, const dealii::Point<2> &end)
 {
   const dealii::Tensor<1, 2> tangent = (end - start) / start.distance(end);
   return dealii::Tensor<1, 2>({tangent[1], -tangent[0]});
 }
 
-/** One coarse cell for a quadrilateral, in deal.II's lexicographic order of vertices. */
+/** Makes one coarse cell of a quadrilateral, in deal.II's lexicographic order of vertices. */
 void make_quadrilateral(const std::vector<dealii::Point<2>> &corners,
                         dealii::Triangulation<2> &triangulation)
 {
@@ -32,7 +32,8 @@ void make_quadrilateral(const std::vector<dealii::Point<2>> &corners,
   triangulation.create_triangulation(corners, {cell}, dealii::SubCellData());
 }
 
-/** One coarse cell per corner: corner, middle of the next side, centroid, middle of the last. */
+/** Makes one coarse cell per corner: corner, middle of the next side, centroid, middle of the last.
+ */
 void make_fan(const std::vector<dealii::Point<2>> &corners, dealii::Triangulation<2> &triangulation)
 {
   const unsigned int n = corners.size();
@@ -50,8 +51,8 @@ void make_fan(const std::vector<dealii::Point<2>> &corners, dealii::Triangulatio
   triangulation.create_triangulation(points, cells, dealii::SubCellData());
 }
 
-/** The steps between n + 1 equidistant positions, of which the nearest one has moved to each of the
- * @p lines; where it is taken, a position is added. */
+/** Returns the steps between n + 1 equidistant positions, of which the nearest one has moved to
+ * each of the @p lines; where it is taken, a position is added. */
 std::vector<double> steps_with_lines(const double from,
                                      const double to,
                                      const unsigned int n,
@@ -87,7 +88,7 @@ std::vector<double> steps_with_lines(const double from,
   return steps;
 }
 
-/** Whether a face lies on a segment or an arc, from end to end. */
+/** Returns whether a face lies on a segment or an arc, from end to end. */
 template <typename Face>
 bool lies_on_piece(const Face &face, const Curve &piece, const double margin)
 {
@@ -101,7 +102,7 @@ bool lies_on_piece(const Face &face, const Curve &piece, const double margin)
   return true;
 }
 
-/** Whether a face lies on one piece of a side, from end to end. */
+/** Returns whether a face lies on one piece of a side, from end to end. */
 template <typename Face>
 bool lies_on(const Face &face, const Side<2> &side)
 {
@@ -112,7 +113,7 @@ bool lies_on(const Face &face, const Side<2> &side)
   return false;
 }
 
-/** The number of the side that a face lies on, or sides.size(). */
+/** Returns the number of the side that a face lies on, or sides.size(). */
 template <typename Face>
 unsigned int find_side_of(const Face &face, const std::vector<Side<2>> &sides)
 {
@@ -290,7 +291,8 @@ namespace
 {
 constexpr dealii::types::manifold_id circle = 0, interior = 1;
 
-/** Edges on the circle stay on it; the inside of the cells is interpolated between their edges. */
+/** Attaches manifolds: edges on the circle stay on it; the inside of the cells is interpolated
+ * between their edges. */
 void attach_manifolds(const std::vector<Side<2>> &sides,
                       const Point &centre,
                       dealii::Triangulation<2> &triangulation)
@@ -342,7 +344,7 @@ Geometry<2> make_half_disc(const double radius, const Point &centre)
     {"flat", Curve(Point(centre - Point(radius, 0.)), centre + Point(radius, 0.), Point(0., 1.))},
     {"arc", Curve::arc(centre, radius, -PI, 0., Body::inside)}};
   geometry.make_coarse_mesh = [=, sides = geometry.sides](dealii::Triangulation<2> &triangulation) {
-    // It lies to the right of the y-axis.
+    // deal.II's half disc lies to the right of the y-axis.
     dealii::GridGenerator::half_hyper_ball(triangulation, Point(), radius);
     triangulation.reset_all_manifolds();
     dealii::GridTools::rotate(-0.5 * PI, triangulation);
@@ -432,6 +434,6 @@ bool Kinks<dim>::touch(const Side<dim> &side, const double from, const double to
 
 template std::vector<KinkLine<2>> lines_at<2>(const std::array<std::vector<double>, 2> &);
 template class Kinks<2>;
-// Planes do not cut sides in space yet: none may be given.
+// Planes do not cut sides in 3-D yet: none may be given.
 template Kinks<3>::Kinks(std::vector<KinkLine<3>>);
 } // namespace Signorini

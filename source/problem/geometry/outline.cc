@@ -19,7 +19,7 @@ namespace Signorini
 {
 namespace
 {
-/** The box around the sides. */
+/** Returns the box around the sides. */
 std::array<dealii::Point<2>, 2> box_around(const std::vector<Side<2>> &sides)
 {
   std::array<dealii::Point<2>, 2> box = {{sides[0].start(), sides[0].start()}};
@@ -65,7 +65,8 @@ OutlineMesh make_mesh(const std::vector<Side<2>> &sides,
                    "close to other sides or meet them at very small angles.");
 }
 
-/** The centre of the largest triangle: every third vertex behind the middles of its edges. */
+/** Returns the centre of the largest triangle: every third vertex behind the middles of its edges.
+ */
 dealii::Point<2> point_inside(const OutlineMesh &mesh)
 {
   double largest = 0.;
@@ -77,7 +78,7 @@ dealii::Point<2> point_inside(const OutlineMesh &mesh)
     const dealii::Tensor<1, 2> b =
       mesh.vertices[cell.vertices[2]] - mesh.vertices[cell.vertices[1]];
     const double area = 0.5 * std::abs(a[0] * b[1] - a[1] * b[0]);
-    // Of equal ones the first, whatever rounding makes of them.
+    // Of equal triangles the first one is taken, whatever rounding makes of them.
     if (area > (1. + 1e-9) * largest)
     {
       largest = area;
@@ -119,13 +120,13 @@ Geometry<2> make_outlined_body(const std::vector<Side<2>> &sides,
   return geometry;
 }
 
-// What an outline must be, seen on polygons whose corners lie on the sides at most 2 degrees apart.
+// Checks of an outline, on polygons whose corners lie on the sides at most 2 degrees apart.
 
 namespace
 {
 using Vector2 = dealii::Tensor<1, 2>;
 
-/** Closer together, points are the same (in sizes of the body). */
+/** The distance (in sizes of the body) below which two points are the same. */
 constexpr double same_point = 1e-9;
 
 struct FineChord
@@ -167,7 +168,7 @@ std::vector<FineChord> fine_chords(const std::vector<Side<2>> &sides,
   return chords;
 }
 
-/** The distance from a point to a segment. */
+/** Returns the distance from a point to a segment. */
 double distance(const dealii::Point<2> &x, const FineChord &chord)
 {
   const Vector2 d = chord.b - chord.a;
@@ -186,7 +187,8 @@ bool meet(const FineChord &p, const FineChord &q, const double tolerance)
          tolerance;
 }
 
-/** Whether two chords with a common end fold onto each other; others with a common end may meet. */
+/** Returns whether two chords with a common end fold onto each other; others with a common end may
+ * meet. */
 bool folds(const FineChord &p, const FineChord &q)
 {
   const Vector2 in = p.b - p.a, out = q.b - q.a;
@@ -208,7 +210,7 @@ bool folds(const FineChord &p, const FineChord &q)
   throw InputError(message.str());
 }
 
-/** @p chords in the order of the loops. */
+/** Refuses chords that cross or touch. @p chords are in the order of the loops. */
 void refuse_crossings(const std::vector<Side<2>> &sides,
                       std::vector<FineChord> chords,
                       const double size,
@@ -234,7 +236,7 @@ void refuse_crossings(const std::vector<Side<2>> &sides,
     }
 }
 
-/** Whether a ray to the right of a point meets a loop an odd number of times. */
+/** Returns whether a ray to the right of a point meets a loop an odd number of times. */
 bool encloses(const std::vector<FineChord> &chords,
               const std::size_t loop,
               const dealii::Point<2> &x)
@@ -249,7 +251,7 @@ bool encloses(const std::vector<FineChord> &chords,
   return odd;
 }
 
-/** Positive if a loop has its inside on the left. */
+/** Returns the area inside a loop, positive if the loop has its inside on the left. */
 double signed_area(const std::vector<FineChord> &chords, const std::size_t loop)
 {
   double area = 0.;

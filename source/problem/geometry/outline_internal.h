@@ -14,13 +14,13 @@ struct Loop
   std::size_t first, last;
 };
 
-/** The loops that sides in this order form. @throws InputError if they do not. */
+/** Returns the loops that sides in this order form. @throws InputError if they do not. */
 std::vector<Loop> find_loops(const std::vector<Side<2>> &sides,
                              double size,
                              const std::string &where);
 
-/** @throws InputError if sides cross or touch elsewhere than at common ends, or if the loops are
- * not one around the body and others inside of it around holes. */
+/** Checks the sides and their loops. @throws InputError if sides cross or touch elsewhere than at
+ * common ends, or if the loops are not one around the body and others inside of it around holes. */
 void check_outline(const std::vector<Side<2>> &sides,
                    const std::vector<Loop> &loops,
                    double size,

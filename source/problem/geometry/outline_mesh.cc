@@ -72,7 +72,8 @@ Polygons chords_of(const std::vector<Side<2>> &sides,
   return polygons;
 }
 
-/** The number of triangles with edges of the mesh size: others are smaller. */
+/** Returns the number of triangles with edges of the mesh size, a lower bound: others are smaller.
+ */
 double fewest_triangles(const Polygons &polygons, const double mesh_size)
 {
   double area = 0.;
@@ -85,8 +86,8 @@ double fewest_triangles(const Polygons &polygons, const double mesh_size)
   return mesh_size > 0. ? area / (0.25 * std::sqrt(3.) * mesh_size * mesh_size) : 0.;
 }
 
-/** The parts into which points on it have divided a chord; false if the boundary is not that of the
- * chords. */
+/** Finds the parts into which points on it have divided each chord; returns false if the boundary
+ * is not that of the chords. */
 bool find_edges(const Polygons &polygons,
                 const Triangles &triangles,
                 std::vector<BoundaryEdge> &edges)
@@ -104,7 +105,7 @@ bool find_edges(const Polygons &polygons,
   return edges.size() == triangles.boundary.size();
 }
 
-/** From triangles to quadrilaterals. */
+/** Makes quadrilaterals of triangles. */
 class QuadrilateralMaker
 {
 public:
@@ -123,7 +124,7 @@ public:
   {
     return mesh_;
   }
-  /** Whether the map of every cell is one to one, by a margin. */
+  /** Returns whether the map of every cell is one to one, by a margin. */
   bool is_valid() const
   {
     return is_valid_;
@@ -131,14 +132,15 @@ public:
 
 private:
   using Edge = std::pair<unsigned int, unsigned int>;
-  /** Of the determinants of the map of a cell. */
+  /** The smallest ratio of two determinants of the map of a valid cell. */
   static constexpr double smallest_ratio = 0.1;
 
   static Edge sorted(const unsigned int a, const unsigned int b)
   {
     return {std::min(a, b), std::max(a, b)};
   }
-  /** Ends of chords are on their arcs already, points between them are not. */
+  /** Moves a vertex onto a curve. Ends of chords are on their arcs already, points between them are
+   * not. */
   void put_on(const Curve &piece, const unsigned int vertex)
   {
     mesh_.vertices[vertex] = piece.point(piece.arc_length(mesh_.vertices[vertex]));
@@ -220,7 +222,7 @@ private:
     return found == arcs_.end() ? nullptr : found->second;
   }
 
-  /** The first two edges from vertex 0 may be arcs. */
+  /** Returns the map of a cell, whose edges at vertex 0 may be arcs. */
   ArcCell map_of(const std::vector<unsigned int> &v) const
   {
     const auto x = [&](const unsigned int i) { return mesh_.vertices[v[i]]; };

@@ -17,17 +17,17 @@ struct OutlineMesh
 {
   std::vector<dealii::Point<2>> vertices;
   std::vector<dealii::CellData<2>> cells;
-  /** Edges on sides, with the numbers of the sides. */
+  /** The edges on sides, with the numbers of the sides. */
   dealii::SubCellData lines;
   /** The centres of arcs: edges on circles[k] have the manifold k. */
   std::vector<dealii::Point<2>> circles;
-  /** Those with an arc: the k-th has the manifold circles.size() + k. */
+  /** The cells with an arc: the k-th has the manifold circles.size() + k. */
   std::vector<ArcCell> curved_cells;
 };
 
 /**
- * The mesh of make_outlined_body(), with chords of at most @p step (radians) on arcs; none if
- * chords cross or a cell comes out folded.
+ * Returns the mesh of make_outlined_body(), with chords of at most @p step (radians) on arcs; none
+ * if chords cross or a cell comes out folded.
  * @throws InputError beginning with @p where if there are more than @p most_cells.
  */
 std::optional<OutlineMesh> mesh_outline(const std::vector<Side<2>> &sides,

@@ -23,7 +23,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 constexpr unsigned int unnumbered = std::numeric_limits<unsigned int>::max();
 
-/** What vertices know. */
+/** The data of a vertex: its number. */
 struct Number
 {
   unsigned int value = unnumbered;

@@ -15,7 +15,7 @@ struct Triangles
   std::vector<dealii::Point<2>> points;
   std::vector<std::array<unsigned int, 3>> triangles;
   std::vector<std::array<unsigned int, 2>> boundary;
-  /** There would be more triangles than allowed, and there are none. */
+  /** Whether the mesh is empty because it would have more triangles than allowed. */
   bool too_many = false;
 };
 

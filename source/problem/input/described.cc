@@ -25,7 +25,8 @@ public:
   {
   }
 
-  /** The components of a vector, separated by ';'. @p text is all of the entry or a part of it. */
+  /** Reads the components of a vector, separated by ';'. @p text is all of the entry or a part of
+   * it. */
   std::vector<Expression<dim>> components(const std::string &text,
                                           const unsigned int n,
                                           const Entry &entry) const
@@ -47,7 +48,7 @@ public:
     return components(given.value, n, given);
   }
 
-  /** Data of the problem. */
+  /** Reads a function that is data of the problem. */
   FunctionPointer<dim> function(const std::string &text,
                                 const unsigned int n,
                                 const Entry &entry) const
@@ -64,7 +65,7 @@ private:
   Constants constants_;
 };
 
-/** Entries that a law does not use contradict it. */
+/** Refuses entries that a law does not use: they contradict it. */
 void refuse_foreign_moduli(const MaterialParameters &given)
 {
   const std::vector<std::pair<const Entry *, MaterialLaw>> laws_of_entries = {
@@ -82,7 +83,7 @@ void refuse_foreign_moduli(const MaterialParameters &given)
                        ", found Law = " + to_text(given.law.value) + ".");
 }
 
-/** The expressions of moduli, with plausible values on the body. */
+/** Reads the expressions of moduli, with plausible values on the body. */
 template <int dim>
 std::vector<Expression<dim>> read_moduli(const Given<std::string> &entry,
                                          const unsigned int n,
@@ -94,7 +95,7 @@ std::vector<Expression<dim>> read_moduli(const Given<std::string> &entry,
   return expressions;
 }
 
-/** Those of the stress normal to the plane; empty in plane stress. */
+/** Reads the moduli of the stress normal to the plane; empty in plane stress. */
 std::vector<Expression<2>> read_moduli_across(const MaterialParameters &given,
                                               const unsigned int n,
                                               const SceneReader<2> &reader,
@@ -143,7 +144,7 @@ public:
     scene_.boundary.resize(scene.geometry.sides.size());
   }
 
-  /** @p entry is the one that names the side. */
+  /** Gives a side its role. @p entry is the one that names the side. */
   BoundaryCondition<dim> &assign(const std::string &name, const Role role, const Entry &entry)
   {
     const std::size_t side = scene_.geometry.find_side(name);
@@ -160,7 +161,7 @@ public:
 
 private:
   Scene<dim> &scene_;
-  /** Where each side was named; null: nowhere yet. */
+  /** The entry that named each side; null for a side without a role. */
   std::vector<const Entry *> entries_;
 };
 
@@ -210,7 +211,7 @@ std::vector<std::string> names_of_contact_sides(const Scene<dim> &scene)
   return names;
 }
 
-/** The gaps of all contact sides: rigid things or expressions. */
+/** Reads the gaps of all contact sides: rigid obstacles or expressions. */
 template <int dim>
 void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Scene<dim> &scene)
 {
@@ -231,7 +232,7 @@ void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Sce
     scene.boundary[scene.geometry.find_side(side)].data = reader.function(text, 1, given.gap);
 }
 
-/** One expression for all contact sides, or one per side. */
+/** Reads one expression for all contact sides, or one per side. */
 template <int dim>
 void read_exact_pressure(const Given<std::string> &given,
                          const SceneReader<dim> &reader,
@@ -265,11 +266,11 @@ void read_exact_displacement(const ExactSolutionParameters &given,
   scene.exact_displacement = std::make_shared<ExpressionFunction<dim>>(
     reader.components(given.displacement, dim),
     gradients,
-    // Differences of slender bodies must not leave them far behind.
+    // The differences at slender bodies must not lead far away from them.
     1e-4 * scene.geometry.shortest_extent());
 }
 
-/** Zero body forces need no volume integrals. */
+/** Returns whether a body force is zero and needs no volume integrals. */
 template <int dim>
 bool is_zero(const std::vector<Expression<dim>> &force)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Contact/Foundation: rigid things by words and numbers.
+// Contact/Foundation: rigid obstacles by words and numbers.
 
 #include "foundation_input.h"
 
@@ -15,21 +15,21 @@ namespace Signorini
 {
 namespace
 {
-/** Every point of a contact side looks at all things. */
+/** The largest number of obstacles: every point of a contact side computes its distance to all. */
 constexpr std::size_t most_things = 1000;
 
-/** In diameters of the body. */
+/** The largest gap in diameters of the body. */
 constexpr double largest_gap = 10.;
 
-/** A word that begins a part of a thing, and the text up to the next one. */
+/** A word that begins a part of an obstacle, and the text up to the next one. */
 struct Part
 {
   std::string word;
   std::string text;
 };
 
-/** "circle 0,1 radius 2" is {circle: 0,1} {radius: 2}. What stands before the first word counts
- * as a word, which is none that is known. */
+/** Splits "circle 0,1 radius 2" into {circle: 0,1} {radius: 2}. Text before the first word counts
+ * as an unknown word. */
 std::vector<Part> split_at_words(const std::string &text)
 {
   const std::vector<std::string> words = {
@@ -58,7 +58,7 @@ std::vector<Part> split_at_words(const std::string &text)
   return parts;
 }
 
-/** Reads the things of one entry. */
+/** Reads the obstacles of one entry. */
 class ThingReader
 {
 public:
@@ -88,7 +88,7 @@ public:
                      "inside; parabola x,y normal nx,ny curvature k.");
   }
 
-  /** dx, dy */
+  /** Reads "dx, dy". */
   dealii::Tensor<1, 2> vector(const std::string &text) const
   {
     const std::vector<double> xy = numbers({"", text}, 2);
@@ -96,7 +96,7 @@ public:
   }
 
 private:
-  /** Separated by commas, each a formula of the constants. */
+  /** Reads numbers separated by commas, each a formula of the constants. */
   std::vector<double> numbers(const Part &part, const std::size_t n) const
   {
     std::vector<double> numbers;
@@ -154,7 +154,7 @@ private:
     return r;
   }
 
-  /** Gaps of large and of far circles lose digits: |x - c| - r. */
+  /** Refuses large and far circles, whose gaps |x - c| - r lose digits. */
   void check_length(const double length, const std::string &what, const Part &part) const
   {
     const double diameter = geometry_.diameter();
@@ -171,7 +171,7 @@ private:
   const Geometry<2> &geometry_;
 };
 
-/** Some arc lengths of a side, with the one nearest to a point on every piece. */
+/** Returns some arc lengths of a side, with the one nearest to a point on every piece. */
 std::vector<double> sample(const Side<2> &side, const dealii::Point<2> &near)
 {
   constexpr unsigned int n_samples = 16;
@@ -186,7 +186,8 @@ std::vector<double> sample(const Side<2> &side, const dealii::Point<2> &near)
   return samples;
 }
 
-/** Whether the normal somewhere on a side meets a thing; wherever it is, if load cases move it. */
+/** Returns whether the normal somewhere on a side meets an obstacle; wherever it is, if load cases
+ * move it. */
 bool can_touch(const RigidThing &thing,
                const Side<2> &side,
                const dealii::Tensor<1, 2> &position,
@@ -200,7 +201,7 @@ bool can_touch(const RigidThing &thing,
   });
 }
 
-/** A thing with the sides that may touch it. */
+/** An obstacle with the sides that may touch it. */
 struct ThingOfSides
 {
   RigidThing thing;

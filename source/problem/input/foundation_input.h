@@ -10,9 +10,10 @@
 namespace Signorini
 {
 /**
- * Reads "plane x,y normal nx,ny | bottom: circle x,y radius r" and gives the contact sides that it
- * is for their foundation and gap. A thing that no normal can meet is refused, in its position or,
- * where load cases make it move, in all. @throws InputError
+ * Reads "plane x,y normal nx,ny | bottom: circle x,y radius r" and gives the named contact sides
+ * their foundation and gap. An obstacle that no normal can meet is refused, in its position or,
+ * where load cases make it move, in all.
+ * @throws InputError
  */
 void read_foundation(const ContactParameters &given,
                      const Constants &constants,
@@ -20,7 +21,8 @@ void read_foundation(const ContactParameters &given,
                      Scene<2> &scene);
 
 /**
- * The contact sides that read_foundation() left without a gap, with their texts in Contact/Gap.
+ * Returns the contact sides that read_foundation() left without a gap, with their texts in
+ * Contact/Gap.
  * @throws InputError if a side has both or neither.
  */
 SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2> &scene);

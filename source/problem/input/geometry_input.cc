@@ -21,12 +21,12 @@
 
 namespace Signorini
 {
-/** The body of Geometry/File. @throws InputError */
+/** Reads the body of Geometry/File. @throws InputError */
 Geometry<2> read_mesh_file(const GeometryParameters &given);
 
 namespace
 {
-/** The distance of the body from the origin. */
+/** Returns the distance of the body from the origin. */
 double distance_from_origin(const Geometry<2> &geometry)
 {
   double distance = 0.;
@@ -39,7 +39,7 @@ double distance_from_origin(const Geometry<3> &geometry)
   return std::max(geometry.lower.norm(), geometry.upper.norm());
 }
 
-/** The length of the shortest side, in space of the shortest edge. */
+/** Returns the length of the shortest side, in 3-D of the shortest edge. */
 double shortest_side(const Geometry<2> &geometry)
 {
   double shortest = geometry.diameter();
@@ -102,11 +102,11 @@ template void check_coordinates(const std::vector<dealii::Point<3>> &, const std
 template void check_size(const Geometry<2> &, const std::string &);
 template void check_size(const Geometry<3> &, const std::string &);
 
-// What is not there in space.
+// Entries that exist in 2-D only.
 
 namespace
 {
-/** Entries that must stay at their defaults. */
+/** Returns the entries that must stay at their defaults in 3-D. */
 std::vector<const Entry *> entries_of_the_plane(const Parameters &parameters)
 {
   return {&parameters.geometry.arcs,
@@ -158,7 +158,7 @@ void refuse_what_is_plane(const Parameters &parameters)
 
 namespace
 {
-/** In bytes: some millions of cells. */
+/** The largest size of a mesh file in bytes: some millions of cells. */
 constexpr std::size_t largest_mesh_file = 500000000;
 } // namespace
 
@@ -187,7 +187,7 @@ Geometry<2> read_mesh_file(const GeometryParameters &given)
 
 namespace
 {
-/** An entry says what belongs to another shape. */
+/** Refuses entries that belong to another shape. */
 void refuse_foreign_entries(const GeometryParameters &given)
 {
   const Shape shape = given.shape;
@@ -218,7 +218,7 @@ struct Block
   std::vector<unsigned int> cells;
 };
 
-/** A point; what is not given is that of the unit square or cube. */
+/** Reads a point; coordinates that are not given are those of the unit square or cube. */
 template <int dim>
 dealii::Point<dim> read_corner(const Given<std::string> &given, const double by_default)
 {

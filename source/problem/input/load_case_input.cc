@@ -54,7 +54,7 @@ public:
   {
   }
 
-  /** One entry between '|'. */
+  /** Reads one entry between '|'. */
   void read(const std::string &entry, std::vector<LoadCase> &cases) const
   {
     std::string text = entry;
@@ -127,7 +127,7 @@ private:
     return value[0];
   }
 
-  /** Whether there is something that the factor could change. */
+  /** Refuses a factor that could change nothing. */
   void check(const std::string &name) const
   {
     const auto refuse_name = [&](const std::string &what) {

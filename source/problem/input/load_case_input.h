@@ -8,6 +8,6 @@
 
 namespace Signorini
 {
-/** The subsection Load cases. @throws InputError. */
+/** Reads the subsection Load cases. @throws InputError. */
 std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Scene<2> &scene);
 } // namespace Signorini

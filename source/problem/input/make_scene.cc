@@ -21,7 +21,7 @@ namespace
 /** The name of the scene that the other entries describe. */
 const std::string described = "described";
 
-/** A catalogue scene fixes what describes a scene; those entries must stay at their defaults. */
+/** Refuses entries that describe a scene if a catalogue scene fixes them. */
 void refuse_description(const Parameters &parameters)
 {
   if (parameters.changes_of_scene.empty())
@@ -32,7 +32,7 @@ void refuse_description(const Parameters &parameters)
                    described + ".");
 }
 
-/** Whether the body begins inside the foundation somewhere on a side. */
+/** Returns whether the body begins inside the foundation somewhere on a side. */
 bool begins_inside(const Side<2> &side, const dealii::Function<2> &gap)
 {
   constexpr unsigned int n_samples = 64;
@@ -42,7 +42,7 @@ bool begins_inside(const Side<2> &side, const dealii::Function<2> &gap)
   return false;
 }
 
-/** Whether anything could press the body onto the foundation. */
+/** Returns whether anything could press the body onto the foundation. */
 bool is_loaded(const Scene<2> &scene)
 {
   for (const unsigned int side : scene.contact_sides())
@@ -58,7 +58,7 @@ bool is_loaded(const Scene<2> &scene)
   return is_pushed || has_data || scene.body_force != nullptr;
 }
 
-/** Where supports leave the body free, contact has to hold it against a load. */
+/** Finds out whether contact alone holds the body, which needs a load. */
 void judge_free_motions(Scene<2> &scene, const std::string &where)
 {
   scene.is_held_by_contact = !free_rigid_motions(scene, Plates::held).empty();
@@ -72,11 +72,11 @@ void judge_free_motions(Scene<2> &scene, const std::string &where)
                      "body with Clamped, Displacement or Rollers, or load it.");
 }
 
-/** Kinks that are closer than this share of the body cut off slivers, each of which is integrated
- * on parts that shrink towards it. */
+/** The smallest distance of two kinks as a share of the body. Closer ones cut off slivers, each of
+ * which is integrated on parts that shrink towards it. */
 constexpr double smallest_distance_of_kinks = 1e-3;
 
-/** @p positions are sorted. */
+/** Refuses kinks that are too close. @p positions are sorted. */
 void refuse_close_kinks(const std::vector<double> &positions,
                         const double extent,
                         const std::string &where)
@@ -90,7 +90,7 @@ void refuse_close_kinks(const std::vector<double> &positions,
                        " (a thousandth of the body).");
 }
 
-/** A position that misses the body is a mistake: it would have no effect. */
+/** Refuses a position that misses the body, which would have no effect. */
 void refuse_bad_kinks(const Scene<2> &scene, const DiscretizationParameters &given)
 {
   const auto check = [&](const Given<std::vector<double>> &positions, const unsigned int d) {
@@ -109,7 +109,7 @@ void refuse_bad_kinks(const Scene<2> &scene, const DiscretizationParameters &giv
   check(given.kinks_at_y, 1);
 }
 
-/** Supports of which no displacement of finite energy obeys all. */
+/** Refuses supports of which no displacement of finite energy satisfies all. */
 template <int dim>
 void refuse_contradiction(const Scene<dim> &scene, const std::string &where)
 {
@@ -118,7 +118,7 @@ void refuse_contradiction(const Scene<dim> &scene, const std::string &where)
     throw InputError(where + ": " + contradiction + ".");
 }
 
-/** The scene that the parameters name. */
+/** Returns the scene that the parameters name. */
 template <int dim>
 Scene<dim> read_scene(const Parameters &parameters)
 {

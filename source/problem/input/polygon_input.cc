@@ -27,7 +27,7 @@ struct PolygonVertex
   dealii::Point<2> x;
   /** The radius that rounds the corner; 0: none. */
   double fillet;
-  /** In the list of the parameter file. */
+  /** The number in the list of the parameter file. */
   unsigned int number;
 };
 
@@ -39,13 +39,13 @@ struct PolygonArc
 
 struct PolygonEdge
 {
-  /** None: a segment. */
+  /** The arc; empty for a segment. */
   std::optional<PolygonArc> arc;
-  /** In the list of the parameter file. */
+  /** The number in the list of the parameter file. */
   unsigned int number;
 };
 
-/** Edge i joins vertex i with the next. */
+/** A loop of vertices; edge i joins vertex i with the next. */
 struct PolygonLoop
 {
   std::vector<PolygonVertex> vertices;
@@ -53,8 +53,8 @@ struct PolygonLoop
 };
 
 /**
- * The sides of a loop in a row with the body on the left: @p is_outer tells whether it lies inside
- * of the loop. Lists in the other direction are turned round; names keep the numbers of the list.
+ * Returns the sides of a loop in a row with the body on the left, which lies inside of the loop if
+ * @p is_outer. Lists in the other direction are turned round; names keep the numbers of the list.
  * @throws InputError if an arc does not fit its ends or a fillet its edges.
  */
 std::vector<Side<2>> sides_of(const PolygonLoop &loop, bool is_outer, const std::string &where);
@@ -81,7 +81,7 @@ std::string vertex_name(const PolygonVertex &vertex)
   return "vertex " + std::to_string(vertex.number);
 }
 
-/** The arc from a to b whose centre is moved so that both are on it to rounding. */
+/** Returns the arc from a to b whose centre is moved so that both are on it to rounding. */
 Sweep sweep_of(const PolygonArc &arc,
                const PolygonVertex &a,
                const PolygonVertex &b,
@@ -130,7 +130,7 @@ void refuse_equal_vertices(const PolygonLoop &loop, const std::string &where)
                        " are the same point, allowed: sides that have a length.");
 }
 
-/** Positive for a loop that runs counter-clockwise. */
+/** Returns the area of a loop, positive if it runs counter-clockwise. */
 double signed_area_of(const PolygonLoop &loop, const std::string &where)
 {
   const std::size_t n = loop.vertices.size();
@@ -163,7 +163,7 @@ PolygonLoop turned_round(const PolygonLoop &loop)
   return turned;
 }
 
-/** Where a fillet touches the edges before and behind a vertex, and its arc. */
+/** The arc of a fillet, and the points where it touches the edges before and behind a vertex. */
 struct Fillet
 {
   /** The length that it takes from both edges. */
@@ -193,7 +193,7 @@ Fillet fillet_at(const PolygonLoop &loop, const std::size_t i, const std::string
   const dealii::Point<2> centre = vertex.x + vertex.fillet / std::sin(half) * bisector;
   const dealii::Point<2> first = vertex.x + fillet.cut * u;
   const double start = std::atan2(first[1] - centre[1], first[0] - centre[0]);
-  // u points back: a corner to the left has v on the right of u.
+  // The vector u points back: a corner to the left has v on the right of u.
   const double turn = cross_product(u, v) < 0. ? 1. : -1.;
   fillet.arc = {centre, vertex.fillet, start, start + turn * (PI - 2. * half)};
   return fillet;
@@ -252,7 +252,7 @@ std::vector<Side<2>> sides_of(const PolygonLoop &loop,
 
 namespace
 {
-/** A list of sides that is longer than this is a matter for a mesh file. */
+/** The largest number of vertices: a longer list belongs into a mesh file. */
 constexpr std::size_t most_vertices = 200;
 
 void check_number(const std::size_t n, const std::string &where)
@@ -262,7 +262,7 @@ void check_number(const std::size_t n, const std::string &where)
                      std::to_string(most_vertices) + ".");
 }
 
-/** "arc cx,cy ccw". */
+/** Reads "arc cx,cy ccw". */
 PolygonArc read_arc(const std::string &text, const Entry &entry)
 {
   std::string rest = trim(text.substr(3));
@@ -275,7 +275,7 @@ PolygonArc read_arc(const std::string &text, const Entry &entry)
   return {dealii::Point<2>(xy[0], xy[1]), direction == "ccw"};
 }
 
-/** "x,y" or "x,y fillet r". */
+/** Reads "x,y" or "x,y fillet r". */
 PolygonVertex read_vertex(const std::string &text, const unsigned int number, const Entry &entry)
 {
   const std::size_t word = text.find("fillet");
@@ -331,7 +331,7 @@ PolygonLoop read_loop(const std::string &text, const Entry &entry)
   return loop;
 }
 
-/** "circle cx,cy,r", clockwise. */
+/** Reads "circle cx,cy,r"; the circle runs clockwise. */
 Curve read_circle(const std::string &text, const Entry &entry)
 {
   std::vector<double> numbers;
@@ -367,8 +367,8 @@ void add_holes(const Given<std::string> &given, std::vector<Side<2>> &sides)
   }
 }
 
-/** The vertices counter-clockwise, if they are those of a convex polygon of straight sides: every
- * corner turns left, by a visible angle, and all together turn once. */
+/** Returns the vertices counter-clockwise, if they are those of a convex polygon of straight sides:
+ * every corner turns left, by a visible angle, and all together turn once. */
 std::optional<std::vector<dealii::Point<2>>> convex_polygon(const PolygonLoop &loop)
 {
   const std::size_t n = loop.vertices.size();

@@ -9,6 +9,6 @@
 
 namespace Signorini
 {
-/** Shape = polygon. */
+/** Reads the body of Shape = polygon. */
 Geometry<2> read_polygon(const GeometryParameters &given);
 } // namespace Signorini

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What expressions must be worth: checked at points that the integrals will use or come close to.
+// Values of expressions, checked at points that the integrals will use or come close to.
 
 #include "scene_checks.h"
 
@@ -20,7 +20,7 @@
 
 namespace Signorini
 {
-/** "WHERE: found FOUND at (X), allowed: ALLOWED." @throws InputError */
+/** Throws InputError with "WHERE: found FOUND at (X), allowed: ALLOWED." */
 template <int dim>
 [[noreturn]] void refuse_value(const std::string &where,
                                const std::string &found,
@@ -28,9 +28,9 @@ template <int dim>
                                const std::string &allowed);
 
 /**
- * A gradient given by expressions is that of the displacement: compared with differences at points
- * inside the body. Where two differences do not agree (kinks, singularities) nothing is said.
- * @throws InputError if three points object.
+ * Checks a gradient given by expressions against differences of the displacement at points inside
+ * the body. Points where two differences do not agree (kinks, singularities) are skipped.
+ * @throws InputError if it is wrong at three points.
  */
 template <int dim>
 void check_exact_gradient(const ExactSolutionParameters &exact,
@@ -38,8 +38,9 @@ void check_exact_gradient(const ExactSolutionParameters &exact,
                           const std::vector<dealii::Point<dim>> &points);
 
 /**
- * An exact displacement satisfies what the scene prescribes on a side: u = 0, u·n = 0, u = u_D, or
- * u·n <= g. @throws InputError
+ * Checks that an exact displacement satisfies what the scene prescribes on a side: u = 0, u·n = 0,
+ * u = u_D, or u·n <= g.
+ * @throws InputError
  */
 template <int dim>
 void check_exact_on_side(const ExactSolutionParameters &exact,
@@ -52,7 +53,7 @@ namespace
 template <int dim>
 using Points = std::vector<dealii::Point<dim>>;
 
-/** Shares of the unit interval: Gauss points, and points close to its ends. */
+/** Returns shares of the unit interval: Gauss points, and points close to its ends. */
 std::vector<double> shares()
 {
   std::vector<double> values = {1e-4, 1e-3, 1. - 1e-3, 1. - 1e-4};
@@ -63,7 +64,8 @@ std::vector<double> shares()
   return values;
 }
 
-/** Points of the cells of the coarse mesh; of every cell, or of some of very many. */
+/** Returns points of the cells of the coarse mesh; of every cell, or of some if there are very
+ * many. */
 Points<2> sample_cells(const Geometry<2> &geometry)
 {
   constexpr unsigned int enough = 500;
@@ -95,7 +97,7 @@ Points<2> sample_body(const Geometry<2> &geometry)
   return points;
 }
 
-/** A box. */
+/** Returns points of a box. */
 Points<3> sample_body(const Geometry<3> &geometry)
 {
   const dealii::Tensor<1, 3> extent = geometry.upper - geometry.lower;
@@ -109,10 +111,10 @@ Points<3> sample_body(const Geometry<3> &geometry)
   return points;
 }
 
-/** Inside of a side and, for what is evaluated at nodes, at its ends. */
+/** Returns points inside of a side and, for what is evaluated at nodes, at its ends. */
 Points<2> sample_side(const Side<2> &side, const bool with_ends)
 {
-  // A side of very many pieces has short ones: their middles tell enough.
+  // A side of very many pieces has short ones: their middles suffice.
   constexpr unsigned int many = 100;
   Points<2> points;
   for (unsigned int k = 0; k < side.n_pieces(); ++k)
@@ -137,7 +139,8 @@ Points<3> sample_side(const Side<3> &side, const bool with_ends)
   return points;
 }
 
-/** Expression functions that are data of the problem refuse bad values themselves. */
+/** Evaluates data at points: expression functions that are data of the problem throw for bad
+ * values. */
 template <int dim>
 void evaluate(const FunctionPointer<dim> &data, const Points<dim> &points)
 {
@@ -167,7 +170,7 @@ void check_finite(const FunctionPointer<dim> &function,
     }
 }
 
-/** Contact cannot pull. */
+/** Refuses a positive pressure: contact cannot pull. */
 template <int dim>
 void check_pressure(const FunctionPointer<dim> &pressure,
                     const Points<dim> &points,
@@ -196,7 +199,7 @@ void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim
     double largest = 0.;
     for (const Expression<dim> &modulus : moduli)
       largest = std::max(largest, std::abs(modulus(x)));
-    // Signs and what is no number are the business of the material.
+    // The material checks signs, and refuses what is no number.
     if (largest > largest_magnitude || (largest > 0. && largest < smallest_magnitude))
       refuse_value(moduli[0].where(),
                    number_text(largest),
@@ -233,10 +236,10 @@ template void check_described_scene(const ExactSolutionParameters &, const Scene
 
 namespace
 {
-/** Of the largest displacement: what may be a constant with few digits. */
+/** The share of the largest displacement by which a constant with few digits may differ. */
 constexpr double tolerated_difference = 1e-4;
 
-/** (u_c(x + h e_d) - u_c(x - h e_d)) / 2h. */
+/** Returns (u_c(x + h e_d) - u_c(x - h e_d)) / 2h. */
 template <int dim>
 double difference(const dealii::Function<dim> &u,
                   const dealii::Point<dim> &x,
@@ -248,7 +251,7 @@ double difference(const dealii::Function<dim> &u,
   return (u.value(x + step, c) - u.value(x - step, c)) / (2. * h);
 }
 
-/** Points on lines of symmetry are where kinks are; these are a little aside. */
+/** Returns a point a little aside, because kinks lie on lines of symmetry. */
 template <int dim>
 dealii::Point<dim> aside(const dealii::Point<dim> &x, const Geometry<dim> &geometry)
 {
@@ -271,7 +274,7 @@ double largest_displacement(const dealii::Function<dim> &u,
   return largest;
 }
 
-/** What a derivative of the displacement is and what is given for it, at a point. */
+/** The derivative of the displacement at a point, as given and as found by a difference. */
 struct Derivative
 {
   double given, found;
@@ -279,7 +282,8 @@ struct Derivative
   bool differ;
 };
 
-/** @param largest |u| and |grad u|, for what counts as zero. */
+/** Compares a given derivative with a difference. @param largest |u| and |grad u|, for what counts
+ * as zero. */
 template <int dim>
 Derivative compare_derivative(const dealii::Function<dim> &u,
                               const dealii::Point<dim> &x,

@@ -12,8 +12,8 @@ namespace Signorini
 template <int dim>
 void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim> &geometry);
 
-/** Evaluates everything once where the integrals will, so that nonsense is found before work: data
- * without values, and an exact solution that contradicts itself. @throws InputError */
+/** Evaluates everything once where the integrals will, to find data without values and an exact
+ * solution that contradicts itself before the computation starts. @throws InputError */
 template <int dim>
 void check_described_scene(const ExactSolutionParameters &exact, const Scene<dim> &scene);
 } // namespace Signorini

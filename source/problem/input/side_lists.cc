@@ -21,7 +21,8 @@ bool contains(const std::vector<std::string> &names, const std::string &name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/** Expressions may hold a ':' of their own (c ? a : b); a name is a single word before it. */
+/** Returns whether a text is a single word, as a name before ':' is. Expressions may contain a ':'
+ * of their own (c ? a : b). */
 bool looks_like_a_name(const std::string &text)
 {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](const unsigned char c) {
@@ -108,7 +109,7 @@ SideTexts read_contact_list(const std::string &text,
 
 namespace
 {
-/** "dx, dy", perhaps with the word "turning" behind it. */
+/** Reads "dx, dy", perhaps with the word "turning" behind it. */
 Plate read_plate(const std::string &name,
                  const std::string &text,
                  const Entry &entry,
@@ -158,7 +159,7 @@ void read_numbers_of(const Given<std::string> &given,
   }
 }
 
-/** Each plate has a force or a travel. */
+/** Reads the force or the travel of each plate. */
 void read_drives(const LoadParameters &load,
                  const Given<std::string> &given,
                  const Geometry<2> &geometry,

@@ -11,11 +11,11 @@
 
 namespace Signorini
 {
-/** Side name and the text that belongs to it. */
+/** The names of sides, and the texts that belong to them. */
 using SideTexts = std::vector<std::pair<std::string, std::string>>;
 
-/** The side of this name, or the sides name.1, name.2, ... that a name of a mesh file has become;
- * empty if there is none. */
+/** Returns the side of this name, or the sides name.1, name.2, ... that a name of a mesh file has
+ * become; empty if there is none. */
 std::vector<std::string> sides_called(const std::string &name,
                                       const std::vector<std::string> &sides);
 
@@ -24,7 +24,7 @@ SideTexts read_side_list(const std::string &text,
                          const std::string &where,
                          const std::vector<std::string> &sides);
 
-/** Whether a text begins with a word and ':', so that it is for one side. */
+/** Returns whether a text begins with a word and ':', so that it is for one side. */
 bool begins_with_a_name(const std::string &text);
 
 /**
@@ -36,7 +36,8 @@ SideTexts read_contact_list(const std::string &text,
                             const std::vector<std::string> &sides,
                             const std::vector<std::string> &contact_sides);
 
-/** Boundary/Plates with Load/Plate force, Plate moment and Plate travel. @throws InputError. */
+/** Reads Boundary/Plates with Load/Plate force, Plate moment and Plate travel. @throws InputError.
+ */
 std::vector<Plate> read_plates(const Given<std::string> &given,
                                const LoadParameters &load,
                                const Geometry<2> &geometry);

@@ -18,16 +18,16 @@ namespace
 using dealii::Point;
 using Tensor = dealii::Tensor<1, 2>;
 
-/** Nodes may lie off their segment by this share of its length. */
+/** The share of the length by which nodes may lie off their segment. */
 constexpr double segment_tolerance = 1e-8;
 
-/** An edge whose middle lies closer to its chord than this share of its length is straight. */
+/** The share of an edge's length: an edge whose middle lies closer to its chord is straight. */
 constexpr double smallest_rise = 1e-6;
 
-/** A circle with a radius beyond this many chords is a line. */
+/** The largest radius of an arc, in chords: a circle with a larger one is a line. */
 constexpr double largest_radius = 1e6;
 
-/** The outward normal of what has the body on its left. */
+/** Returns the outward normal of an edge that has the body on its left. */
 Tensor right_of(const Tensor &direction)
 {
   return Tensor({direction[1], -direction[0]}) / direction.norm();
@@ -48,14 +48,14 @@ bool is_bent(const FileMesh &mesh, const FileMesh::Edge &edge)
   return rise > smallest_rise * chord.norm();
 }
 
-/** The angle from one point to another, seen from a centre, in (-pi, pi]. */
+/** Returns the angle from one point to another, seen from a centre, in (-pi, pi]. */
 double angle_between(const Point<2> &centre, const Point<2> &from, const Point<2> &to)
 {
   const Tensor a = from - centre, b = to - centre;
   return std::atan2(a[0] * b[1] - a[1] * b[0], a * b);
 }
 
-/** The arc along edges [first, last) of a chain. */
+/** Returns the arc along the edges [first, last) of a chain. */
 Curve arc_along(const FileMesh &mesh,
                 const std::vector<FileMesh::Edge> &chain,
                 const std::size_t first,
@@ -73,7 +73,8 @@ Curve arc_along(const FileMesh &mesh,
     circle.centre, circle.radius, angle, angle + turn, turn > 0. ? Body::inside : Body::outside);
 }
 
-/** The least squares of distances from a circle through points all around it (Gauss-Newton). */
+/** Returns the circle with the least squares of distances from points all around it (Gauss-Newton).
+ */
 FittedCircle fit_closed_circle(const std::vector<Point<2>> &points)
 {
   Point<2> centre;
@@ -102,7 +103,7 @@ FittedCircle fit_closed_circle(const std::vector<Point<2>> &points)
   return {centre, radius};
 }
 
-/** The end of the longest segment from edge @p first on. */
+/** Returns the end of the longest segment from edge @p first on. */
 std::size_t end_of_segment(const FileMesh &mesh,
                            const std::vector<FileMesh::Edge> &chain,
                            const std::size_t first)
@@ -127,7 +128,7 @@ std::size_t end_of_segment(const FileMesh &mesh,
   return last;
 }
 
-/** The circle of edges [first, last). */
+/** Returns the circle of the edges [first, last). */
 FittedCircle circle_of(const FileMesh &mesh,
                        const std::vector<FileMesh::Edge> &chain,
                        const std::size_t first,
@@ -145,7 +146,7 @@ FittedCircle circle_of(const FileMesh &mesh,
     position(mesh, chain[first].start), position(mesh, chain[last - 1].end), between);
 }
 
-/** The end of the longest arc from edge @p first on, which is bent. */
+/** Returns the end of the longest arc from edge @p first on, which is bent. */
 std::size_t end_of_arc(const FileMesh &mesh,
                        const std::vector<FileMesh::Edge> &chain,
                        const std::size_t first)

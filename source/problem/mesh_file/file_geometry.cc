@@ -19,13 +19,13 @@ namespace Signorini
 {
 namespace
 {
-/** Everything that a triangulation is made from. */
+/** The arguments from which a triangulation is made. */
 struct CoarseMesh
 {
   std::vector<dealii::Point<2>> vertices;
   std::vector<dealii::CellData<2>> cells;
   dealii::SubCellData edges;
-  /** manifolds[i] has the number i. */
+  /** The manifolds; manifolds[i] has the number i. */
   std::vector<std::shared_ptr<const dealii::Manifold<2>>> manifolds;
 
   void make(dealii::Triangulation<2> &triangulation) const
@@ -51,7 +51,7 @@ void add_edges(const FileSides &sides, CoarseMesh &coarse)
     coarse.manifolds.push_back(std::make_shared<dealii::SphericalManifold<2>>(centre));
 }
 
-/** Cells with an edge on a circle. */
+/** Adds the cells with an edge on a circle. */
 void add_arc_cells(const FileMesh &mesh, const FileSides &sides, CoarseMesh &coarse)
 {
   std::map<unsigned int, std::array<std::optional<dealii::Point<2>>, 4>> centres;
@@ -74,8 +74,8 @@ void add_arc_cells(const FileMesh &mesh, const FileSides &sides, CoarseMesh &coa
   }
 }
 
-/** The box around the body. Arcs lie inside of the boxes around their circles, of which the parts
- * that the arc passes count. */
+/** Computes the box around the body. Arcs lie inside of the boxes around their circles, of which
+ * the parts that the arc passes count. */
 void set_box(const FileMesh &mesh, const FileSides &sides, Geometry<2> &geometry)
 {
   geometry.lower = geometry.upper = mesh.vertices[0].position;
@@ -102,14 +102,14 @@ void set_box(const FileMesh &mesh, const FileSides &sides, Geometry<2> &geometry
           dealii::Point<2> x = centre;
           x[d] += sign * centre.distance(start);
           const dealii::Tensor<1, 2> bisector = middle - centre;
-          // Equal, but for rounding, at an end.
+          // At an end both are equal, but for rounding.
           if ((x - centre) * bisector > (1. + 1e-12) * bisector.norm_square())
             include(x);
         }
     }
 }
 
-/** The centre of the cell that is nearest to a point: a point inside of the body. */
+/** Returns the centre of the cell that is nearest to a point: a point inside of the body. */
 dealii::Point<2> centre_near(const FileMesh &mesh, const dealii::Point<2> &x)
 {
   dealii::Point<2> nearest;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// From the nodes and elements of a file to a plane mesh: what a body needs is checked.
+// From the nodes and elements of a file to a checked 2-D mesh.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
@@ -23,7 +23,7 @@ using dealii::Point;
 /** The smallest sine of the angle in a corner of a cell. */
 constexpr double smallest_sine = 1e-6;
 
-/** Nodes that are closer than this share of the body's size are one. */
+/** The share of the body's size below which two nodes are one. */
 constexpr double smallest_distance_of_nodes = 1e-9;
 
 constexpr unsigned int unused = std::numeric_limits<unsigned int>::max();
@@ -48,7 +48,7 @@ double cross_product(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/** The nodes that elements use; @return the size of the box around them. */
+/** Checks that the nodes of elements have the same z. @return the size of the box around them. */
 double check_nodes(const GmshMesh &gmsh, const std::vector<bool> &is_used)
 {
   Point<2> lower, upper;
@@ -79,7 +79,7 @@ double check_nodes(const GmshMesh &gmsh, const std::vector<bool> &is_used)
   return size;
 }
 
-/** Two nodes at one place would be a crack. */
+/** Refuses two nodes at one place, which would be a crack. */
 void check_distances(const GmshMesh &gmsh, const std::vector<bool> &is_used, const double size)
 {
   // In an oblique direction few nodes of a mesh lie beside one another.
@@ -142,8 +142,8 @@ void make_counter_clockwise(const GmshMesh &gmsh, GmshMesh::Element &cell)
                    ", allowed: convex quadrilaterals, all angles below 180 degrees.");
 }
 
-/** The cells in the order of Hilbert's curve through their centres: those that are near one another
- * in the body are so in memory. */
+/** Sorts the cells in the order of Hilbert's curve through their centres: neighbours in the body
+ * are neighbours in memory. */
 void sort_along_hilbert_curve(const GmshMesh &gmsh, std::vector<GmshMesh::Element> &cells)
 {
   std::vector<Point<2>> centres;
@@ -168,8 +168,8 @@ void sort_along_hilbert_curve(const GmshMesh &gmsh, std::vector<GmshMesh::Elemen
   cells = std::move(sorted);
 }
 
-/** The first corner becomes the one whose edge to the next one points most to the right (of two
- * the one that points upwards): cells of a regular mesh are then translations of one another. */
+/** Returns the corner whose edge to the next one points most to the right (of two the one that
+ * points upwards). If it comes first, cells of a regular mesh are translations of one another. */
 unsigned int first_corner(const GmshMesh &gmsh, const GmshMesh::Element &cell)
 {
   dealii::Tensor<1, 2> directions[4];
@@ -187,7 +187,7 @@ unsigned int first_corner(const GmshMesh &gmsh, const GmshMesh::Element &cell)
   return first;
 }
 
-/** The cells with their vertices, which are numbered in the order of their first cells. */
+/** Returns the cells with their vertices, which are numbered in the order of their first cells. */
 FileMesh number_vertices(const GmshMesh &gmsh, std::vector<GmshMesh::Element> &cells)
 {
   FileMesh mesh;

@@ -21,14 +21,14 @@ namespace
 {
 using Chain = std::vector<FileMesh::Edge>;
 
-/** From left to right, then upwards. */
+/** Returns whether a point comes before another one: from left to right, then upwards. */
 bool is_left_of(const dealii::Point<2> &a, const dealii::Point<2> &b)
 {
   return a[0] != b[0] ? a[0] < b[0] : a[1] < b[1];
 }
 
-/** Where a closed chain begins: at its leftmost corner, or without a corner at its leftmost vertex.
- */
+/** Returns where a closed chain begins: at its leftmost corner, or without a corner at its leftmost
+ * vertex. */
 std::size_t start_of_loop(const FileMesh &mesh, const Chain &loop)
 {
   const auto position = [&](const std::size_t i) -> const dealii::Point<2> & {
@@ -48,7 +48,7 @@ std::size_t start_of_loop(const FileMesh &mesh, const Chain &loop)
   return best;
 }
 
-/** The chains of edges with one name in a loop. */
+/** Splits a loop into the chains of edges with one name. */
 std::vector<Chain> split_loop(const FileMesh &mesh, Chain loop)
 {
   const auto changes = [&](const std::size_t i) {
@@ -77,7 +77,7 @@ struct NamedChain
   Chain edges;
 };
 
-/** All chains, by name, and those of one name from left to right. */
+/** Returns all chains, by name, and those of one name from left to right. */
 std::vector<NamedChain> name_chains(const FileMesh &mesh)
 {
   std::vector<Chain> chains;
@@ -114,7 +114,8 @@ void refuse_same_names(const FileMesh &mesh, const std::vector<NamedChain> &chai
                        "', which also numbers the parts of a side, allowed: another name.");
 }
 
-/** Whether each chain is declared an arc, by its own name or by that of all chains of a name. */
+/** Returns whether each chain is declared an arc, by its own name or by that of all chains of a
+ * name. */
 std::vector<bool> find_arcs(const FileMesh &mesh,
                             const std::vector<NamedChain> &chains,
                             const std::vector<std::string> &arcs,
@@ -178,14 +179,14 @@ const std::string name_of_the_rest = "rest";
 
 namespace
 {
-/** An edge as one of its cells sees it. */
+/** An edge with the direction that it has in one of its cells. */
 struct HalfEdge
 {
-  /** Nodes of the file. */
+  /** The nodes in the file. */
   unsigned int start, end;
   unsigned int cell, edge_of_cell;
 
-  /** The same for both cells of an edge. */
+  /** Returns the nodes in an order that is the same for both cells of an edge. */
   std::pair<unsigned int, unsigned int> key() const
   {
     return std::minmax(start, end);
@@ -213,7 +214,7 @@ public:
     check_connection();
   }
 
-  /** The edges with one cell. */
+  /** Returns the edges with one cell. */
   std::vector<HalfEdge> boundary() const
   {
     std::vector<HalfEdge> found;
@@ -226,7 +227,7 @@ public:
     return found;
   }
 
-  /** Whether two nodes are joined by an edge. */
+  /** Returns whether two nodes are joined by an edge. */
   bool has(const unsigned int start, const unsigned int end) const
   {
     const HalfEdge wanted = {start, end, 0, 0};
@@ -272,7 +273,7 @@ private:
     }
   }
 
-  /** From one cell every other one can be reached through edges. */
+  /** Checks that every cell can be reached from every other one through edges. */
   void check_connection() const
   {
     std::vector<unsigned int> parent(cells_.size());
@@ -298,7 +299,7 @@ private:
   std::vector<HalfEdge> edges_;
 };
 
-/** What a line of the file says about an edge. */
+/** The name of an edge and the line of the file that gives it. */
 struct NamedLine
 {
   std::string name;
@@ -313,7 +314,7 @@ std::string where(const GmshMesh &gmsh, const GmshMesh::Element &line)
          std::to_string(gmsh.nodes[line.nodes[1]].tag);
 }
 
-/** The physical name of a line; a group without a name is called by its number. */
+/** Returns the physical name of a line; a group without a name is called by its number. */
 std::string name_of(const GmshMesh &gmsh, const GmshMesh::Element &line)
 {
   if (line.group == 0)
@@ -355,7 +356,7 @@ NamedLines read_lines(const GmshMesh &gmsh, const EdgeTable &edges)
   return lines;
 }
 
-/** The node in the middle of an edge, of its cell or of its line. */
+/** Returns the node in the middle of an edge, of its cell or of its line. */
 std::optional<FileMesh::Vertex> middle_of(const GmshMesh &gmsh,
                                           const GmshMesh::Element &cell,
                                           const HalfEdge &edge,
@@ -426,7 +427,7 @@ void add_boundary(const GmshMesh &gmsh, const std::vector<GmshMesh::Element> &ce
                      edge.cell,
                      edge.edge_of_cell});
   }
-  // In the order of the cells, which does not depend on the numbers of the file.
+  // The order of the cells does not depend on the numbers in the file.
   std::sort(edges.begin(), edges.end(), [](const FileMesh::Edge &a, const FileMesh::Edge &b) {
     return a.cell != b.cell ? a.cell < b.cell : a.edge_of_cell < b.edge_of_cell;
   });

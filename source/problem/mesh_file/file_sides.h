@@ -6,7 +6,7 @@
 
 namespace Signorini
 {
-/** What the edges of the boundary stand for. */
+/** The sides of the body that the edges of the boundary form. */
 struct FileSides
 {
   /** An edge with the numbers of its side and of its circle. */
@@ -14,11 +14,11 @@ struct FileSides
   {
     FileMesh::Edge edge;
     unsigned int side;
-    /** Index into centres; negative for a straight edge. */
+    /** The index of the circle in centres; negative for a straight edge. */
     int circle;
   };
 
-  /** One for every chain of edges with one name, counter-clockwise around the body. */
+  /** The sides: one for every chain of edges with one name, counter-clockwise around the body. */
   std::vector<Side<2>> sides;
   std::vector<Edge> edges;
   std::vector<dealii::Point<2>> centres;

@@ -16,25 +16,26 @@
 
 namespace Signorini
 {
-/** Goes through the words of a mesh file and knows the line of the last one. */
+/** Goes through the words of a mesh file and counts its lines. */
 class GmshScanner
 {
 public:
-  /** The text must outlive the scanner. */
+  /** Begins with the text, which must outlive the scanner. */
   GmshScanner(const std::string &text, std::string name)
     : text_(text)
     , name_(std::move(name))
   {
   }
 
-  /** Whether no word is left. */
+  /** Returns whether no word is left. */
   bool is_at_end()
   {
     skip_blanks();
     return position_ == text_.size();
   }
 
-  /** The next word; @p what is what it should be. @throws InputError at the end of the file. */
+  /** Returns the next word; @p what is its meaning in messages. @throws InputError at the end of
+   * the file. */
   std::string_view word(const char *what)
   {
     if (is_at_end())
@@ -45,7 +46,7 @@ public:
     return std::string_view(text_).substr(start, position_ - start);
   }
 
-  /** The next word as a number. @throws InputError if it is none. */
+  /** Returns the next word as a number. @throws InputError if it is none. */
   template <typename Number>
   Number number(const char *what)
   {
@@ -60,7 +61,7 @@ public:
     return value;
   }
 
-  /** How many of something follow: a number that the rest of the file can hold. */
+  /** Returns how many of something follow: a number that the rest of the file can hold. */
   std::size_t count(const char *what)
   {
     const auto n = number<std::size_t>(what);
@@ -71,7 +72,7 @@ public:
     return n;
   }
 
-  /** The next words between quotation marks. */
+  /** Returns the next words between quotation marks. */
   std::string quoted(const char *what)
   {
     if (is_at_end() || text_[position_] != '"')
@@ -84,7 +85,7 @@ public:
     return found;
   }
 
-  /** The next word must be this one. */
+  /** Reads the next word, which must be this one. */
   void expect(const std::string &expected)
   {
     const std::string_view found = word(expected.c_str());
@@ -92,7 +93,7 @@ public:
       refuse(found, expected.c_str());
   }
 
-  /** Goes on behind the next @p mark. */
+  /** Skips the text up to the next @p mark, and the mark. */
   void skip_behind(const std::string &mark)
   {
     const std::string opened = place();
@@ -106,7 +107,7 @@ public:
   {
     return line_;
   }
-  /** "part.msh:12", the line of the last word. */
+  /** Returns "part.msh:12", with the line of the last word. */
   std::string place() const
   {
     return name_ + ":" + std::to_string(line_);
@@ -143,7 +144,7 @@ const std::map<unsigned int, unsigned int> nodes_of_types =
   {{15, 1}, {1, 2}, {8, 3}, {3, 4}, {16, 8}, {10, 9}};
 constexpr unsigned int type_of_points = 15;
 
-/** What messages call the others. */
+/** Returns the name of another type of element for messages. */
 std::string name_of_type(const unsigned int type)
 {
   static const std::map<unsigned int, std::string> names = {{2, "a triangle"},
@@ -229,7 +230,7 @@ private:
     }
   }
 
-  /** Of curves the physical group is kept. */
+  /** Reads the entities, and keeps the physical groups of the curves. */
   void read_entities()
   {
     std::array<std::size_t, 4> n = {};
@@ -304,8 +305,8 @@ private:
     }
   }
 
-  /** The number of nodes of a type. @throws InputError for what is neither line nor quadrilateral.
-   */
+  /** Returns the number of nodes of a type. @throws InputError if it is neither a line nor a
+   * quadrilateral. */
   unsigned int n_nodes_of(const unsigned int type, const std::size_t tag) const
   {
     const auto found = nodes_of_types.find(type);

@@ -21,32 +21,32 @@ namespace Signorini
 class Declarations
 {
 public:
-  /** Every entry gets its name, and the file as its place. */
+  /** Declares every entry, with its name, and with the file as its place. */
   explicit Declarations(Parameters &parameters);
 
   /**
-   * Sets one entry, an empty value means its default; throws InputError if it is unknown or its
-   * value is not allowed.
+   * Sets one entry; an empty value means its default.
+   * @throws InputError if the entry is unknown or its value is not allowed.
    */
   void assign(const Assignment &assignment);
 
-  /** The names of all subsections. */
+  /** Returns the names of all subsections. */
   std::set<std::string> sections() const;
 
-  /** The entries of these subsections that are not at their defaults. */
+  /** Returns the entries of these subsections that are not at their defaults. */
   std::vector<Entry> changes(const std::vector<std::string> &sections) const;
 
-  /** Every entry with its present value, with help and units (@p with_help) or without. */
+  /** Returns every entry with its present value, with help and units (@p with_help) or without. */
   std::string print(bool with_help) const;
 
 private:
-  /** What is known of an entry besides deal.II's handler. */
+  /** The data of an entry that deal.II's handler does not store. */
   struct Declared
   {
-    /** In words. */
+    /** The allowed values in words. */
     std::string allowed;
     std::string default_text;
-    /** The member of the Parameters. */
+    /** The entry's member of the Parameters. */
     Entry *entry;
   };
 
@@ -56,14 +56,14 @@ private:
            const std::string &help,
            const Pattern &pattern,
            const std::string &allowed);
-  /** Any text. */
+  /** Adds an entry that may be any text. */
   void add(const std::string &name, Given<std::string> &given, const std::string &help);
-  /** An option: one of its names. */
+  /** Adds an option, which is one of its names. */
   template <typename Option>
   void add(const std::string &name, Given<Option> &given, const std::string &help);
-  /** Any of the names. */
+  /** Adds an entry that lists any of the names. */
   void add(const std::string &name, Given<TableFormats> &given, const std::string &help);
-  /** After the handler knows it. */
+  /** Adds the data of an entry that the handler has declared. */
   void add_entry(const std::string &name, const std::string &allowed, Entry &entry);
   void enter(const std::string &section);
   void leave();
@@ -74,7 +74,7 @@ private:
   void declare_boundary(BoundaryParameters &boundary);
   void declare_data(Parameters &parameters);
   void declare_discretization(DiscretizationParameters &discretization);
-  /** The entries of Discretization for Strategy = hp. */
+  /** Declares the entries of Discretization for Strategy = hp. */
   void declare_graded_meshes(DiscretizationParameters &discretization);
   void declare_solver(SolverParameters &solver);
   void declare_output(OutputParameters &output);
@@ -83,7 +83,7 @@ private:
   mutable dealii::ParameterHandler handler_;
   std::string file_name_;
   std::string section_;
-  /** By subsection and name. */
+  /** The entries by subsection and name. */
   std::map<std::string, Declared> declared_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The only place that knows the names of options.
+// The names of all options.
 
 #include <signorini/problem/parameters/options.h>
 

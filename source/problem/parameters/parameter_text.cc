@@ -21,10 +21,10 @@ namespace Signorini
 {
 namespace
 {
-/** In bytes. */
+/** The largest size of a parameter file in bytes. */
 constexpr std::size_t largest_file = 1000000;
 
-/** Closes a file. */
+/** An open file, which is closed at the end of the object's life. */
 class FileDescriptor
 {
 public:
@@ -49,7 +49,7 @@ private:
   int descriptor_;
 };
 
-/** Keeps track of the open subsections while the lines go by. */
+/** Reads line after line and stores the open subsections. */
 class Scanner
 {
 public:
@@ -113,7 +113,7 @@ private:
     sections_.pop_back();
   }
 
-  /** The names of the open subsections, joined by '/'. */
+  /** Returns the names of the open subsections, joined by '/'. */
   std::string path() const
   {
     std::string joined;
@@ -144,7 +144,7 @@ private:
   std::vector<Assignment> assignments_;
 };
 
-/** Without a byte-order mark, and with the line ends of Unix. */
+/** Returns the text without a byte-order mark, and with the line ends of Unix. */
 std::string with_plain_line_ends(const std::string &text)
 {
   const std::string byte_order_mark = "\xEF\xBB\xBF";
@@ -236,7 +236,7 @@ std::string read_whole_file(const std::string &file_name,
   const auto told_size = static_cast<std::size_t>(status.st_size);
   if (told_size > largest_size)
     refuse_size(std::to_string(told_size));
-  // Files of the kernel say that they are empty, and may have no end.
+  // Files of the kernel have the size 0, and may have no end.
   const std::size_t most = told_size > 0 ? told_size : std::min<std::size_t>(largest_size, 1000000);
   std::string text(most + 1, '\0');
   std::size_t size = 0;
@@ -266,7 +266,7 @@ std::string read_text_file(const std::string &file_name)
 
 namespace
 {
-/** Levenshtein distance, for "did you mean". */
+/** Returns Levenshtein's distance, for "did you mean". */
 std::size_t edit_distance(const std::string &a, const std::string &b)
 {
   std::vector<std::size_t> row(b.size() + 1);
@@ -285,7 +285,7 @@ std::size_t edit_distance(const std::string &a, const std::string &b)
   return row[b.size()];
 }
 
-/** Whether two values mean the same, however blanks and digits are written. */
+/** Returns whether two values mean the same, however blanks and digits are written. */
 bool is_same_value(std::string a, std::string b)
 {
   double first = 0., second = 0.;

@@ -22,13 +22,14 @@ const std::string constants_section = "Constants/", constants_path = "Constants/
 
 const std::string mesh_file_path = "Geometry/File";
 
-/** Whether an override changes one constant of the list: Constants/NAME=value. */
+/** Returns whether an override changes one constant of the list: Constants/NAME=value. */
 bool names_a_constant(const Assignment &assignment)
 {
   return assignment.path.rfind(constants_section, 0) == 0 && assignment.path != constants_path;
 }
 
-/** The list "E=1, nu=0.3" with another value of one name. @throws InputError if it lacks it. */
+/** Returns the list "E=1, nu=0.3" with another value of one name. @throws InputError if it lacks
+ * it. */
 std::string with_constant(const std::string &list, const Assignment &assignment)
 {
   const std::string name = trim(assignment.path.substr(constants_section.size()));
@@ -51,7 +52,7 @@ std::string with_constant(const std::string &list, const Assignment &assignment)
   return join(parts);
 }
 
-/** The assignments of the file with the overrides behind them. */
+/** Returns the assignments of the file with the overrides behind them. */
 std::vector<Assignment> add_overrides(std::vector<Assignment> assignments,
                                       const std::vector<std::string> &overrides)
 {
@@ -72,7 +73,8 @@ std::vector<Assignment> add_overrides(std::vector<Assignment> assignments,
   return assignments;
 }
 
-/** Where a named file is: in @p folder or in the working folder. Unchanged if it is in neither. */
+/** Returns where a named file is: in @p folder or in the working folder. The name is unchanged if
+ * the file is in neither. */
 std::string find_file(const std::string &name, const std::string &folder)
 {
   namespace fs = std::filesystem;
@@ -86,7 +88,7 @@ std::string find_file(const std::string &name, const std::string &folder)
   return name;
 }
 
-/** What can be judged without knowing the scene: contradictions between plain values. */
+/** Checks plain values for contradictions that do not depend on the scene. */
 void check(const Parameters &parameters)
 {
   const DiscretizationParameters &discretization = parameters.discretization;

@@ -12,10 +12,11 @@ namespace Signorini
 {
 namespace
 {
-/** Relative to the prescribed displacements, and to the directions of plates and normals. */
+/** The share of the prescribed displacements, and of the directions of plates and normals, below
+ * which a difference is rounding. */
 constexpr double rounding = 1e-6;
 
-/** A point of two sides. */
+/** A point that two sides have in common. */
 template <int dim>
 struct Meeting
 {
@@ -32,7 +33,7 @@ std::vector<Meeting<2>> meetings(const Geometry<2> &geometry)
   return found;
 }
 
-/** Points inside the common edges of a box. */
+/** Returns points inside the common edges of a box. */
 std::vector<Meeting<3>> meetings(const Geometry<3> &geometry)
 {
   std::vector<Meeting<3>> found;
@@ -77,7 +78,7 @@ std::string text_of(const dealii::Tensor<1, dim> &vector)
   return "(" + join(numbers) + ")";
 }
 
-/** Judges the points where two sides meet. */
+/** Checks the points where two sides meet. */
 template <int dim>
 class MeetingJudge
 {
@@ -94,7 +95,7 @@ public:
           size_ = std::max(size_, displacement(i, x).norm());
   }
 
-  /** Why the second side contradicts the first one, or nothing. */
+  /** Returns why the second side contradicts the first one, or nothing. */
   std::string judge(const dealii::Point<dim> &x, const unsigned int i, const unsigned int j) const
   {
     if (!prescribes_all(i) || !(prescribes_all(j) || scene_.boundary[j].role == Role::roller))
@@ -121,7 +122,7 @@ private:
   {
     return "'" + scene_.geometry.sides[i].name() + "'";
   }
-  /** All components of u, not u.n alone. */
+  /** Returns whether all components of u are prescribed, not u.n alone. */
   bool prescribes_all(const unsigned int i) const
   {
     return scene_.boundary[i].role == Role::clamped ||
@@ -132,7 +133,7 @@ private:
     const Side<dim> &side = scene_.geometry.sides[i];
     return side.normal(side.coordinates(x));
   }
-  /** What is given of the displacement. */
+  /** Returns the given part of the displacement. */
   Vector displacement(const unsigned int i, const dealii::Point<dim> &x) const
   {
     Vector u;
@@ -141,12 +142,12 @@ private:
         u[c] = scene_.boundary[i].data->value(x, c);
     return u;
   }
-  /** N u. */
+  /** Returns N u. */
   Vector restricted(const Vector &u, const dealii::Point<dim> &x, const unsigned int j) const
   {
     return prescribes_all(j) ? u : (u * normal(j, x)) * normal(j, x);
   }
-  /** The velocities at a point of the plate on this side, as far as forces and moments drive it. */
+  /** Returns the velocities at a point of the plate on this side that forces and moments drive. */
   std::vector<std::pair<Vector, std::string>> motions(const unsigned int side,
                                                       const dealii::Point<dim> &x) const
   {

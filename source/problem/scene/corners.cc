@@ -19,8 +19,8 @@ namespace
 {
 using Complex = std::complex<double>;
 
-/** constant + linear z + square z^2 + sine sin(frequency z) + cosine cos(frequency z); its roots z
- * are exponents. */
+/** The function constant + linear z + square z^2 + sine sin(frequency z) + cosine cos(frequency z);
+ * its roots z are exponents. */
 struct CornerFunction
 {
   double constant, linear, square, sine, cosine, frequency;
@@ -35,7 +35,7 @@ struct CornerFunction
     return linear + 2. * square * z +
            frequency * (sine * std::cos(frequency * z) - cosine * std::sin(frequency * z));
   }
-  /** A bound of the terms: f is known up to rounding of this number. */
+  /** Returns a bound of the terms: f is known up to rounding of this number. */
   double size(const Complex z) const
   {
     return std::abs(constant) + std::abs(linear * z) + std::abs(square * z * z) +
@@ -43,8 +43,8 @@ struct CornerFunction
   }
 };
 
-/** (W1) to (W6). Functions that are products are given by their factors, so that roots are simple
- * at straight angles and at cracks. */
+/** Returns the functions of (W1) to (W6). Functions that are products are given by their factors,
+ * so that roots are simple at straight angles and at cracks. */
 std::vector<CornerFunction> corner_functions(const double angle,
                                              const EdgeSupport first,
                                              const EdgeSupport second,
@@ -69,7 +69,7 @@ std::vector<CornerFunction> corner_functions(const double angle,
   return {{0., 0., 0., c, s, angle}, {0., 0., 0., c, -s, angle}};
 }
 
-/** Newton's method; nothing if it ends elsewhere. */
+/** Returns the root that Newton's method finds from z, or nothing. */
 std::optional<Complex> root_near(const CornerFunction &f, Complex z)
 {
   for (unsigned int i = 0; i < 60; ++i)
@@ -89,14 +89,15 @@ std::optional<Complex> root_near(const CornerFunction &f, Complex z)
   return z;
 }
 
-/** Whether solutions with this exponent are polynomials. */
+/** Returns whether solutions with this exponent are polynomials. */
 bool is_integer(const Complex exponent)
 {
   return std::abs(exponent - std::round(exponent.real())) < 1e-6;
 }
 
-/** Newton's method from the points of a grid. With |frequency Im z| > 6 + log(1 + kappa) a sine or
- * cosine is larger than all other terms; roots come in pairs z, conj(z). */
+/** Returns the smallest Re z > 0 of the roots, which Newton's method finds from the points of a
+ * grid. With |frequency Im z| > 6 + log(1 + kappa) a sine or cosine is larger than all other terms;
+ * roots come in pairs z, conj(z). */
 double smallest_real_part(const CornerFunction &f, const double kappa)
 {
   const double spacing = 0.5 / f.frequency;
@@ -138,7 +139,7 @@ double kolosov_constant(const dealii::SymmetricTensor<4, 2> &hooke)
   return 2. * squares / traces;
 }
 
-// Where the sides of a plane body meet, and how rough a displacement may be there.
+// Where the sides of a 2-D body meet, and how rough a displacement may be there.
 
 namespace
 {
@@ -154,7 +155,7 @@ struct SideEnd
   bool leaves;
 };
 
-/** The end at s of the part that lies in the direction of @p towards. */
+/** Returns the end at s of the part that lies in the direction of @p towards. */
 SideEnd
 side_end(const Side<2> &side, const unsigned int number, const double s, const double towards)
 {
@@ -165,7 +166,7 @@ side_end(const Side<2> &side, const unsigned int number, const double s, const d
   return {number, side.point(s), leaves ? along_walk : -along_walk, leaves};
 }
 
-/** The ends of a side, and those of its smooth parts at corners inside. */
+/** Returns the ends of a side, and those of its smooth parts at corners inside. */
 std::vector<SideEnd> ends_of(const Side<2> &side, const unsigned int number)
 {
   std::vector<SideEnd> ends;
@@ -178,7 +179,8 @@ std::vector<SideEnd> ends_of(const Side<2> &side, const unsigned int number)
   return ends;
 }
 
-/** From the direction of one end counter-clockwise to that of the other, in (0, 2 pi]. */
+/** Returns the angle from the direction of one end counter-clockwise to that of the other, in (0, 2
+ * pi]. */
 double opening(const SideEnd &first, const SideEnd &second)
 {
   const dealii::Tensor<1, 2> &a = first.direction, &b = second.direction;

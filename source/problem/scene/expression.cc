@@ -23,10 +23,11 @@ namespace
 {
 constexpr std::array<const char *, 3> coordinate_names = {{"x", "y", "z"}};
 
-/** Every formula knows all constants, so that time grows like their square: 0.2 s for this many. */
+/** The largest number of constants. Every formula stores all of them, so that time grows like their
+ * square: 0.2 s for this many. */
 constexpr std::size_t most_constants = 1000;
 
-/** The length of the operator at text[i] that compares; 0 if there is none. */
+/** Returns the length of the operator at text[i] that compares; 0 if there is none. */
 std::size_t comparison_at(const std::string &text, const std::size_t i)
 {
   const bool followed_by_equals = i + 1 < text.size() && text[i + 1] == '=';
@@ -35,11 +36,11 @@ std::size_t comparison_at(const std::string &text, const std::size_t i)
   return (text[i] == '=' || text[i] == '!') && followed_by_equals ? 2 : 0;
 }
 
-/** Whether a comparison is compared: 0.2<x<0.4 is (0.2<x)<0.4 for muParser, which is never meant.
- */
+/** Returns whether a comparison is compared: 0.2<x<0.4 is (0.2<x)<0.4 for muParser, which is never
+ * meant. */
 bool chains_comparisons(const std::string &text)
 {
-  // How many since the last operator that ends a comparison, by depth of parentheses.
+  // The number of comparisons since the last operator that ends one, by depth of parentheses.
   std::vector<unsigned int> comparisons = {0};
   for (std::size_t i = 0; i < text.size(); ++i)
   {
@@ -58,7 +59,8 @@ bool chains_comparisons(const std::string &text)
 }
 
 /**
- * muParser takes `1, 2` for 2 and `x = 3` for an assignment; neither can be meant.
+ * Finds a comma or an equals sign that nobody means: muParser takes `1, 2` for 2 and `x = 3` for an
+ * assignment.
  * @return what is wrong, or nothing.
  */
 std::string find_misuse(const std::string &text)
@@ -79,7 +81,7 @@ std::string find_misuse(const std::string &text)
   return trim(text).empty() ? "it is empty" : "";
 }
 
-/** muParser's message without its full stop, with at most a part of a long token. */
+/** Returns muParser's message without its full stop, with at most a part of a long token. */
 std::string reason_of(const mu::ParserError &error)
 {
   std::string reason = error.GetMsg();
@@ -92,7 +94,7 @@ std::string reason_of(const mu::ParserError &error)
   return reason;
 }
 
-/** Whether a constant cannot have this name because formulas know it already. */
+/** Returns whether formulas use this name already, so that a constant cannot have it. */
 bool is_taken(const std::string &name)
 {
   mu::Parser parser;
@@ -153,7 +155,7 @@ private:
   bool uses_coordinates_ = false;
 };
 
-/** One parser per thread, made when the thread first asks for it. */
+/** The parsers of all threads: each is made when its thread first evaluates the formula. */
 template <int dim>
 class Expression<dim>::Parsers
 {
@@ -280,7 +282,7 @@ template class Expression<1>;
 template class Expression<2>;
 template class Expression<3>;
 
-// What muParser is taught.
+// Functions and operators that muParser lacks.
 
 namespace
 {
@@ -327,7 +329,7 @@ std::string rewrite_powers(const std::string &text)
     const std::size_t digit = next(caret + 1), end = digit + 1;
     if (digit >= text.size() || (text[digit] != '2' && text[digit] != '3'))
       continue;
-    // Not the beginning of a longer number, nor of a tower a^2^b = a^(2^b).
+    // The digit must not begin a longer number, nor a tower a^2^b = a^(2^b).
     const std::size_t follower = next(end);
     const bool is_number =
       end < text.size() &&

@@ -7,13 +7,14 @@
 
 namespace Signorini
 {
-/** The functions that muParser lacks. */
+/** Defines the functions that muParser lacks. */
 void define_functions(mu::Parser &parser);
 
 /**
- * Writes (...)^2 and (...)^3 with operators of our own behind the bracket: muParser multiplies out
- * the powers of a plain coordinate only and takes the library's pow for all else, which costs more
- * than the rest of a typical formula. Expects a formula that muParser accepts.
+ * Returns the formula with own operators behind the bracket in place of (...)^2 and (...)^3:
+ * muParser multiplies out the powers of a plain coordinate only and calls the library's pow for all
+ * else, which costs more than the rest of a typical formula. The formula must be one that muParser
+ * accepts.
  */
 std::string rewrite_powers(const std::string &text);
 
@@ -21,6 +22,6 @@ std::string rewrite_powers(const std::string &text);
 constexpr const char *square_operator = "'";
 constexpr const char *cube_operator = "~";
 
-/** Lets a parser know these operators. */
+/** Defines these operators in a parser. */
 void define_powers(mu::Parser &parser);
 } // namespace Signorini

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where a line enters a rigid thing. On a line every thing is {t: phi(t) <= 0} with a polynomial
-// phi of degree two, and is entered where phi falls.
+// Where a line enters a rigid obstacle. On a line every obstacle is {t: phi(t) <= 0} with a
+// polynomial phi of degree two, and is entered where phi falls.
 
 #include <signorini/problem/scene/foundation.h>
 
@@ -11,25 +11,25 @@ namespace Signorini
 {
 namespace
 {
-/** Lines that meet a plane at a smaller angle (radians) are parallel to it but for rounding. */
+/** The angle (radians) to a plane below which a line is parallel to it but for rounding. */
 constexpr double parallel = 1e-12;
 
 } // namespace
 
-/** phi(t) = a t² + 2 b t + c. */
+/** The polynomial phi(t) = a t² + 2 b t + c. */
 struct RigidThing::LinePolynomial
 {
   double a, b, c;
-  /** b² - a c, from a formula without cancellation. */
+  /** The discriminant b² - a c, from a formula without cancellation. */
   double discriminant;
 
   /**
-   * The root at which phi falls, t = (-b - w)/a = c/(w - b) with w = sqrt(b² - a c), of the two
-   * forms the one without cancellation.
+   * Returns the root at which phi falls, t = (-b - w)/a = c/(w - b) with w = sqrt(b² - a c), in the
+   * form without cancellation.
    *
    * For a > 0 and t = 0 outside of {phi <= 0} there is no such root ahead if the line misses the
-   * thing or has left it. Then sqrt(c/a), the geometric mean of the roots, goes on continuously: on
-   * a line that touches, both roots have this value.
+   * obstacle or has left it. Then the result is sqrt(c/a), the geometric mean of the roots, a
+   * continuous extension: on a line that touches, both roots have this value.
    */
   std::optional<double> entry() const
   {
@@ -43,7 +43,7 @@ struct RigidThing::LinePolynomial
       return {};
     return -(b + w) / a;
   }
-  /** Whether entry() is no root but its continuation. */
+  /** Returns whether entry() is not a root but its continuation. */
   bool misses() const
   {
     return a > 0. && c > 0. && !(discriminant > 0. && b <= 0.);

@@ -27,7 +27,8 @@ template <int dim>
   throw InputError(message.str());
 }
 
-/** A modulus at a point, as the unit of stress; what is no modulus is found where it is used. */
+/** Returns a modulus at a point as the unit of stress, and 1 where it is no modulus: that is an
+ * error where it is used. */
 template <int dim>
 double unit_of_stress(const Expression<dim> &modulus, const dealii::Point<dim> &x)
 {
@@ -77,7 +78,8 @@ private:
     double mu;
   };
 
-  /** In units of E_0: a constant modulus is exactly 1, whatever its unit. */
+  /** Returns Lame's constants in units of E_0: a constant modulus is exactly 1, whatever its unit.
+   */
   Lame relative_lame_constants(const dealii::Point<dim> &x) const
   {
     const double given = youngs_modulus_(x);
@@ -102,7 +104,7 @@ private:
   PlaneState plane_state_;
 };
 
-/** C11, C12, C13, C22, C23, C33. */
+/** The entries C11, C12, C13, C22, C23, C33. */
 using VoigtMatrix = std::array<double, 6>;
 
 dealii::SymmetricTensor<4, 2> to_tensor(const VoigtMatrix &C)
@@ -117,7 +119,7 @@ dealii::SymmetricTensor<4, 2> to_tensor(const VoigtMatrix &C)
   return E;
 }
 
-/** Sylvester's criterion. */
+/** Returns whether C is positive definite, by Sylvester's criterion. */
 bool is_positive_definite(const VoigtMatrix &C)
 {
   const double minor = C[0] * C[3] - C[1] * C[1];
@@ -127,7 +129,7 @@ bool is_positive_definite(const VoigtMatrix &C)
   return C[0] > 0. && minor > 0. && determinant > 0. && std::isfinite(determinant);
 }
 
-/** Moduli of an orthotropic material seen from axes turned by -angle. */
+/** Returns the matrix of an orthotropic material seen from axes turned by -angle. */
 VoigtMatrix rotate(const std::array<double, 4> &Q, const double angle)
 {
   const double Q11 = Q[0], Q22 = Q[1], Q12 = Q[2], Q66 = Q[3];
@@ -233,20 +235,20 @@ make_isotropic(const Expression<2> &, const Expression<2> &, PlaneState, const d
 template std::shared_ptr<const Material<3>>
 make_isotropic(const Expression<3> &, const Expression<3> &, PlaneState, const dealii::Point<3> &);
 
-// E_ijkl in space by the 21 entries of its matrix.
+// E_ijkl in 3-D by the 21 entries of its matrix.
 
 namespace
 {
-/** Order of the matrix. */
+/** The order of the matrix. */
 constexpr unsigned int n_strains = 6;
 
-/** Which component of stress and strain a row stands for. */
+/** The component of stress and strain that a row stands for. */
 constexpr std::array<std::array<unsigned int, 2>, n_strains> voigt_pairs = {
   {{{0, 0}}, {{1, 1}}, {{2, 2}}, {{1, 2}}, {{0, 2}}, {{0, 1}}}};
 
 using VoigtMatrix6 = std::array<std::array<double, n_strains>, n_strains>;
 
-/** Whether Cholesky's factorisation finds positive pivots only. */
+/** Returns whether Cholesky's factorisation finds positive pivots only. */
 bool is_positive_definite(VoigtMatrix6 C)
 {
   for (unsigned int k = 0; k < n_strains; ++k)
@@ -260,7 +262,8 @@ bool is_positive_definite(VoigtMatrix6 C)
   return true;
 }
 
-/** The entry C11 as the unit of stress; what is no modulus is found where it is used. */
+/** Returns the entry C11 as the unit of stress, and 1 where it is no modulus: that is an error
+ * where it is used. */
 double unit_from(const Expression<3> &entry, const dealii::Point<3> &x)
 {
   const double value = entry(x);

@@ -14,7 +14,7 @@ namespace Signorini
 {
 namespace
 {
-/** Row of the motion (t1, t2, omega L) in the direction n at x, relative to centre and size L. */
+/** Returns the row r with r.(t1, t2, omega L) = v(x).n at the point x, relative to the centre. */
 std::array<double, 3> normal_motion(const dealii::Tensor<1, 2> &relative,
                                     const dealii::Tensor<1, 2> &n,
                                     const double size)
@@ -22,7 +22,7 @@ std::array<double, 3> normal_motion(const dealii::Tensor<1, 2> &relative,
   return {{n[0], n[1], (-relative[1] * n[0] + relative[0] * n[1]) / size}};
 }
 
-/** Sum of r r^T over conditions r.motion = 0. */
+/** The sum of r r^T over conditions r.motion = 0. */
 class Conditions
 {
 public:
@@ -33,7 +33,7 @@ public:
   {
   }
 
-  /** v(x).n = 0. */
+  /** Adds the condition v(x).n = 0. */
   void forbid_velocity(const dealii::Point<2> &x,
                        const dealii::Tensor<1, 2> &n,
                        const double weight = 1.)
@@ -44,7 +44,7 @@ public:
   {
     add({{0., 0., 1.}}, 1.);
   }
-  /** All motions that obey. */
+  /** Returns all motions that satisfy the conditions. */
   std::vector<RigidMotion> solutions()
   {
     dealii::Vector<double> eigenvalues(3);
@@ -73,7 +73,7 @@ private:
   dealii::LAPACKFullMatrix<double> matrix_;
 };
 
-/** What a side of this role forbids; two points tell all about a segment, three about a circle. */
+/** Adds what a side of this role forbids; two points suffice for a segment, three for a circle. */
 void hold_side(const Side<2> &side, const Role role, Conditions &conditions)
 {
   const double weight = 1. / side.n_pieces();
@@ -91,7 +91,7 @@ void hold_side(const Side<2> &side, const Role role, Conditions &conditions)
     }
 }
 
-/** What a plate forbids to a body that moves as a whole. */
+/** Adds what a plate forbids to a body that moves as a whole. */
 void hold_plate(const Plate &plate, Conditions &conditions)
 {
   const dealii::Tensor<1, 2> across({-plate.direction[1], plate.direction[0]});
@@ -102,7 +102,7 @@ void hold_plate(const Plate &plate, Conditions &conditions)
     conditions.forbid_rotation();
 }
 
-/** Plain numbers for messages: no -0, no 1e-17. */
+/** Rounds a number for messages: no -0, no 1e-17. */
 double rounded(const double value)
 {
   return std::round(value * 1e4) / 1e4 + 0.;
@@ -115,7 +115,7 @@ std::string point_text(const double x, const double y)
   return text.str();
 }
 
-/** The point that does not move. */
+/** Returns the point that does not move, as text. */
 std::string pole(const RigidMotion &motion)
 {
   const double omega = motion.rotation / motion.size;
@@ -187,7 +187,7 @@ namespace
 {
 using Vector3 = dealii::Tensor<1, 3>;
 
-/** The velocity of the k-th of three translations and three rotations at a point. */
+/** Returns the velocity of the k-th of three translations and three rotations at a point. */
 Vector3 velocity(const unsigned int k, const Vector3 &x)
 {
   Vector3 axis;
@@ -195,7 +195,7 @@ Vector3 velocity(const unsigned int k, const Vector3 &x)
   return k < 3 ? axis : cross_product_3d(axis, x);
 }
 
-/** Whether a side leaves a motion free, judged at its corners: a velocity is linear. */
+/** Returns whether a side leaves a motion free, judged at its corners: a velocity is linear. */
 bool leaves_free(const Side<3> &side,
                  const Role role,
                  const unsigned int motion,
@@ -262,7 +262,8 @@ Coordinates coordinates_of(const RigidMotion &rigid)
   return {rigid.translation[0], rigid.translation[1], rigid.rotation};
 }
 
-/** The same span, with all translations that lie in it before what turns the body. */
+/** Returns a basis of the same span: first all translations that lie in it, then what turns the
+ * body. */
 std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions)
 {
   const auto turning =
@@ -278,7 +279,7 @@ std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions)
   return motions;
 }
 
-/** The scene with contact sides that can neither open nor close. */
+/** Returns the scene with contact sides that can neither open nor close. */
 Scene<2> on_rails(Scene<2> scene)
 {
   for (BoundaryCondition<2> &condition : scene.boundary)
@@ -295,7 +296,7 @@ double product(const Coordinates &x, const Coordinates &y)
   return sum;
 }
 
-/** Takes the part in the span of an orthonormal basis away; twice, for rounding. */
+/** Removes from @p x its part in the span of an orthonormal basis; twice, because of rounding. */
 void project_out(const std::vector<Coordinates> &basis, Coordinates &x)
 {
   for (unsigned int pass = 0; pass < 2; ++pass)
@@ -307,8 +308,8 @@ void project_out(const std::vector<Coordinates> &basis, Coordinates &x)
     }
 }
 
-/** Adds the direction of @p x to the basis unless it lies in its span. @return whether it did not.
- */
+/** Adds the direction of @p x to the basis unless it lies in its span. @return whether it was
+ * added. */
 bool extend(std::vector<Coordinates> &basis, Coordinates x)
 {
   constexpr double negligible = 1e-6;
@@ -322,7 +323,7 @@ bool extend(std::vector<Coordinates> &basis, Coordinates x)
   return true;
 }
 
-/** What plates do when the body moves as a whole. */
+/** Returns the motions of the plates when the body moves as a whole. */
 std::vector<PlateMotion> follow(const RigidMotion &rigid, const std::vector<Plate> &plates)
 {
   std::vector<PlateMotion> motions;
@@ -333,7 +334,7 @@ std::vector<PlateMotion> follow(const RigidMotion &rigid, const std::vector<Plat
   return motions;
 }
 
-/** One plate moves in one way, all others rest. */
+/** Returns the motions in which one plate moves in one way and all others rest. */
 std::vector<FreeMotion> single_motions(const std::vector<Plate> &plates, const double size)
 {
   std::vector<FreeMotion> motions;

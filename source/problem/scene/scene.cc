@@ -21,7 +21,7 @@ std::shared_ptr<const dealii::Function<2>> plate_displacement(const Plate &plate
     [plate, motion](const dealii::Point<2> &x) { return plate.displacement(motion, x); });
 }
 
-// Problem (1): a body, what holds it, loads it and stops it.
+// Problem (1): a body, its supports, its loads and its foundation.
 
 template <int dim>
 std::vector<unsigned int> Scene<dim>::contact_sides() const
@@ -71,7 +71,7 @@ template struct Scene<3>;
 
 namespace
 {
-/** factor f. */
+/** The function factor f. */
 class ScaledFunction final : public dealii::Function<2>
 {
 public:

@@ -23,14 +23,14 @@ std::string digits(const double value)
   return text.str();
 }
 
-/** Zero for what is rounding against @p size. */
+/** Returns zero for a value that is rounding against @p size. */
 double rounded(const double value, const double size)
 {
   constexpr double rounding = 1e-11;
   return std::abs(value) <= rounding * size ? 0. : value;
 }
 
-/** "(0.25, 0)". */
+/** Returns "(0.25, 0)". */
 std::string vector_text(const AnswerVector &x, const double size)
 {
   std::string text;
@@ -39,7 +39,7 @@ std::string vector_text(const AnswerVector &x, const double size)
   return "(" + text + ")";
 }
 
-/** "label  part part part", broken between parts where the line is full. */
+/** Writes lines "label  part part part", broken between parts where the line is full. */
 class Lines
 {
 public:
@@ -68,7 +68,7 @@ private:
   std::ostream &stream_;
 };
 
-/** Writes one answer; lengths are those of the body, for what is rounding. */
+/** Writes one answer; the size of the body decides which lengths are rounding. */
 class AnswerBlock
 {
 public:
@@ -259,7 +259,7 @@ private:
     text << std::showpos << std::setprecision(2) << 100. * rounded(share, 1.) << " %";
     return text.str();
   }
-  /** "settled (-1 % from the level before)", with the place where a value grows. */
+  /** Returns "settled (-1 % from the level before)", with the place where a value grows. */
   std::vector<std::string> trend_parts(const Trend &trend,
                                        const std::optional<GrowthPlace> &place = {}) const
   {
@@ -279,7 +279,7 @@ private:
       parts.push_back(change);
     return parts;
   }
-  /** "  farther than 0.1". */
+  /** Returns "  farther than 0.1". */
   static std::string away_text(const GrowthPlace &place)
   {
     return "  farther than " + digits(place.radius);
@@ -324,7 +324,8 @@ const AnswerVector &point_of(const StressMaximum &stress)
   return stress.point;
 }
 
-/** Whether two maxima lie on the same cell, as far as its size, its degree and the place tell. */
+/** Returns whether two maxima lie on the same cell, as far as its size, its degree and the place
+ * show. */
 template <typename Maximum>
 bool share_mesh(const Maximum &a, const Maximum &b)
 {
@@ -346,7 +347,8 @@ Trend trend_of_maxima(const std::vector<std::optional<Maximum>> &maxima)
   return trend;
 }
 
-/** @param of the optional Peak or VonMises of a level. */
+/** Returns the trends of a maximum over the levels. @param of returns the optional Peak or VonMises
+ * of an answer. */
 template <typename Maximum, typename Get>
 MaximumTrends trends_of(const std::vector<LevelRecord> &levels, const Get &of)
 {

@@ -10,7 +10,8 @@
 
 namespace Signorini
 {
-/** How largest values move over the levels; those of the finest level that are there. */
+/** The trends of a maximum over the levels, and of the maximum away from the place where it grows.
+ */
 struct MaximumTrends
 {
   Trend largest, away;
@@ -18,6 +19,6 @@ struct MaximumTrends
 MaximumTrends trends_of_peak(const std::vector<LevelRecord> &levels);
 MaximumTrends trends_of_stress(const std::vector<LevelRecord> &levels);
 
-/** Wall seconds of all levels. */
+/** Returns the wall seconds of all levels. */
 double total_seconds(const std::vector<LevelRecord> &levels);
 } // namespace Signorini

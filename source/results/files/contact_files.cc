@@ -16,13 +16,13 @@ namespace Signorini
 {
 namespace
 {
-/** -p, where zero has no sign. */
+/** Returns -p, where zero has no sign. */
 double positive_in_compression(const double p)
 {
   return p == 0. ? 0. : -p;
 }
 
-/** What curves show at a point, in the order of the names in write_contact_vtu(). */
+/** Returns the values of curves at a point, in the order of the names in write_contact_vtu(). */
 std::vector<float> curve_values(const ContactSegment &segment,
                                 const ContactPoint &point,
                                 const double bound)
@@ -42,8 +42,8 @@ std::vector<float> curve_values(const ContactSegment &segment,
 
 using Positions = std::vector<dealii::Point<1>>;
 
-/** Between 0 and 1 on a piece: its ends, the nodes of its multipliers, and the middles between all
- * of these. */
+/** Returns positions between 0 and 1 on a piece: its ends, the nodes of its multipliers, and the
+ * middles between all of these. */
 Positions positions_of_polynomial(const Piece<2> &piece, const MultiplierSpace<2> &multipliers)
 {
   std::vector<double> corners = {0.};
@@ -66,7 +66,7 @@ Positions positions_of_polynomial(const Piece<2> &piece, const MultiplierSpace<2
   return positions;
 }
 
-/** Computes what is known at points of the contact boundary. */
+/** Computes the fields at points of the contact boundary. */
 class ContactTracer
 {
 public:
@@ -174,7 +174,7 @@ void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment> &
         stream << "," << point.x[d];
       stream << "," << point.p_H << "," << point.p_recovered << "," << point.u_n << "," << point.g
              << ",";
-      // At an edge of a punch it is infinite.
+      // The pressure is infinite at an edge of a punch.
       if (point.p_exact && std::isfinite(*point.p_exact))
         stream << *point.p_exact;
       stream << "," << segment.patch << "," << segment.patch_length << "\n";
@@ -228,11 +228,11 @@ void write_contact_vtu(std::ostream &stream,
   dealii::DataOutBase::write_vtu(intervals, names, vectors, flags, stream);
 }
 
-// Pressure, gap and opening on the contact boundary in space.
+// Pressure, gap and opening on the contact boundary in 3-D.
 
 namespace
 {
-/** The corners of a face and its middle. */
+/** Returns the corners of a face and its middle. */
 std::vector<dealii::Point<2>> corners_and_middle_of_face()
 {
   std::vector<dealii::Point<2>> positions;
@@ -242,13 +242,13 @@ std::vector<dealii::Point<2>> corners_and_middle_of_face()
   return positions;
 }
 
-/** -p, where zero has no sign. */
+/** Returns -p, where zero has no sign. */
 double compression(const double p)
 {
   return p == 0. ? 0. : -p;
 }
 
-/** In the order of the names in write_contact_vtu(). */
+/** Returns the values in the order of the names in write_contact_vtu(). */
 std::array<double, 11> area_values(const ContactQuadrilateral &face,
                                    const ContactAreaPoint &point,
                                    const double bound)

@@ -35,8 +35,8 @@ bool make_new_file(const std::filesystem::path &path)
   return descriptor >= 0 && close(descriptor) == 0;
 }
 
-/** Writes and flushes; returns whether every byte was taken. Nothing is left if @p write throws for
- * another reason. */
+/** Writes and flushes; returns whether every byte was written. The file is removed if @p write
+ * throws for another reason. */
 bool try_to_write(const std::filesystem::path &path,
                   const std::function<void(std::ostream &)> &write)
 {
@@ -63,7 +63,7 @@ bool try_to_write(const std::filesystem::path &path,
   return !file.fail();
 }
 
-/** Whether something has this name: a link that leads nowhere, too. */
+/** Returns whether something has this name, also a link that leads nowhere. */
 bool is_taken_name(const std::filesystem::path &path)
 {
   std::error_code error;
@@ -86,7 +86,7 @@ std::vector<std::filesystem::path> make_directories(const std::filesystem::path 
   return made;
 }
 
-/** Whether a small file can be written into @p directory; it is removed again. */
+/** Returns whether a small file can be written into @p directory; it is removed again. */
 bool is_writable(const std::filesystem::path &directory)
 {
   const std::filesystem::path trial = temporary_name(directory / trial_name);
@@ -97,7 +97,8 @@ bool is_writable(const std::filesystem::path &directory)
   return written;
 }
 
-/** The name of the file that @p name is a part of; @p name itself if it is not temporary. */
+/** Returns the name of the file that @p name is a part of; @p name itself if it is not temporary.
+ */
 std::string final_name(const std::string &name)
 {
   const std::size_t extra = temporary_prefix.size() + temporary_suffix.size();
@@ -108,7 +109,7 @@ std::string final_name(const std::string &name)
   return temporary ? name.substr(temporary_prefix.size(), name.size() - extra) : name;
 }
 
-/** The files of a directory whose names satisfy a test. */
+/** Returns the files of a directory whose names satisfy a test. */
 std::vector<std::filesystem::path> find_files(const std::filesystem::path &directory,
                                               const NameTest &is_wanted)
 {
@@ -120,8 +121,8 @@ std::vector<std::filesystem::path> find_files(const std::filesystem::path &direc
   return found;
 }
 
-/** Whether a file of the directory that the results replace is the file @p input, under any name of
- * it and through links. */
+/** Returns whether a file of the directory that the results replace is the file @p input, under any
+ * name of it and through links. */
 bool holds_as_result(const std::filesystem::path &directory,
                      const std::filesystem::path &input,
                      const NameTest &is_result)
@@ -275,7 +276,7 @@ void set_results_aside(const std::filesystem::path &directory)
   const std::filesystem::path aside = directory / earlier_results;
   remove_files(aside, is_name_of_result);
   std::vector<std::filesystem::path> found = find_files(directory, is_name_of_result);
-  // Without its results there must be no verdict.
+  // Without its results there must be no verdict: the certificate goes first.
   std::partition(found.begin(), found.end(), [](const std::filesystem::path &path) {
     return path.filename() == certificate_name;
   });
@@ -312,7 +313,7 @@ void remove_results_aside(const std::filesystem::path &directory)
   rmdir(aside.c_str());
 }
 
-// How the program ends when it is told to.
+// The end of the program on a signal.
 
 namespace
 {
@@ -359,7 +360,7 @@ public:
 
   void print_to_stderr() const
   {
-    // There is nobody left to tell if this fails.
+    // Nothing can be done if this fails.
     if (write(STDERR_FILENO, characters_.data(), size_) < 0)
       return;
   }
@@ -369,7 +370,8 @@ private:
   std::size_t size_ = 0;
 };
 
-/** Two, so that the one which the handler may be reading is never being written. */
+/** The texts of describe_interruption(): two, so that the one which the handler may be reading is
+ * never being written. */
 std::array<Line, 2> descriptions;
 std::atomic<const Line *> current_description = nullptr;
 std::atomic<const char *> unfinished_file = nullptr;

@@ -85,7 +85,8 @@ AnswerJson describe(const GrowthPlace &place, const unsigned int dimension)
   return json;
 }
 
-/** A maximum, where it grows without limit, and the maximum away from such places. */
+/** Returns a maximum, the place where it grows without limit, and the maximum away from such
+ * places. */
 template <typename Maximum>
 AnswerJson describe(const Maximum &maximum,
                     const MaximumTrends &trends,

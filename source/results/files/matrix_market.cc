@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The dual problem for other programs, and what it is made from.
+// The dual problem and its parts for other programs.
 
 #include <signorini/results/files/matrix_market.h>
 

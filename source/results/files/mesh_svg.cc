@@ -25,7 +25,7 @@ struct DrawnCell
   double size;
 };
 
-/** A rectangle of the plane, and where it is drawn (pixels, y downwards). */
+/** A rectangle of the body's plane, and where it is drawn (pixels, y downwards). */
 struct Panel
 {
   dealii::Point<2> lower, upper;
@@ -47,7 +47,7 @@ struct Panel
 
 constexpr double body_pixels = 600., zoom_pixels = 400., margin = 20., line_height = 24.;
 
-/** From dark to light; that of a degree is the same in all pictures. */
+/** Returns the colour of a degree, from dark to light; it is the same in all pictures. */
 const char *colour(const unsigned int degree)
 {
   constexpr const char *colours[] = {
@@ -56,7 +56,8 @@ const char *colour(const unsigned int degree)
   return colours[std::min(std::max(degree, lowest) - lowest, n_colours - 1)];
 }
 
-/** The line from one corner of a cell to another, with points between them where it is curved. */
+/** Returns the line from one corner of a cell to another, with points between them where it is
+ * curved. */
 Outline edge_points(const dealii::Mapping<2> &mapping,
                     const dealii::Triangulation<2>::active_cell_iterator &cell,
                     const unsigned int from,
@@ -96,8 +97,8 @@ std::vector<DrawnCell> collect_cells(const DisplacementSpace<2> &space, const Sc
   return cells;
 }
 
-/** The part of a polygon on one side of a line x_d = position. (Sutherland and Hodgman, Comm. ACM
- * 17 (1974) 32-42.) */
+/** Returns the part of a polygon on one side of a line x_d = position. (Sutherland and Hodgman,
+ * Comm. ACM 17 (1974) 32-42.) */
 Outline
 cut(const Outline &polygon, const unsigned int d, const double position, const double direction)
 {
@@ -133,8 +134,8 @@ dealii::Point<2> centroid(const Outline &outline)
   return dealii::Point<2>(sum / static_cast<double>(outline.size()));
 }
 
-/** The panels: the body, and views of the smallest cell, each magnified by the same factor against
- * the one before, until that cell can be seen. */
+/** Returns the panels: the body, and views of the smallest cell, each magnified by the same factor
+ * against the one before, until that cell can be seen. */
 std::vector<Panel> choose_panels(const Scene<2> &scene, const std::vector<DrawnCell> &cells)
 {
   const dealii::Point<2> &lower = scene.geometry.lower, &upper = scene.geometry.upper;
@@ -142,7 +143,7 @@ std::vector<Panel> choose_panels(const Scene<2> &scene, const std::vector<DrawnC
   std::vector<Panel> panels = {{lower, upper, margin, margin, body_pixels / extent}};
   const auto smaller = [](const DrawnCell &a, const DrawnCell &b) {
     const bool a_touches = !a.contact_edges.empty(), b_touches = !b.contact_edges.empty();
-    // Of equal cells the first.
+    // Of equal cells the first one is taken.
     return a_touches == b_touches ? a.size < 0.999 * b.size : a_touches;
   };
   const DrawnCell &smallest = *std::min_element(cells.begin(), cells.end(), smaller);
@@ -201,7 +202,7 @@ public:
     for (const DrawnCell &cell : cells_)
       for (const Outline &edge : cell.contact_edges)
       {
-        // There and back again.
+        // The line goes there and back again.
         Outline closed = edge;
         closed.insert(closed.end(), edge.rbegin() + 1, edge.rend() - 1);
         draw(cut(closed, panel), panel, 0.);
@@ -250,7 +251,7 @@ public:
   }
 
 private:
-  /** A closed line; those that leave nothing of them are left out. */
+  /** Draws a closed line; one that a panel has cut away is left out. */
   void draw(const Outline &outline, const Panel &panel, const double line_width)
   {
     if (outline.size() < 2)
@@ -266,7 +267,7 @@ private:
       stream_ << " stroke-width=\"" << line_width << "\"";
     stream_ << "/>\n";
   }
-  /** Where the next panel looks. */
+  /** Draws the frame of the next panel. */
   void frame(const dealii::Point<2> &corner, const double width)
   {
     stream_ << "<rect x=\"" << corner[0] << "\" y=\"" << corner[1] << "\" width=\"" << width
@@ -275,7 +276,7 @@ private:
 
   std::ostream &stream_;
   const std::vector<DrawnCell> &cells_;
-  /** By degree. */
+  /** The numbers of cells by degree. */
   std::map<unsigned int, unsigned int> n_cells_;
 };
 } // namespace

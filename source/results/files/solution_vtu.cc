@@ -30,14 +30,15 @@ constexpr std::array<const char *, 8> stress_names = {"stress_xx",
                                                       "principal_stress_2",
                                                       "principal_stress_3"};
 
-/** sigma = E : eps(u) and what is read off it, at the output points. */
+/** Computes sigma = E : eps(u) and its invariants at the output points. */
 template <int dim>
 class StressPostprocessor : public dealii::DataPostprocessor<dim>
 {
   static_assert(dim == 2, "The components are those of a plane body.");
 
 public:
-  /** @param dilatation instead of tr eps(u), by active cell index; empty: tr eps(u) itself. */
+  /** Stores the material. @param dilatation instead of tr eps(u), by active cell index; empty: tr
+   * eps(u) itself. */
   StressPostprocessor(const Material<dim> &material, std::vector<double> dilatation)
     : material_(material)
     , dilatation_(std::move(dilatation))
@@ -132,7 +133,7 @@ struct FieldPiece
   std::vector<VectorRange> vectors;
 
 private:
-  /** The tensor in space, point by point: deal.II's tensors of plane bodies have sigma_zz = 0. */
+  /** Returns the 3-D tensor, point by point: deal.II's tensors of 2-D bodies have sigma_zz = 0. */
   std::vector<float> stress_tensors() const
   {
     const auto row = [&](const char *name) {
@@ -152,7 +153,7 @@ private:
   }
 };
 
-/** The fields on some of the cells, every one of which is divided in the same way. */
+/** The fields on some of the cells, which are all divided in the same way. */
 template <int dim>
 class FieldsOnCells : public dealii::DataOut<dim>
 {
@@ -172,7 +173,7 @@ dealii::Vector<double> to_vector(const std::vector<double> &values)
   return {values.begin(), values.end()};
 }
 
-/** How deal.II draws the edges of cells. */
+/** Returns which cells deal.II draws with curved edges. */
 template <int dim>
 typename dealii::DataOut<dim>::CurvedCellRegion curved_region(const Mesh<dim> &mesh)
 {
@@ -194,7 +195,8 @@ void add_displacement(const dealii::DoFHandler<dim> &dofs,
     std::vector<DataComponentInterpretation>(dim, component_is_part_of_vector));
 }
 
-/** Cells of degree one: as four where there is T^{2h}, whose interpolation gives the stress. */
+/** Returns the fields on cells of degree one, divided into four where there is T^{2h}, whose
+ * interpolation gives the stress. */
 template <int dim>
 FieldPiece<dim> fields_of_bilinear_cells(const DisplacementSpace<dim> &space,
                                          const NodalVector &U,
@@ -226,7 +228,7 @@ FieldPiece<dim> fields_of_bilinear_cells(const DisplacementSpace<dim> &space,
   return piece;
 }
 
-/** Cells of degree p as p x p, those of lower degrees first. */
+/** Returns the fields on cells of degree p, divided into p x p, those of lower degrees first. */
 template <int dim>
 FieldPiece<dim> fields_by_degree(const DisplacementSpace<dim> &space,
                                  const NodalVector &U,
@@ -279,7 +281,7 @@ void write_pvd(const std::filesystem::path &path,
 {
   std::ostringstream record;
   dealii::DataOutBase::write_pvd_record(record, files);
-  // Without the comment, which holds the time: the same run gives the same file.
+  // The comment, which contains the time, is removed: the same run gives the same file.
   std::string text = record.str();
   const std::size_t start = text.find("<!--"), end = text.find("-->");
   if (start != std::string::npos && end != std::string::npos)

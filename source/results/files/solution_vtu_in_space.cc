@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Bodies in space for ParaView, cell by cell: displacement and stress at the corners.
+// 3-D bodies for ParaView, cell by cell: displacement and stress at the corners.
 
 #include <signorini/base/errors.h>
 #include <signorini/error_control/estimate/error_estimate.h>
@@ -18,7 +18,7 @@ namespace Signorini
 {
 namespace
 {
-/** The first three are a vector. */
+/** The names of the fields; the first three are a vector. */
 constexpr std::array<const char *, 13> names_in_space = {"displacement",
                                                          "displacement",
                                                          "displacement",
@@ -35,7 +35,8 @@ constexpr std::array<const char *, 13> names_in_space = {"displacement",
 /** The row of the first stress. */
 constexpr unsigned int first_stress = 3;
 
-/** In the order of the names; not a number where the material's data has no value. */
+/** Returns the stresses in the order of the names; not a number where the material's data has no
+ * value. */
 std::array<double, names_in_space.size() - first_stress>
 stresses_at(const Material<3> &material,
             const dealii::Point<3> &x,
@@ -66,7 +67,7 @@ stresses_at(const Material<3> &material,
 
 using Hexahedra = std::vector<dealii::DataOutBase::Patch<3, 3>>;
 
-/** The cells of this rank with their fields. */
+/** Returns the cells of this rank with their fields. */
 Hexahedra fields_of_hexahedra(const DisplacementSpace<3> &space,
                               const Material<3> &material,
                               const NodalVector &U)
@@ -106,7 +107,7 @@ Hexahedra fields_of_hexahedra(const DisplacementSpace<3> &space,
   return cells;
 }
 
-/** Point by point. */
+/** Returns the stress tensors point by point. */
 std::vector<float> tensors_of(const Hexahedra &cells)
 {
   constexpr std::array<unsigned int, 9> rows = {{3, 6, 7, 6, 4, 8, 7, 8, 5}};

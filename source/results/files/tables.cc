@@ -34,7 +34,7 @@ void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> 
   }
 }
 
-// convergence.md and convergence.tex: what a report about a run needs.
+// convergence.md and convergence.tex: the numbers of a run for a report.
 
 namespace
 {
@@ -52,7 +52,7 @@ struct PrintedColumn
   const char *name;
   const char *markdown;
   const char *latex;
-  /** Errors on nested meshes have orders. */
+  /** Whether the column has orders on nested meshes, as errors have. */
   bool has_order;
   bool is_count;
   ShownFor shown_for;
@@ -73,7 +73,7 @@ constexpr PrintedColumn printed_columns[] = {
   {"bound_energy", "bound", "bound", false, false, ShownFor::all},
   {"contact_force_n", "force", "force", false, false, ShownFor::all}};
 
-/** Texts, all rows as long as the header. */
+/** A table of texts; all rows are as long as the header. */
 struct TextTable
 {
   std::vector<std::string> header;
@@ -92,7 +92,7 @@ std::string printed(const std::optional<double> &number, const bool is_count)
   return text.str();
 }
 
-/** log(before/now) / log(h before/h now); empty where errors are rounding. */
+/** Returns log(before/now) / log(h before/h now); empty where errors are rounding. */
 std::string printed_order(const LevelRecord *before, const LevelRecord &now, const char *name)
 {
   constexpr double rounding = 1e-13;
@@ -106,7 +106,7 @@ std::string printed_order(const LevelRecord *before, const LevelRecord &now, con
   return text.str();
 }
 
-/** The columns that have a value on some level. */
+/** Returns the columns that have a value on some level. */
 TextTable collect(const std::vector<LevelRecord> &levels, const bool latex)
 {
   TextTable table;
@@ -175,7 +175,7 @@ namespace
 constexpr int number_width = 11;
 constexpr int order_width = 6;
 
-/** Errors below are rounding (patch tests) and have no order. */
+/** The smallest error that has an order; errors below are rounding (patch tests). */
 constexpr double smallest_error = 1e-13;
 
 void print_count(std::ostream &stream, const int width, const unsigned long long value)
@@ -215,7 +215,7 @@ constexpr ErrorColumn error_columns[] = {{"|u-uh|1", "u_h1"},
                                          {"|p-pH|0", "p_l2"}};
 constexpr const char *estimate_name = "estimated_relative";
 
-/** log(before/now) / log(h before/h now). */
+/** Returns log(before/now) / log(h before/h now). */
 std::optional<double> order(const LevelRecord &level,
                             const LevelRecord *before,
                             const std::string &name)
@@ -228,7 +228,7 @@ std::optional<double> order(const LevelRecord &level,
   return std::log(*then / *now) / std::log(before->sizes.h / level.sizes.h);
 }
 
-/** The slope of log(error) over log(h), least squares over the last levels. */
+/** Returns the slope of log(error) over log(h), least squares over the last levels. */
 std::optional<double> slope(const std::vector<LevelRecord> &levels, const std::string &name)
 {
   constexpr std::size_t n_levels = 4;
@@ -329,7 +329,7 @@ namespace
 {
 using CaseColumn = std::pair<const char *, std::function<double(const CaseResult &)>>;
 
-/** Of the first plate; not a number without one. */
+/** Returns a number of the first plate; not a number without one. */
 double of_first_plate(const CaseResult &result, double PlateMotion::*const part)
 {
   return result.plates.empty() ? std::numeric_limits<double>::quiet_NaN()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What deal.II cannot write into a VTU file.
+// Arrays and files that deal.II does not write in the format VTU.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/parallel.h>
@@ -36,7 +36,7 @@ std::string vtu_array(const std::string &name,
                 size,
                 Z_BEST_SPEED) != Z_OK)
     throw ComputationError("The field '" + name + "' could not be compressed.");
-  // One block; its size, and that of the last block; its size when compressed.
+  // The header has one block; its size, and that of the last block; its size when compressed.
   const std::uint32_t header[] = {1,
                                   static_cast<std::uint32_t>(size),
                                   static_cast<std::uint32_t>(size),

@@ -16,7 +16,7 @@ namespace Signorini
 {
 namespace
 {
-/** Relative errors below are rounding. */
+/** The smallest relative error that is not rounding. */
 constexpr double smallest_relative_error = 1e-12;
 
 struct ErrorPoint
@@ -32,7 +32,7 @@ struct ErrorCurve
   std::vector<ErrorPoint> points;
 };
 
-/** |||u - u_h|||/|||u_h|||, with the scale of the estimate. */
+/** Returns |||u - u_h|||/|||u_h|||, with the scale of the estimate. */
 std::optional<double> true_error(const LevelRecord &level)
 {
   if (!level.displacement_errors || !level.estimate || !(level.estimate->energy > 0.) ||
@@ -62,7 +62,8 @@ std::vector<ErrorPoint> points_of(const std::vector<LevelRecord> &levels,
   return points;
 }
 
-/** The slope of log(error) over log(h), least squares over the last four levels; needs three. */
+/** Returns the slope of log(error) over log(h), least squares over the last four levels; at least
+ * three are necessary. */
 std::optional<double> order_of(const std::vector<ErrorPoint> &points)
 {
   constexpr std::size_t n_levels = 4, fewest = 3;
@@ -92,8 +93,8 @@ std::string title_of(const ErrorCurve &curve, const bool graded)
   return text.str();
 }
 
-/** Order 1 in h is the slope -1/2 over unknowns: the data of a triangle below the curves. @return
- * whether there are enough levels for one. */
+/** Writes the data of a triangle below the curves: order 1 in h is the slope -1/2 over unknowns.
+ * @return whether there are enough levels for one. */
 bool write_triangle(std::ostream &script, const std::vector<ErrorCurve> &curves)
 {
   const std::vector<ErrorPoint> *longest = &curves.front().points;
@@ -111,7 +112,7 @@ bool write_triangle(std::ostream &script, const std::vector<ErrorCurve> &curves)
   const double right = (*longest)[last].unknowns,
                left = (*longest)[last - std::min<std::size_t>(last, 2)].unknowns,
                bottom = distance * lowest, top = bottom * std::sqrt(right / left);
-  // Drawn as a curve, since gnuplot's polygons leave a stray letter in SVG.
+  // The triangle is a curve, since gnuplot's polygons leave a stray letter in SVG.
   script << "$triangle << END_OF_DATA\n";
   for (const auto &[x, y] : {std::pair(left, top), {right, bottom}, {left, bottom}, {left, top}})
     script << plot_number(x) << " " << plot_number(y) << "\n";
@@ -133,7 +134,7 @@ void set_ranges(std::ostream &script, const std::vector<ErrorCurve> &curves)
       bottom = std::min(bottom, point.error);
       top = std::max(top, point.error);
     }
-  // Room for the triangle and its label below.
+  // The ranges leave a margin for the triangle and its label below.
   script << "set xrange [" << plot_number(0.7 * left) << ":" << plot_number(1.5 * right)
          << "]\nset yrange [" << plot_number(0.3 * bottom) << ":" << plot_number(2. * top) << "]\n";
 }
@@ -182,7 +183,8 @@ std::optional<Picture> convergence_picture(const std::vector<LevelRecord> &level
 
 namespace
 {
-/** A distance between tics that leaves room for their numbers: about five on the axis. */
+/** Returns a distance between tics that leaves a margin for their numbers: about five on the axis.
+ */
 double distance_of_tics(const std::vector<double> &values)
 {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
@@ -202,7 +204,7 @@ double distance_of_tics(const std::vector<double> &values)
   return 10. * power;
 }
 
-/** One of the three diagrams, with a point for each case where these are few. */
+/** Draws one of the three diagrams, with a point for each case where these are few. */
 void plot_cases(std::ostream &script,
                 const std::string &x_label,
                 const std::string &y_label,

@@ -17,7 +17,7 @@ namespace
 {
 using Polyline = std::vector<dealii::Point<2>>;
 
-/** The part of the plane that is drawn. */
+/** The rectangle that is drawn. */
 struct Frame
 {
   dealii::Point<2> lower = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
@@ -38,8 +38,8 @@ struct Frame
   }
 };
 
-/** 1, 2 or 5 times a power of ten, at least 1, so that the largest displacement becomes at most a
- * tenth of the body. */
+/** Returns 1, 2 or 5 times a power of ten, at least 1, so that the largest displacement becomes at
+ * most a tenth of the body. */
 double magnification(const std::vector<DrawnCell> &cells, const double size)
 {
   double largest = 0.;
@@ -56,8 +56,8 @@ double magnification(const std::vector<DrawnCell> &cells, const double size)
   return power;
 }
 
-/** The end of the scale of colours: the largest stress, unless only a few points near a singular
- * corner reach it. */
+/** Returns the end of the scale of colours: the largest stress, unless only a few points near a
+ * singular corner reach it. */
 double end_of_colours(const std::vector<DrawnCell> &cells)
 {
   std::vector<double> values;
@@ -75,7 +75,7 @@ double end_of_colours(const std::vector<DrawnCell> &cells)
   return end > 0. ? end : 1.;
 }
 
-/** The points of an edge, 0 left, 1 right, 2 bottom, 3 top. */
+/** Returns the points of an edge, 0 left, 1 right, 2 bottom, 3 top. */
 std::vector<const DrawnPoint *> points_of_edge(const DrawnCell &cell, const unsigned int edge)
 {
   std::vector<const DrawnPoint *> points;
@@ -92,7 +92,7 @@ void write_point(std::ostream &script, const dealii::Point<2> &x)
   script << plot_number(x[0]) << " " << plot_number(x[1]) << " 0\n";
 }
 
-/** A straight line. (What gnuplot's surfaces offer as lines, it joins to a grid.) */
+/** Writes a straight line. (What gnuplot's surfaces offer as lines, it joins to a grid.) */
 void write_vector(std::ostream &script, const dealii::Point<2> &a, const dealii::Point<2> &b)
 {
   script << plot_number(a[0]) << " " << plot_number(a[1]) << " 0 " << plot_number(b[0] - a[0])
@@ -144,7 +144,7 @@ public:
     script_ << "END_OF_DATA\n";
   }
 
-  /** The edges of all cells, or of those at the boundary. */
+  /** Writes the edges of all cells, or of those at the boundary. */
   void write_edges(const std::string &name, const bool only_boundary, const bool is_deformed)
   {
     script_ << "$" << name << " << END_OF_DATA\n";
@@ -184,13 +184,13 @@ private:
   Frame frame_;
 };
 
-/** The foundation along a contact side, and how deep it is drawn. */
+/** The surface of the foundation along a contact side, and the line inside to which it is drawn. */
 struct DrawnFoundation
 {
   Polyline surface, inside;
 };
 
-/** Runs of points of the foundation that are near the body. */
+/** Returns the runs of points of the foundation that are near the body. */
 std::vector<DrawnFoundation> foundations(const std::vector<ContactSegment> &line,
                                          const double factor,
                                          const double size)
@@ -216,7 +216,7 @@ std::vector<DrawnFoundation> foundations(const std::vector<ContactSegment> &line
       open = true;
       const dealii::Point<2> x = point.x + distance * point.n;
       Polyline &surface = runs.back().surface;
-      // Where two pieces meet the point comes twice.
+      // The point where two pieces meet comes twice.
       if (!surface.empty() && surface.back().distance(x) < 1e-3 * size &&
           &point != &line.back().curve.back())
         continue;
@@ -271,7 +271,8 @@ void write_contact_sides(std::ostream &script,
   script << "END_OF_DATA\n";
 }
 
-/** Size of the picture, ranges with a margin, and the scale of colours from light to dark. */
+/** Writes the size of the picture, ranges with a margin, and the scale of colours from light to
+ * dark. */
 void set_view(std::ostream &script, const Frame &frame, const double end_of_scale)
 {
   const dealii::Tensor<1, 2> extent = frame.upper - frame.lower;

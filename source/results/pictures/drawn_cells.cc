@@ -21,8 +21,8 @@ namespace
 {
 constexpr unsigned int most_cells = 10000;
 
-/** Evaluates the drawn displacement and its stress on active cells: of the interpolation from which
- * largest_von_mises() takes the stress, too. */
+/** Evaluates the drawn displacement and its stress on active cells. The stress is that of the
+ * interpolation that largest_von_mises() uses, too. */
 class FieldSampler
 {
 public:
@@ -39,7 +39,8 @@ public:
       interpolation_.emplace(space, dealii::Quadrature<2>(), 1);
   }
 
-  /** @param rule_number which of the rules that were used before with this element it is. */
+  /** Returns the values at the points of a rule. @param rule_number the number of the rule among
+   * those used with this element. */
   std::vector<DrawnPoint> at(const DisplacementSpace<2>::CellIterator &cell,
                              const unsigned int rule_number,
                              const dealii::Quadrature<2> &rule)
@@ -94,11 +95,11 @@ private:
   const std::vector<double> dilatation_;
   const bool interpolated_;
   std::optional<PatchInterpolation<2>> interpolation_;
-  /** By the number of the element and of the rule. */
+  /** The values by the number of the element and of the rule. */
   std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<dealii::FEValues<2>>> values_;
 };
 
-/** (n+1)² points of the reference cell, row after row. */
+/** Returns (n+1)² points of the reference cell, row after row. */
 dealii::Quadrature<2> lattice(const unsigned int n)
 {
   std::vector<dealii::Point<2>> points;
@@ -108,7 +109,7 @@ dealii::Quadrature<2> lattice(const unsigned int n)
   return dealii::Quadrature<2>(points);
 }
 
-/** Into how many parts a cell is divided per direction. */
+/** Returns the number of parts of a cell per direction. */
 unsigned int n_parts(const DisplacementSpace<2> &space,
                      const DisplacementSpace<2>::CellIterator &cell)
 {
@@ -118,7 +119,8 @@ unsigned int n_parts(const DisplacementSpace<2> &space,
   return std::min(most, static_cast<unsigned int>(std::ceil(0.7 * cell->diameter() / size)));
 }
 
-/** The corners of an ancestor are corners of active cells, whose values they get. */
+/** Returns an ancestor of active cells. Its corners are corners of active cells, whose values they
+ * get. */
 DrawnCell coarse_cell(const dealii::Triangulation<2>::cell_iterator &cell, FieldSampler &sampler)
 {
   DrawnCell drawn;
@@ -134,7 +136,7 @@ DrawnCell coarse_cell(const dealii::Triangulation<2>::cell_iterator &cell, Field
   return drawn;
 }
 
-/** The finest level of the mesh with few enough cells; the first one where no level has. */
+/** Returns the finest level of the mesh with few enough cells; the first one where no level has. */
 unsigned int drawn_level(const dealii::Triangulation<2> &triangulation)
 {
   unsigned int level = triangulation.n_levels() - 1;

@@ -12,7 +12,7 @@ struct DrawnPoint
 {
   dealii::Point<2> x;
   dealii::Tensor<1, 2> u;
-  /** Von Mises stress (force/area); NaN where the material's data has no value. */
+  /** The von Mises stress (force/area); NaN where the material's data has no value. */
   double von_mises = 0.;
 };
 
@@ -21,7 +21,7 @@ struct DrawnCell
 {
   unsigned int n = 1;
   std::vector<DrawnPoint> points;
-  /** Which of its edges are at the boundary: left, right, bottom, top, as rows show them. */
+  /** Whether each edge is at the boundary: left, right, bottom, top in the order of the rows. */
   bool at_boundary[4] = {false, false, false, false};
 
   const DrawnPoint &point(const unsigned int i, const unsigned int j) const
@@ -30,8 +30,8 @@ struct DrawnCell
   }
 };
 
-/** The cells of the mesh, or where these are many their ancestors, with what is to be drawn. Large
- * cells are divided so that colours change smoothly. Not collective. */
+/** Returns the cells of the mesh, or where these are many their ancestors, with the values that are
+ * drawn. Large cells are divided so that colours change smoothly. Not collective. */
 std::vector<DrawnCell> collect_drawn_cells(const DisplacementSpace<2> &space,
                                            const Scene<2> &scene,
                                            const NodalVector &U);

@@ -51,7 +51,7 @@ std::string plot_number(const double value)
 
 std::string plot_text(const std::string &text)
 {
-  // Nothing is replaced in single quotes, but for a quote, which is written twice.
+  // Gnuplot replaces nothing in single quotes, but for a quote, which is written twice.
   std::string result = "'";
   for (const char c : text)
     result += c == '\'' ? "''" : std::string(1, c);
@@ -66,7 +66,8 @@ constexpr const char *not_installed =
   "the program gnuplot was not found; install it (the package gnuplot-nox in Debian) and run "
   "again";
 
-/** A file without a name, in memory: it is gone with its last descriptor, however the run ends. */
+/** A file without a name, in memory: it disappears with its last descriptor, however the run ends.
+ */
 class NamelessFile
 {
 public:
@@ -87,7 +88,7 @@ public:
     return descriptor_;
   }
 
-  /** Fills it, to be read from its beginning. */
+  /** Writes the text and goes back to the beginning of the file. */
   bool write_all(const std::string &text) const
   {
     for (std::size_t done = 0; done < text.size();)
@@ -142,7 +143,7 @@ int start_gnuplot(const NamelessFile &in,
   return error;
 }
 
-/** Pictures take seconds. */
+/** The time after which gnuplot is killed; pictures take seconds. */
 constexpr std::chrono::seconds longest_wait(60);
 
 enum class End
@@ -152,7 +153,7 @@ enum class End
   late
 };
 
-/** Waits for the end of a process, which is good with code 0. One that is late is killed. */
+/** Waits for the end of a process, which is good with code 0. A process that is late is killed. */
 End wait_for(const pid_t id)
 {
   const auto deadline = std::chrono::steady_clock::now() + longest_wait;
@@ -172,8 +173,7 @@ End wait_for(const pid_t id)
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? End::good : End::bad;
 }
 
-/** What gnuplot says, on one line: the last of its lines that is not empty, which names the error.
- */
+/** Returns the last line of gnuplot's messages that is not empty, which names the error. */
 std::string last_line(const std::string &text)
 {
   constexpr std::size_t longest = 200;
@@ -185,7 +185,7 @@ std::string last_line(const std::string &text)
   return text.substr(start, std::min(longest, end + 1 - start));
 }
 
-/** Text between tags of XML. */
+/** Returns a text to stand between tags of XML. */
 std::string escaped(const std::string &text)
 {
   std::string result;

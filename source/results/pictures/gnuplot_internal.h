@@ -14,12 +14,12 @@ constexpr const char *blue = "#0072B2", *orange = "#E69F00", *vermilion = "#D55E
                      *pale_blue = "#DCEAF4", *foundation = "#B5B0A8";
 } // namespace Colour
 
-/** The beginning of every script: an SVG of a size in pixels, with grid and fonts. */
+/** Writes the beginning of every script: an SVG of a size in pixels, with grid and fonts. */
 void start_script(std::ostream &script, unsigned int width, unsigned int height);
 
-/** A number as gnuplot reads it: NaN leaves a hole in a curve. */
+/** Returns a number as gnuplot reads it: NaN leaves a hole in a curve. */
 std::string plot_number(double value);
 
-/** A text in quotes for gnuplot: names may hold any character. */
+/** Returns a text in quotes for gnuplot: names may contain any character. */
 std::string plot_text(const std::string &text);
 } // namespace Signorini

@@ -16,7 +16,7 @@ namespace Signorini
 {
 namespace
 {
-/** What is drawn of one contact side. */
+/** The pieces of one contact side, and their name. */
 struct DrawnSide
 {
   std::string name;
@@ -40,7 +40,7 @@ std::vector<DrawnSide> sides_of(const Scene<2> &scene, const std::vector<Contact
   return sides;
 }
 
-/** g - u_n of the exact displacement; NaN where that has no value. */
+/** Returns g - u_n of the exact displacement; NaN where that has no value. */
 double exact_opening(const Scene<2> &scene, const ContactPoint &point)
 {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -58,14 +58,14 @@ double exact_opening(const Scene<2> &scene, const ContactPoint &point)
   }
 }
 
-/** -p, where zero has no sign. */
+/** Returns -p, where zero has no sign. */
 double compression(const double p)
 {
   return p == 0. ? 0. : -p;
 }
 
-/** The curves of a side: s, p_H, recovered and exact pressure, opening, exact opening. Constants
- * jump where two pieces meet, which draws steps. */
+/** Writes the curves of a side: s, p_H, recovered and exact pressure, opening, exact opening.
+ * Constants jump where two pieces meet, which draws steps. */
 void write_data(std::ostream &script,
                 const Scene<2> &scene,
                 const std::string &name,
@@ -87,7 +87,7 @@ void write_data(std::ostream &script,
   script << "END_OF_DATA\n";
 }
 
-/** Coloured ground where p_H presses. The numbers of objects begin anew with every side. */
+/** Colours the ground where p_H presses. The numbers of objects begin anew with every side. */
 void mark_zones(std::ostream &script, const DrawnSide &side, const double largest_pressure)
 {
   constexpr double pressing = 1e-10;
@@ -118,7 +118,7 @@ void mark_zones(std::ostream &script, const DrawnSide &side, const double larges
   close();
 }
 
-/** "$side0 using 1:3 with lines ...". */
+/** Returns "$side0 using 1:3 with lines ...". */
 std::string curve(const std::string &data,
                   const unsigned int column,
                   const char *style,

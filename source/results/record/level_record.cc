@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The sizes that convergence.csv shows.
+// The sizes in convergence.csv.
 
 #include <signorini/base/text.h>
 #include <signorini/results/record/level_record.h>
@@ -22,9 +22,7 @@ Columns<LevelSizes> LevelSizes::columns()
           {"min_h", &LevelSizes::min_h}};
 }
 
-// What convergence.csv shows of the dual problem's solver.
-
-// What convergence.csv shows of plates.
+// The columns of plates in convergence.csv.
 
 Columns<MotionRecord> MotionRecord::columns()
 {
@@ -41,7 +39,7 @@ Columns<MotionRecord> MotionRecord::columns()
     {"plate_moment", of_first([](const PlateRecord &plate) { return plate.moment; })}};
 }
 
-// What the screen and the verdict hear of load cases.
+// The numbers of load cases for the screen and the verdict.
 
 CaseSummary summarise(const std::vector<CaseResult> &cases, const double seconds)
 {
@@ -64,7 +62,7 @@ CaseSummary summarise(const std::vector<CaseResult> &cases, const double seconds
 
 namespace
 {
-/** An estimated error divided by the true one. */
+/** Returns an estimated error divided by the true one. */
 std::optional<double> effectivity(const std::optional<double> &estimate,
                                   const LevelRecord &record,
                                   double DisplacementErrors::*const error)
@@ -87,7 +85,7 @@ std::optional<double> effectivity_energy(const LevelRecord &record)
   return effectivity(energy, record, &DisplacementErrors::energy);
 }
 
-/** In the order of the members. */
+/** Returns the columns in the order of the members. */
 Columns<LevelRecord> columns_of_parts()
 {
   Columns<LevelRecord> all;
@@ -114,7 +112,7 @@ Columns<LevelRecord> columns_of_parts()
   return all;
 }
 
-/** The place of a column; those without a fixed place share the one behind the others. */
+/** Returns the place of a column; those without a fixed place share the one behind the others. */
 std::size_t fixed_place(const Column<LevelRecord> &column)
 {
   const std::vector<std::string> &names = columns_with_fixed_places();

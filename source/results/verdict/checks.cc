@@ -17,7 +17,8 @@ constexpr const char *causes_of_condition = "the stiffness matrix is ill-conditi
                                             "ratio near 1/2, moduli of very different size, "
                                             "or a very slender body.";
 
-/** Beyond that, the translation of the body takes more digits than a usual matrix. */
+/** The ratio of translation to deformation beyond which the translation costs more digits than a
+ * usual matrix. */
 constexpr double large_translation = 1e4;
 
 std::string causes_of_rounding(const LevelRecord &level)
@@ -32,7 +33,7 @@ std::string causes_of_rounding(const LevelRecord &level)
   return text.str();
 }
 
-/** What has searched for contact. */
+/** Returns the name of the method that has searched for contact. */
 std::string name_of_method(const DualSolve &dual)
 {
   if (dual.active_set_failure)
@@ -52,7 +53,7 @@ std::string name_of_method(const DualSolve &dual)
   }
 }
 
-/** What else may find contact where that method does not. */
+/** Returns other settings that may find contact where that method does not. */
 std::string other_method(const DualSolve &dual)
 {
   if (dual.active_set_failure)
@@ -69,7 +70,7 @@ std::string other_method(const DualSolve &dual)
   }
 }
 
-/** Why a residual is large that rounding does not explain. */
+/** Returns the cause of a large residual that rounding does not explain, and the remedy. */
 std::string cause_and_remedy(const Residual::Origin origin, const DualSolve &dual)
 {
   const bool cycles = dual.method == ContactSolver::multigrid;
@@ -87,10 +88,11 @@ std::string cause_and_remedy(const Residual::Origin origin, const DualSolve &dua
          " too early for it: take a smaller Tolerance" + other_method(dual) + ".";
 }
 
-/** With less than six digits of U left, nothing that is computed from it can be trusted. */
+/** The largest rounding: with less than six digits of U left, nothing that is computed from it can
+ * be trusted. */
 constexpr double largest_rounding = 1e-6;
 
-/** Above this, rounding explains large residuals. */
+/** The rounding above which it explains large residuals. */
 constexpr double noticeable_rounding = 1e-10;
 } // namespace
 
@@ -152,13 +154,13 @@ std::string check_residuals(const LevelRecord &level, const Judge &judge)
 
 namespace
 {
-/** Above this locking_number() contact forces are wrong by ten per cent and more. */
+/** The largest locking_number(): above it contact forces are wrong by ten per cent and more. */
 constexpr double largest_locking_number = 0.25;
 
-/** So many levels with the same estimate show that refinement does not help. */
+/** The number of levels with the same estimate that shows that refinement does not help. */
 constexpr std::size_t n_stagnant_levels = 3;
 
-/** Where the error is largest, and what makes it smaller. */
+/** Returns where the error is largest, and what makes it smaller. */
 std::string remedy_for(const LevelRecord &level)
 {
   if (level.sizes.is_graded())
@@ -233,7 +235,7 @@ std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &ju
   // An error of 20 % in the energy norm is one of 4 % in the strain energy. The bracket is about
   // twice as wide as the error, and |J| may be smaller than the strain energy.
   const double tolerated = 2.5 * judge.tolerated_error() * judge.tolerated_error();
-  // Below that, relative to the strain energy, the bracket is rounding.
+  // Relative to the strain energy, a bracket below this is rounding.
   constexpr double rounding = 1e-10;
   const double strain_energy = std::pow(*finest.bound->absolute / *finest.bound->relative, 2);
   if (off <= tolerated * std::abs(J) || !(off > rounding * strain_energy))
@@ -292,7 +294,7 @@ std::string check_brackets(const std::vector<LevelRecord> &levels, const Judge &
       if (lowest == nullptr || *level.bound->energy_upper < *lowest->bound->energy_upper)
         lowest = &level;
     }
-  // What rounding leaves of the terms that J is the sum of.
+  // The share that rounding leaves of the terms that J is the sum of.
   constexpr double rounding = 1e-8;
   if (highest == nullptr)
     return "";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The two numbers of a level that are compared with bounds.
+// The rounding and the residual of a level, which are compared with bounds.
 
 #include <signorini/results/verdict/judge.h>
 
@@ -46,7 +46,7 @@ double rounding(const LevelRecord &level)
 
 namespace
 {
-/** "0.85 %"; what may be rounding has no digits. */
+/** Returns "0.85 %"; a share that may be rounding has no digits. */
 std::string percent(const double share)
 {
   constexpr double rounding = 1e-8;
@@ -57,7 +57,7 @@ std::string percent(const double share)
   return text.str();
 }
 
-/** So many levels show whether an estimate falls. */
+/** The number of levels that shows whether an estimate falls. */
 constexpr std::size_t enough_levels = 3;
 } // namespace
 
@@ -115,7 +115,7 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels)
       text << ", and with fewer than three levels the accuracy is not checked";
   }
   if (finest.estimate)
-    // What is guaranteed counts more.
+    // A guaranteed bound counts more than an estimate.
     text << ", about "
          << percent(std::min(finest.estimate->relative,
                              is_guaranteed(finest) ? *bound_of(finest) : finest.estimate->relative))
@@ -123,14 +123,15 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels)
   return text.str();
 }
 
-// What is judged, in which order, and against which bound.
+// The checks, their order, and their bounds.
 
 namespace
 {
 template <typename Subject>
 using Check = std::string (*)(const Subject &, const Judge &);
 
-/** The first one that fails names the cause: a later one may fail for the same reason. */
+/** The checks of a level. The first one that fails names the cause: a later one may fail for the
+ * same reason. */
 constexpr Check<LevelRecord> level_checks[] = {check_overflow,
                                                check_rounding,
                                                check_dual_problem,
@@ -190,7 +191,7 @@ bool Judge::reaches_target(const LevelRecord &level) const
 
 double Judge::residual_bound(const LevelRecord &level) const
 {
-  // A residual is a difference of terms that are larger than itself; five digits are asked for.
+  // A residual is a difference of terms that are larger than itself; five digits are necessary.
   constexpr double largest_bound = 1e-5;
   const double of_rounding = std::min(100. * rounding(level), largest_bound);
   // Direct solves and sums over all cells lose some digits of their own, and so do other measures

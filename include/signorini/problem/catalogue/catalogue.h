@@ -8,7 +8,7 @@
 
 namespace Signorini
 {
-/** One scene that the program knows by name. */
+/** A scene with a name in the program. */
 template <int dim>
 struct CatalogueEntry
 {
@@ -17,7 +17,7 @@ struct CatalogueEntry
   Scene<dim> (*make)();
 };
 
-/** All scenes of the plane or of space that are known by name. */
+/** Returns all 2-D or 3-D scenes with a name. */
 template <int dim>
 const std::vector<CatalogueEntry<dim>> &catalogue();
 template <>
@@ -25,11 +25,11 @@ const std::vector<CatalogueEntry<2>> &catalogue();
 template <>
 const std::vector<CatalogueEntry<3>> &catalogue();
 
-/** Body, material, boundary, loads, gap and exact solution of a scene in lines of text: without
- * them nobody could tell from its results alone what was solved. @throws std::out_of_range if
- * catalogue() has no scene of this name. */
+/** Returns body, material, boundary, loads, gap and exact solution of a scene in lines of text; the
+ * results alone do not contain them. @throws std::out_of_range if catalogue() has no scene of this
+ * name. */
 std::string describe_scene(const std::string &name);
 
-/** One line per scene: name and title. */
+/** Returns one line per scene: name and title. */
 std::string describe_catalogue();
 } // namespace Signorini

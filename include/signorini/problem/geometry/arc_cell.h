@@ -19,27 +19,28 @@ namespace Signorini
 class ArcCell : public dealii::ChartManifold<2, 2, 2>
 {
 public:
-  /** Corners counter-clockwise; edge i leads from corner i to the next one. @param centres of the
-   * circles of edges that are arcs. */
+  /** Stores corners counter-clockwise; edge i leads from corner i to the next one. @param centres
+   * of the circles of edges that are arcs. */
   ArcCell(const std::array<dealii::Point<2>, 4> &corners,
           const std::array<std::optional<dealii::Point<2>>, 4> &centres);
 
   std::unique_ptr<dealii::Manifold<2, 2>> clone() const override;
-  /** @throws ComputationError if Newton's method does not find it. */
+  /** Returns the chart point of x. @throws ComputationError if Newton's method does not find it. */
   dealii::Point<2> pull_back(const dealii::Point<2> &x) const override;
   dealii::Point<2> push_forward(const dealii::Point<2> &chart_point) const override;
   dealii::DerivativeForm<1, 2, 2>
   push_forward_gradient(const dealii::Point<2> &chart_point) const override;
 
-  /** Whether at (n + 1) x (n + 1) points the determinant of the map is positive, and larger than
-   * this share of the largest one. */
+  /** Returns whether at (n + 1) x (n + 1) points the determinant of the map is positive, and larger
+   * than @p smallest_ratio times the largest one. */
   bool is_valid(unsigned int n, double smallest_ratio) const;
 
 private:
   struct Edge
   {
     dealii::Point<2> start, end;
-    /** Of an arc: its centre, the angle of its start and how far it turns (radians). */
+    /** The centre of an arc, the angle of its start and how far it turns (radians); empty for a
+     * straight edge. */
     std::optional<dealii::Point<2>> centre;
     double angle = 0., turn = 0.;
 

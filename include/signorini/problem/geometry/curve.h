@@ -10,7 +10,7 @@
 
 namespace Signorini
 {
-/** Where the body lies as seen from a circle. */
+/** The position of the body relative to a circle. */
 enum class Body
 {
   inside,
@@ -18,40 +18,40 @@ enum class Body
 };
 
 /**
- * A segment, a circular arc or a chain of them on the boundary of a plane body. Its coordinate is
- * the arc length s from its start, 0 <= s <= length(). Lookups in a chain cost about the logarithm
- * of the number of its pieces.
+ * A segment, a circular arc or a chain of them on the boundary of a 2-D body. Its coordinate is the
+ * arc length s from its start, 0 <= s <= length(). The cost of lookups in a chain grows like the
+ * logarithm of the number of its pieces.
  */
 class Curve
 {
 public:
-  /** A segment with the outward unit @p normal. */
+  /** Makes a segment with the outward unit @p normal. */
   Curve(const dealii::Point<2> &start,
         const dealii::Point<2> &end,
         const dealii::Tensor<1, 2> &normal);
 
   /**
-   * The arc about @p centre from the angle @p first to the angle @p last (radians, counted from the
-   * x-axis), clockwise if last < first; a whole circle where they differ by 2 pi.
+   * Returns the arc about @p centre from the angle @p first to the angle @p last (radians, counted
+   * from the x-axis), clockwise if last < first; a whole circle where they differ by 2 pi.
    */
   static Curve
   arc(const dealii::Point<2> &centre, double radius, double first, double last, Body body);
 
   /**
-   * The chain of segments and arcs, each of which begins where the one before it ends, all with the
-   * body on the same hand. Segments in a row on one line become one.
+   * Returns the chain of segments and arcs, each of which begins where the one before it ends, all
+   * with the body on the same hand. Segments in a row on one line become one.
    */
   static Curve chain(const std::vector<Curve> &pieces);
 
-  /** Two pieces of a chain that turn by more than this (radians) meet in a corner. Others are taken
-   * as parts of a smooth side, which a polygon may stand for. */
+  /** The smallest angle (radians) by which two pieces of a chain turn in a corner. Pieces that turn
+   * less are parts of a smooth side, which a polygon may approximate. */
   static constexpr double smallest_turn = 0.1;
 
   const dealii::Point<2> &start() const
   {
     return start_;
   }
-  /** The same as the start on a closed curve. */
+  /** Returns the end, which is the start on a closed curve. */
   const dealii::Point<2> &end() const
   {
     return end_;
@@ -60,50 +60,54 @@ public:
   {
     return length_;
   }
-  /** Whether the normal is the same everywhere. */
+  /** Returns whether the normal is the same everywhere. */
   bool is_flat() const
   {
     return !circle_ && !chain_;
   }
-  /** Whether this is a whole circle, or a chain that returns to its start: s and s + length() are
-   * the same point. */
+  /** Returns whether this is a whole circle, or a chain that returns to its start: s and s +
+   * length() are the same point. */
   bool is_closed() const;
 
-  /** The radius of an arc; 0 for segments and chains. */
+  /** Returns the radius of an arc; 0 for segments and chains. */
   double radius() const
   {
     return circle_ ? circle_->radius : 0.;
   }
-  /** The centre of the circle of an arc. */
+  /** Returns the centre of the circle of an arc. */
   const dealii::Point<2> &centre_of_circle() const
   {
     return circle_->centre;
   }
 
-  /** 1 unless this is a chain. */
+  /** Returns the number of pieces, 1 unless this is a chain. */
   unsigned int n_pieces() const;
-  /** The curve itself unless this is a chain. */
+  /** Returns piece k, which is the curve itself unless this is a chain. */
   const Curve &piece(unsigned int k) const;
-  /** s where a piece begins; for k = n_pieces() the length. */
+  /** Returns s where a piece begins; for k = n_pieces() the length. */
   double start_of(unsigned int k) const;
-  /** s of the corners, sorted: inside of a chain, and at 0 if it is closed with a corner there. */
+  /** Returns s of the corners, sorted: inside of a chain, and at 0 if it is closed with a corner
+   * there. */
   const std::vector<double> &corners() const;
-  /** Whether there is a corner at s, but for rounding. */
+  /** Returns whether there is a corner at s, but for rounding. */
   bool has_corner(double s) const;
-  /** The numbers of the pieces that are not farther than @p distance from a point. */
+  /** Returns the numbers of the pieces that are not farther than @p distance from a point. */
   std::vector<unsigned int> pieces_near(const dealii::Point<2> &x, double distance) const;
 
-  /** x(s); segments and circles go on beyond their ends, and so do the outer pieces of a chain. */
+  /** Returns x(s); segments and circles go on beyond their ends, and so do the outer pieces of a
+   * chain. */
   dealii::Point<2> point(double s) const;
-  /** n(s), the outward unit normal; where pieces of a chain meet, that of the piece behind. */
+  /** Returns n(s), the outward unit normal; where pieces of a chain meet, that of the piece behind.
+   */
   dealii::Tensor<1, 2> normal(double s) const;
-  /** n(s) on the piece that lies in the direction of @p towards; these two are different points. */
+  /** Returns n(s) on the piece that lies in the direction of @p towards; these two are different
+   * points. */
   dealii::Tensor<1, 2> normal(double s, double towards) const;
-  /** n at a point @p x of the curve, on the piece to which @p inside belongs. */
+  /** Returns n at a point @p x of the curve, on the piece to which @p inside belongs. */
   dealii::Tensor<1, 2> normal_at(const dealii::Point<2> &x, const dealii::Point<2> &inside) const;
-  /** x'(s), on the piece that lies in the direction of @p towards. */
+  /** Returns x'(s), on the piece that lies in the direction of @p towards. */
   dealii::Tensor<1, 2> tangent(double s, double towards) const;
-  /** The same with s as a point of the real line. */
+  /** Returns x(s) for s as a point of the real line. */
   dealii::Point<2> point(const dealii::Point<1> &s) const
   {
     return point(s[0]);
@@ -120,11 +124,11 @@ public:
   {
     return point(0.5 * length_);
   }
-  /** s of a point on the curve; on a closed one from 0 (included) to its length. */
+  /** Returns s of a point on the curve; on a closed one from 0 (included) to its length. */
   double arc_length(const dealii::Point<2> &x) const;
 
-  /** All s in [from, to], sorted, at which the curve, continued beyond its ends, meets the line
-   * m.x = position with the unit normal @p m; none for a line along a segment. */
+  /** Returns all s in [from, to], sorted, at which the curve, continued beyond its ends, meets the
+   * line m.x = position with the unit normal @p m; none for a line along a segment. */
   std::vector<double>
   crossings(const dealii::Tensor<1, 2> &m, double position, double from, double to) const;
 
@@ -145,7 +149,7 @@ private:
   dealii::Point<2> start_;
   dealii::Point<2> end_;
   double length_;
-  /** Of a segment; of others the one at s = 0. */
+  /** The normal of a segment; of other curves the one at s = 0. */
   dealii::Tensor<1, 2> normal_;
   std::optional<Circle> circle_;
   std::shared_ptr<const Chain> chain_;

@@ -18,8 +18,8 @@
 namespace Signorini
 {
 /**
- * A plane rectangle on the boundary of a body in space. Its coordinates are the distances from a
- * corner along the two edges that begin there.
+ * A plane rectangle on the boundary of a 3-D body. Its coordinates are the distances from a corner
+ * along the two edges that begin there.
  */
 class Rectangle
 {
@@ -40,7 +40,7 @@ public:
   {
     return true;
   }
-  /** x(s): the plane goes on beyond the edges. */
+  /** Returns x(s), also beyond the edges. */
   dealii::Point<3> point(const dealii::Point<2> &s) const
   {
     return corner_ + s[0] * edges_[0] / edges_[0].norm() + s[1] * edges_[1] / edges_[1].norm();
@@ -54,7 +54,7 @@ public:
     return {(x - corner_) * edges_[0] / edges_[0].norm(),
             (x - corner_) * edges_[1] / edges_[1].norm()};
   }
-  /** Of the edges (length). */
+  /** Returns the lengths of the edges. */
   std::array<double, 2> lengths() const
   {
     return {{edges_[0].norm(), edges_[1].norm()}};
@@ -118,37 +118,37 @@ struct Geometry
   bool curved = false;
   /** Whether the segments from inner_point() to the boundary lie in the body. */
   bool star_shaped = true;
-  /** A point inside of the body; none: inner_point() is the mean of the sides. */
+  /** A point inside of the body. If it is empty, inner_point() is the mean of the sides. */
   std::optional<dealii::Point<dim>> inside;
-  /** Numbers the boundary faces of a refined mesh, where sides end inside coarse faces; else empty.
-   */
+  /** Numbers the boundary faces of a refined mesh, where sides end inside coarse faces; otherwise
+   * empty. */
   std::function<void(dealii::Triangulation<dim> &)> number_after_refinement;
-  /** A corner of the bounding box, and the opposite one. */
+  /** The lower corner of the bounding box, and the opposite one. */
   dealii::Point<dim> lower;
   dealii::Point<dim> upper;
-  /** Share of h by which interior vertices of the coarsest level are moved. */
+  /** The share of h by which interior vertices of the coarsest level are moved. */
   double distortion = 0.;
-  /** How a message about the distortion begins. */
+  /** The beginning of a message about the distortion. */
   std::string where_distortion = "the distortion of the mesh";
 
   double diameter() const
   {
     return lower.distance(upper);
   }
-  /** A point inside of the body: the given one, or the mean of the centres of the sides, which is
-   * inside of a convex body. */
+  /** Returns a point inside of the body: the given one, or the mean of the centres of the sides,
+   * which is inside of a convex body. */
   dealii::Point<dim> inner_point() const;
-  /** The shortest edge of the box around the body (length). */
+  /** Returns the shortest edge of the box around the body (length). */
   double shortest_extent() const;
-  /** The longest one. */
+  /** Returns the longest edge of the box around the body (length). */
   double longest_extent() const;
   /** @return the number of the side, or sides.size() if there is none of this name. */
   std::size_t find_side(const std::string &name) const;
-  /** All names, for messages. */
+  /** Returns the names of all sides, for messages. */
   std::vector<std::string> side_names() const;
 };
 
-/** Whether a side ends inside a boundary face, so that faces cannot be numbered. */
+/** Returns whether a side ends inside a boundary face, so that faces cannot be numbered. */
 bool ends_inside_a_face(const std::vector<Side<2>> &sides,
                         const dealii::Triangulation<2> &triangulation);
 
@@ -156,70 +156,70 @@ bool ends_inside_a_face(const std::vector<Side<2>> &sides,
  * ends inside a face. */
 void number_boundary(const std::vector<Side<2>> &sides, dealii::Triangulation<2> &triangulation);
 
-/** Rectangle with @p cells coarse cells per direction; sides left, right, bottom, top. */
+/** Returns a rectangle with @p cells coarse cells per direction; sides left, right, bottom, top. */
 Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
                            const dealii::Point<2> &upper_right,
                            const std::vector<unsigned int> &cells);
 
-/** Box with @p cells coarse cells per direction; sides left and right (x), front and back (y),
- * bottom and top (z). */
+/** Returns a box with @p cells coarse cells per direction; sides left and right (x), front and back
+ * (y), bottom and top (z). */
 Geometry<3> make_box(const dealii::Point<3> &lower,
                      const dealii::Point<3> &upper,
                      const std::vector<unsigned int> &cells);
 
 /**
- * Convex polygon, vertices counter-clockwise; side i joins vertex i with the next. Four vertices
- * make one coarse cell; otherwise there is one per vertex, from the centroid of the vertices and
- * the mid-points of the sides.
+ * Returns a convex polygon, vertices counter-clockwise; side i joins vertex i with the next. Four
+ * vertices make one coarse cell; otherwise there is one per vertex, from the centroid of the
+ * vertices and the mid-points of the sides.
  */
 Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices);
 
 /**
- * The ring between two circles about a point; sides inner and outer. Eight coarse cells, in polar
- * coordinates.
+ * Returns the ring between two circles about a point; sides inner and outer. It has eight coarse
+ * cells, in polar coordinates.
  */
 Geometry<2> make_ring(double inner_radius,
                       double outer_radius,
                       const dealii::Point<2> &centre = {});
 
 /**
- * The half disc below a point; sides flat (from left to right) and arc (from (-R, 0) by (0, -R) to
- * (R, 0), seen from the centre). Inside of the four coarse cells the mesh is the transfinite
+ * Returns the half disc below a point; sides flat (from left to right) and arc (from (-R, 0) by (0,
+ * -R) to (R, 0), seen from the centre). Inside of the four coarse cells the mesh is the transfinite
  * interpolation of their edges.
  */
 Geometry<2> make_half_disc(double radius, const dealii::Point<2> &centre = {});
 
-/** The disc about a point; one side, arc, from the angle -pi. Five coarse cells, with the mesh of
- * make_half_disc() inside of them. */
+/** Returns the disc about a point; one side, arc, from the angle -pi. It has five coarse cells,
+ * with the mesh of make_half_disc() inside of them. */
 Geometry<2> make_disc(double radius, const dealii::Point<2> &centre = {});
 
-/** The line (in space, the plane) normal.x = position, |normal| = 1. */
+/** The line (in 3-D, the plane) normal.x = position, |normal| = 1. */
 template <int dim>
 struct KinkLine
 {
   dealii::Tensor<1, dim> normal;
   double position;
 
-  /** normal.x - position. */
+  /** Returns normal.x - position. */
   double signed_distance(const dealii::Point<dim> &x) const
   {
     return normal * (x - dealii::Point<dim>()) - position;
   }
 };
 
-/** The lines x_d = positions[d][k] for all d and k. */
+/** Returns the lines x_d = positions[d][k] for all d and k. */
 template <int dim>
 std::vector<KinkLine<dim>> lines_at(const std::array<std::vector<double>, dim> &positions);
 
 /**
- * Lines at which data is not smooth, and the points where they meet contact sides. Contact may end
- * at such a point, and derivatives of the solution may be unbounded there.
+ * The lines on which data is not smooth, and the points where they meet contact sides. Contact may
+ * end at such a point, and derivatives of the solution may be unbounded there.
  */
 template <int dim>
 class Kinks
 {
 public:
-  /** Closer than this share of an edge, a line touches an end and cuts nothing. */
+  /** The share of an edge within which a line touches an end and cuts nothing. */
   static constexpr double tolerance = 1e-10;
 
   Kinks(std::vector<KinkLine<dim>> lines = {});
@@ -227,7 +227,8 @@ public:
   /** Finds the points where the lines meet a contact side. */
   void add_ends_on(const Side<dim> &contact_side);
 
-  /** The same lines, for meshes that are graded to the ends of contact: rules need not be. */
+  /** Returns the same lines without their ends. Meshes that are graded to the ends of contact need
+   * no quadrature rules that are graded there. */
   Kinks without_ends() const
   {
     return Kinks(lines_);
@@ -237,25 +238,25 @@ public:
   {
     return lines_;
   }
-  /** Possible ends of contact zones. */
+  /** Returns the possible ends of contact zones. */
   const std::vector<dealii::Point<dim>> &ends() const
   {
     return ends_;
   }
 
   /**
-   * The parameters t in [0,1], sorted, at which the segment from @p a to @p b is cut: 0, the
-   * crossings, 1.
+   * Returns the parameters t in [0,1], sorted, at which the segment from @p a to @p b is cut: 0,
+   * the crossings, 1.
    */
   std::vector<double> cut(const dealii::Point<dim> &a, const dealii::Point<dim> &b) const;
 
   /**
-   * The arc lengths, sorted, at which the part [from, to] of a side (or of its continuation) is
-   * cut: from, the crossings, to.
+   * Returns the arc lengths, sorted, at which the part [from, to] of a side (or of its
+   * continuation) is cut: from, the crossings, to.
    */
   std::vector<double> cut(const Side<dim> &side, double from, double to) const;
 
-  /** Whether a line passes through an end of the part [from, to] of a side. */
+  /** Returns whether a line passes through an end of the part [from, to] of a side. */
   bool touch(const Side<dim> &side, double from, double to) const;
 
 private:

@@ -9,13 +9,14 @@
 namespace Signorini
 {
 /**
- * The body between closed loops of sides, each of which begins where the one before it ends, with
- * the body on the left; a closed side is a loop of its own. The body is filled with triangles whose
- * angles are not small (where the sides let them), each of which is split into three coarse cells
- * by its centre and the middles of its edges. Edges on arcs follow them in every refinement.
+ * Returns the body between closed loops of sides, each of which begins where the one before it
+ * ends, with the body on the left; a closed side is a loop of its own. The body is filled with
+ * triangles whose angles are not small (where the sides let them), each of which is split into
+ * three coarse cells by its centre and the middles of its edges. Edges on arcs follow them in every
+ * refinement.
  *
  * @param mesh_size the longest edge of the triangles (length); 0: as long as their angles allow.
- * @param where how messages begin.
+ * @param where the beginning of messages.
  * @throws InputError if the sides are no such loops, cross or touch, or if no mesh of at most
  * most_coarse_cells cells was found.
  */

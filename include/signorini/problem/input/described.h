@@ -6,7 +6,7 @@
 
 namespace Signorini
 {
-/** The scene that a parameter file spells out by expressions. @throws InputError */
+/** Returns the scene that a parameter file describes by expressions. @throws InputError */
 template <int dim>
 Scene<dim> make_described_scene(const Parameters &parameters);
 } // namespace Signorini

@@ -6,10 +6,10 @@
 
 namespace Signorini
 {
-/** 2 or 3: what the parameters say, or that of a scene of the catalogue. */
+/** Returns the dimension, 2 or 3, that the parameters give or that a scene of the catalogue has. */
 unsigned int dimension_of(const Parameters &parameters);
 
-/** The scene that the parameters name or describe. @throws InputError */
+/** Returns the scene that the parameters name or describe. @throws InputError */
 template <int dim>
 Scene<dim> make_scene(const Parameters &parameters);
 template <>

@@ -13,8 +13,8 @@
 namespace Signorini
 {
 /**
- * A plane mesh of convex quadrilaterals that are connected by their edges, and its boundary in
- * loops. Cells and vertices are in an order that depends on their positions, not on the file.
+ * A 2-D mesh of convex quadrilaterals that are connected by their edges, and its boundary in loops.
+ * The order of cells and vertices depends on their positions, not on the file.
  */
 struct FileMesh
 {
@@ -27,7 +27,7 @@ struct FileMesh
 
   struct Cell
   {
-    /** Indices of vertices, counter-clockwise. */
+    /** The indices of the vertices, counter-clockwise. */
     std::array<unsigned int, 4> corners;
     /** The number of the element in the file. */
     std::size_t tag;
@@ -39,13 +39,13 @@ struct FileMesh
     unsigned int start, end;
     /** The node in the middle of an edge of second order. */
     std::optional<Vertex> middle;
-    /** Index into names. */
+    /** The index of the edge's name in names. */
     unsigned int name;
-    /** The cell to which it belongs; it is the edge from corner @p edge_of_cell. */
+    /** The cell to which the edge belongs, as the edge from corner @p edge_of_cell. */
     unsigned int cell, edge_of_cell;
   };
 
-  /** How messages name the file. */
+  /** The name of the file in messages. */
   std::string file;
   std::vector<Vertex> vertices;
   std::vector<Cell> cells;
@@ -60,11 +60,11 @@ struct FileMesh
 extern const std::string name_of_the_rest;
 
 /**
- * Checks what a file says and puts it in order. Cells that are clockwise are turned round. Nodes
- * without elements do not count, named lines between cells neither.
+ * Checks the nodes and elements of a file and returns them in order. Cells that are clockwise are
+ * turned round. Nodes without elements do not count, named lines between cells neither.
  * @throws InputError with the number of the first element or node that is wrong: cells that are not
- * convex or lie on one another, lines that are no edges, two nodes at one place, points in space,
- * edges with more than two cells or with two names, parts that do not hang together.
+ * convex or lie on one another, lines that are not edges, two nodes at one place, nodes with
+ * different z, edges with more than two cells or with two names, parts that are not connected.
  */
 FileMesh make_file_mesh(const GmshMesh &gmsh);
 } // namespace Signorini

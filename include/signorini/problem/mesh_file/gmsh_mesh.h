@@ -9,12 +9,12 @@
 
 namespace Signorini
 {
-/** What a mesh file of Gmsh says about a plane body, before anything of it is judged. */
+/** The content of a mesh file of Gmsh for a 2-D body, before anything of it is checked. */
 struct GmshMesh
 {
   struct Node
   {
-    /** Its number in the file. */
+    /** The number of the node in the file. */
     std::size_t tag;
     /** The line of the file, for messages. */
     std::size_t line;
@@ -26,16 +26,16 @@ struct GmshMesh
   {
     std::size_t tag;
     std::size_t line;
-    /** The number of its physical group, 0 if it has none. */
+    /** The number of the element's physical group, 0 if it has none. */
     int group;
-    /** How many nodes it has: lines 2 or 3, quadrilaterals 4, 8 or 9. */
+    /** The number of nodes: 2 or 3 for lines, 4, 8 or 9 for quadrilaterals. */
     unsigned int n_nodes;
-    /** Indices of nodes: first the corners in order around the element, then the middles of the
-     * edges in the same order, then the one inside. */
+    /** The indices of the nodes: first the corners in order around the element, then the middles of
+     * the edges in the same order, then the one inside. */
     std::array<unsigned int, 9> nodes;
   };
 
-  /** How messages name the file. */
+  /** The name of the file in messages. */
   std::string name;
   std::vector<Node> nodes;
   std::vector<Element> lines;
@@ -46,10 +46,10 @@ struct GmshMesh
 
 /**
  * Reads a text in Gmsh's format MSH, version 2.2 or 4.1 (Gmsh reference manual, section "MSH file
- * format"). Sections that do not concern the mesh are passed over, and points, too.
- * @param name how messages call the file: "part.msh".
+ * format"). Sections that do not concern the mesh are skipped, and so are points.
+ * @param name the name of the file in messages: "part.msh".
  * @throws InputError with the line for everything else: other versions and binary files, elements
- * that are neither lines nor quadrilaterals, numbers that are none.
+ * that are neither lines nor quadrilaterals, texts that should be numbers.
  */
 GmshMesh read_gmsh(const std::string &text, const std::string &name);
 } // namespace Signorini

@@ -8,7 +8,7 @@
 
 namespace Signorini
 {
-/** What the third direction does in two dimensions. */
+/** The state in the direction normal to a 2-D body. */
 enum class PlaneState
 {
   strain,
@@ -18,7 +18,7 @@ enum class PlaneState
 /** The method for the dual problem. */
 enum class ContactSolver
 {
-  /** multigrid on levels with many unknowns where it may be used, else active_set. */
+  /** Chooses multigrid on levels with many unknowns where it may be used, else active_set. */
   automatic,
   /** Projected SOR. */
   psor,
@@ -30,27 +30,27 @@ enum class ContactSolver
   multigrid
 };
 
-/** When V-cycles for contact end. */
+/** The point at which V-cycles for contact end. */
 enum class StopAt
 {
-  /** At the tolerance. */
+  /** They end at the tolerance. */
   tolerance,
-  /** At a tenth of the error of the discretisation, as the level before lets it expect. */
+  /** They end at a tenth of the discretisation error that the level before predicts. */
   discretisation_error
 };
 
-/** How systems with the stiffness matrix are solved. */
+/** The solver of systems with the stiffness matrix. */
 enum class LinearSolver
 {
-  /** condensed on one rank, amesos_mumps on several. */
+  /** Chooses condensed in serial, amesos_mumps on several ranks. */
   automatic,
-  /** CHOLMOD; eliminates the contact unknowns last. One rank only. */
+  /** CHOLMOD, which eliminates the contact unknowns last; serial. */
   condensed,
   /** MUMPS, distributed over all ranks. */
   amesos_mumps,
   /** KLU, gathered on one rank. */
   amesos_klu,
-  /** Conjugate gradients with V-cycles; A is not assembled. One rank only. */
+  /** Conjugate gradients with V-cycles; A is not assembled; serial. */
   multigrid
 };
 
@@ -58,13 +58,13 @@ enum class LinearSolver
 enum class Shape
 {
   rectangle,
-  /** In space. */
+  /** A box in 3-D. */
   box,
   polygon,
   half_disc,
   disc,
   ring,
-  /** A mesh file. */
+  /** The body of a mesh file. */
   file
 };
 
@@ -76,13 +76,13 @@ enum class MaterialLaw
   general
 };
 
-/** How the meshes of a study follow one another. */
+/** The way in which the meshes of a study follow one another. */
 enum class Strategy
 {
-  /** Each is the one before with every cell split: the paper's. */
+  /** Each mesh is the one before with every cell split, as in the paper. */
   nested,
-  /** Each is graded to what is singular in the solution of the one before, with degrees that rise
-   * away from there. */
+  /** Each mesh is graded to what is singular in the solution on the one before, with degrees that
+   * rise away from there. */
   hp
 };
 
@@ -91,7 +91,7 @@ enum class HpMultipliers
 {
   /** Polynomials of degree p - 2 on every face, with the sign condition at their Gauss points. */
   gauss,
-  /** u_n <= g at the nodes of the trace of V^h. */
+  /** One for each condition u_n <= g at a node of the trace of V^h. */
   nodal
 };
 
@@ -99,7 +99,7 @@ enum class HpMultipliers
 enum class Element
 {
   q1,
-  /** Q1 with a dilatation that is averaged over cells. */
+  /** Q1 with the dilatation averaged over each cell (B-bar). */
   q1_b_bar
 };
 
@@ -111,7 +111,7 @@ enum class VtuLevels
   all
 };
 
-/** Yes, no, or as the program sees fit. */
+/** A setting that is on, off, or chosen by the program. */
 enum class Choice
 {
   yes,
@@ -123,7 +123,7 @@ enum class Choice
 template <typename Option>
 using OptionNames = std::vector<std::pair<Option, std::string>>;
 
-/** All values of an option, in the order in which messages list them. */
+/** Returns all values of an option, in the order in which messages list them. */
 template <typename Option>
 const OptionNames<Option> &option_names();
 
@@ -150,7 +150,7 @@ const OptionNames<VtuLevels> &option_names();
 template <>
 const OptionNames<Choice> &option_names();
 
-/** The name of a value in a parameter file. */
+/** Returns the name of a value in a parameter file. */
 template <typename Option>
 std::string to_text(const Option value)
 {
@@ -160,7 +160,7 @@ std::string to_text(const Option value)
   throw std::out_of_range("this value of an option has no name");
 }
 
-/** The value with a name. @throws std::out_of_range if there is none. */
+/** Returns the value with a name. @throws std::out_of_range if there is none. */
 template <typename Option>
 Option from_text(const std::string &name)
 {
@@ -170,7 +170,7 @@ Option from_text(const std::string &name)
   throw std::out_of_range("no value of this option has the name " + name);
 }
 
-/** All names, joined by a separator. */
+/** Returns all names, joined by a separator. */
 template <typename Option>
 std::string list_names(const std::string &separator)
 {

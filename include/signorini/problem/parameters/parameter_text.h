@@ -13,21 +13,21 @@ namespace Signorini
  */
 struct Assignment
 {
-  /** Subsections and name, joined by '/': "Solver/Tolerance". */
+  /** The subsections and the name, joined by '/': "Solver/Tolerance". */
   std::string path;
   /** The value without comment and surrounding blanks. */
   std::string value;
-  /** For messages: "scene.prm:12" or "--set". */
+  /** The place for messages: "scene.prm:12" or "--set". */
   std::string place;
 };
 
 /**
  * Splits the text of a parameter file into its assignments, in the order of the file.
  *
- * Understood are `subsection NAME`, `end`, `set NAME = VALUE`, comments from `#` to the end of the
- * line, continuation lines (a backslash at the end; lines of comment may stand between them),
- * the line ends of all systems and a byte-order mark.
- * Throws InputError for anything else, for control characters, unbalanced subsections and an entry
+ * The syntax consists of `subsection NAME`, `end`, `set NAME = VALUE`, comments from `#` to the end
+ * of the line, continuation lines (a backslash at the end; lines of comment may stand between
+ * them), the line ends of all systems and a byte-order mark.
+ * @throws InputError for anything else, for control characters, unbalanced subsections and an entry
  * set twice; with @p known_sections also for a subsection inside of another, and for one without
  * entries that is not among them (wrong names of others show in their entries).
  */
@@ -38,14 +38,15 @@ std::vector<Assignment> scan_parameter_text(const std::string &text,
 /** Splits `Subsection/Parameter=value` of the option `--set`; throws InputError without '='. */
 Assignment scan_override(const std::string &argument);
 
-/** Reads a whole file; throws InputError when it cannot be read, is not a file (devices and pipes
- * may never end) or has more than @p largest_size bytes. Messages begin with @p where and call
- * the file a @p kind. */
+/** Reads a whole file. @throws InputError if it cannot be read, is not a file (devices and pipes
+ * may never end) or has more than @p largest_size bytes. Messages begin with @p where and call the
+ * file a @p kind. */
 std::string read_whole_file(const std::string &file_name,
                             const std::string &where,
                             const std::string &kind,
                             std::size_t largest_size);
 
-/** Reads a parameter file, of at most a million bytes; one with characters 0 is no text. */
+/** Reads a parameter file of at most a million bytes; throws InputError if it contains characters
+ * 0. */
 std::string read_text_file(const std::string &file_name);
 } // namespace Signorini

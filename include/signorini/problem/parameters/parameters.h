@@ -9,31 +9,31 @@
 
 namespace Signorini
 {
-/** An entry of the parameter file, as messages speak of it. */
+/** The name and the place of an entry of the parameter file, for messages. */
 struct Entry
 {
-  /** Subsection and name: "Solver/Tolerance". */
+  /** The subsection and the name: "Solver/Tolerance". */
   std::string name;
-  /** "scene.prm:12" or "--set"; for a default the file alone. */
+  /** The place, "scene.prm:12" or "--set"; for a default the file alone. */
   std::string place;
   /** Whether the value differs from the default. */
   bool changed = false;
 
-  /** "scene.prm:12: Solver/Tolerance": how every message about the entry begins. */
+  /** Returns "scene.prm:12: Solver/Tolerance", the beginning of every message about the entry. */
   std::string where() const
   {
     return place + ": " + name;
   }
 };
 
-/** The value of an entry, with where it was given. Use it like the value. */
+/** The value of an entry, with the place where it was given. It converts to the value. */
 template <typename T>
 struct Given : Entry
 {
   T value = T();
 
   Given() = default;
-  /** A default. */
+  /** Stores a default. */
   explicit Given(T default_value)
     : value(std::move(default_value))
   {
@@ -44,7 +44,7 @@ struct Given : Entry
   }
 };
 
-/** Which scene is solved: `described` by expressions, or one of the catalogue. */
+/** The scene that is solved: `described` by expressions, or one of the catalogue. */
 struct SceneParameters
 {
   Given<std::string> name{"described"};
@@ -93,7 +93,7 @@ struct MaterialParameters
 /** Subsection Boundary: one role per side. */
 struct BoundaryParameters
 {
-  /** "scene.prm: Boundary": how a message about all of it begins. */
+  /** The beginning of messages about the whole subsection: "scene.prm: Boundary". */
   std::string where;
   Given<std::string> clamped;
   Given<std::string> rollers;
@@ -116,7 +116,7 @@ struct LoadParameters
 struct ContactParameters
 {
   Given<std::string> gap{"0"};
-  /** Rigid things in place of the gap. */
+  /** The rigid obstacles in place of the gap. */
   Given<std::string> foundation;
   Given<std::string> foundation_position{"0, 0"};
 };
@@ -150,7 +150,7 @@ struct DiscretizationParameters
   Given<unsigned int> maximum_degree{9};
   Given<HpMultipliers> multipliers{HpMultipliers::gauss};
   Given<unsigned int> quadrature_points{3};
-  /** Positions of kinks. */
+  /** The positions of kinks. */
   Given<std::vector<double>> kinks_at_x;
   Given<std::vector<double>> kinks_at_y;
 };
@@ -169,7 +169,7 @@ struct SolverParameters
   Given<bool> require_stability{false};
 };
 
-/** Forms of convergence.csv for people. */
+/** The forms of convergence.csv for people. */
 struct TableFormats
 {
   bool markdown = false;
@@ -190,8 +190,8 @@ struct OutputParameters
 
 /**
  * Everything a user can set, as plain values: checked for their form, not yet for their meaning
- * (names of sides and expressions are judged when the scene is made). A value knows where it was
- * given.
+ * (names of sides and expressions are checked when the scene is made). Every value stores the place
+ * where it was given.
  */
 struct Parameters
 {
@@ -209,33 +209,33 @@ struct Parameters
   SolverParameters solver;
   OutputParameters output;
 
-  /** Every parameter as used, in the format of the parameter file. */
+  /** All parameters as used, in the format of the parameter file. */
   std::string echo;
   /** The file the parameters were read from. */
   std::string file_name;
-  /** The entries from Constants to Exact solution that are not at their defaults: a catalogue scene
-   * fixes them. */
+  /** The entries from Constants to Exact solution that are not at their defaults. A catalogue scene
+   * allows none. */
   std::vector<Entry> changes_of_scene;
 };
 
 /**
  * Reads a parameter file and overrides of the form `Subsection/Parameter=value`. The override
  * `Constants/NAME=value` changes one constant of the list `Constants/Values`.
- * Throws InputError with one sentence for everything that is wrong.
+ * @throws InputError with one sentence for everything that is wrong.
  */
 Parameters read_parameters(const std::string &file_name,
                            const std::vector<std::string> &overrides = {});
 
 /**
- * The same from a text; @p file_name is used in messages only. Files that the text names are looked
- * for in @p folder, then in the working folder; their names become absolute, so that the echo works
- * everywhere.
+ * Reads the same from a text; @p file_name is used in messages only. Files that the text names are
+ * looked for in @p folder, then in the working folder; their names become absolute, so that the
+ * echo works everywhere.
  */
 Parameters parse_parameters(const std::string &text,
                             const std::string &file_name,
                             const std::vector<std::string> &overrides = {},
                             const std::string &folder = "");
 
-/** Every parameter with its default, allowed values, unit and one line of help. */
+/** Returns all parameters with their defaults, allowed values, units and one line of help each. */
 std::string describe_parameters();
 } // namespace Signorini

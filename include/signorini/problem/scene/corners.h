@@ -10,7 +10,7 @@
 
 namespace Signorini
 {
-/** What holds an edge of the body next to a corner. */
+/** The support of an edge of the body next to a corner. */
 enum class EdgeSupport
 {
   /** The traction is given. */
@@ -21,20 +21,20 @@ enum class EdgeSupport
   sliding
 };
 
-/** What corner_exponent() returns where no term is rougher. */
+/** The largest value that corner_exponent() returns. */
 constexpr double largest_corner_exponent = 3.;
 
 /**
- * The smallest Re lambda > 0 of the solutions r^lambda v(theta) of -sigma_ij,j = 0 between two
- * straight edges with homogeneous conditions that are no polynomials, and at most
- * largest_corner_exponent. The equations are (W1) to (W6) of doc/formulas.md.
+ * Returns the smallest Re lambda > 0, at most largest_corner_exponent, of the solutions r^lambda
+ * v(theta) of -sigma_ij,j = 0 between two straight edges with homogeneous conditions that are not
+ * polynomials. The equations are (W1) to (W6) of doc/formulas.md.
  *
  * Integer lambda are left out: their solutions are polynomials, rigid motions among them. The
  * result therefore jumps where a root passes through an integer. It can be close to zero: between
  * sliding edges it is |pi/angle - 1| near a straight angle.
  *
  * Loads that do not fit together at the corner, say different shears on two free edges at a right
- * angle, may add r^n or r^n log r with an integer n >= 1. The exponent does not know of them.
+ * angle, may add r^n or r^n log r with an integer n >= 1. The exponent does not include these.
  *
  * @param angle the opening inside the body, 0 < angle <= 2 pi (radians).
  * @param kappa Kolosov's constant, at least 1: see kolosov_constant().
@@ -42,38 +42,38 @@ constexpr double largest_corner_exponent = 3.;
 double corner_exponent(double angle, EdgeSupport first, EdgeSupport second, double kappa);
 
 /**
- * Kolosov's constant (lambda + 3 mu)/(lambda + mu) of Hooke's tensor, in any unit: 3 - 4 nu in
- * plane strain, (3 - nu)/(1 + nu) in plane stress. An anisotropic tensor is replaced by its mean
- * over all rotations in the plane, which is the isotropic tensor nearest to it in the sum of
- * squares of E_ijkl. The exponents of such a body are then approximations.
+ * Returns Kolosov's constant (lambda + 3 mu)/(lambda + mu) of Hooke's tensor, in any unit: 3 - 4 nu
+ * in plane strain, (3 - nu)/(1 + nu) in plane stress. An anisotropic tensor is replaced by its mean
+ * over all plane rotations, which is the isotropic tensor nearest to it in the sum of squares of
+ * E_ijkl. The exponents of such a body are then approximations.
  */
 double kolosov_constant(const dealii::SymmetricTensor<4, 2> &hooke);
 
-/** A point where two sides of a plane body meet, at a straight angle, too, or where one side has a
+/** A point where two sides of a 2-D body meet, also at a straight angle, or where one side has a
  * corner (Curve::corners()). */
 struct Corner
 {
   dealii::Point<2> position;
   /** The angle between the tangents inside the body, 0 < angle <= 2 pi (radians). */
   double angle;
-  /** Numbers of the sides. Counter-clockwise about the corner the first one comes before the body,
-   * the second one after it. They are equal inside of a side. */
+  /** The numbers of the two sides. Counter-clockwise about the corner the first one comes before
+   * the body, the second one after it. They are equal inside of a side. */
   std::array<unsigned int, 2> sides;
 };
 
-/** All corners of a body, in the order of their first sides. Ends of sides are one point if they
- * are closer than 1e-8 diameters; closed sides have no ends. */
+/** Returns all corners of a body, in the order of their first sides. Ends of sides are one point if
+ * they are closer than 1e-8 diameters; closed sides have no ends. */
 std::vector<Corner> corners(const Geometry<2> &geometry);
 
-/** How a side of this role may be supported at its ends: a contact side is free or sliding, all
- * others have one support. */
+/** Returns how a side of this role may be supported at its ends: a contact side is free or sliding,
+ * all others have one support. */
 std::vector<EdgeSupport> possible_supports(Role role);
 
 /**
- * The smallest exponent at a corner of the scene, over the states of contact sides, with the
- * material at the corner. At a straight angle between contact sides one state may be open and the
- * other closed, which gives 1/2. The inequalities of (1) exclude this root where the gap is smooth,
- * and leave 3/2.
+ * Returns the smallest exponent at a corner of the scene, over the states of contact sides, with
+ * the material at the corner. At a straight angle between contact sides one state may be open and
+ * the other closed, which gives 1/2. The inequalities of (1) exclude this root where the gap is
+ * smooth, and leave 3/2.
  */
 double corner_exponent(const Scene<2> &scene, const Corner &corner);
 } // namespace Signorini

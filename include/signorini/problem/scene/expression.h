@@ -17,29 +17,29 @@ using Constants = std::map<std::string, double>;
 /**
  * A formula in x, y (and z), parsed once by muParser.
  *
- * Known are the operators and functions of muParser (+ - * / ^ < > <= >= == != && || ?:, sin, cos,
- * tan, exp, log, sqrt, abs, min, max, ...), besides them floor, ceil, pow, erf, erfc and if(c,a,b),
- * the constant pi and the named constants. Evaluation is thread-safe: every thread gets a parser of
- * its own.
+ * It may contain the operators and functions of muParser (+ - * / ^ < > <= >= == != && || ?:, sin,
+ * cos, tan, exp, log, sqrt, abs, min, max, ...), besides them floor, ceil, pow, erf, erfc and
+ * if(c,a,b), the constant pi and the named constants. Evaluation is thread-safe: every thread gets
+ * a parser of its own.
  */
 template <int dim>
 class Expression
 {
 public:
-  /** @throws InputError beginning with @p where if the text cannot be parsed. */
+  /** Parses the text. @throws InputError beginning with @p where if the text cannot be parsed. */
   Expression(const std::string &text, const Constants &constants, const std::string &where);
   Expression(const Expression &other);
   Expression(Expression &&other) noexcept;
   Expression &operator=(const Expression &other) = delete;
   ~Expression();
 
-  /** The value at a point; not finite where the formula is not defined. */
+  /** Returns the value at a point; it is not finite where the formula is not defined. */
   double operator()(const dealii::Point<dim> &x) const;
 
-  /** The values at many points; @p values has as many entries as @p points. */
+  /** Computes the values at many points; @p values has as many entries as @p points. */
   void evaluate(const std::vector<dealii::Point<dim>> &points, std::vector<double> &values) const;
 
-  /** Whether the formula uses none of the coordinates. */
+  /** Returns whether the formula uses none of the coordinates. */
   bool is_constant() const
   {
     return constant_.has_value();
@@ -49,7 +49,7 @@ public:
   {
     return text_;
   }
-  /** The place the formula was read from, for messages about its values. */
+  /** Returns the place that the formula was read from, for messages about its values. */
   const std::string &where() const
   {
     return where_;

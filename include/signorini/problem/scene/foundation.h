@@ -14,48 +14,50 @@
 
 namespace Signorini
 {
-/** One rigid thing in the plane: the set of points that a body cannot enter. */
+/** A rigid obstacle in 2-D: the set of points that a body cannot enter. */
 class RigidThing
 {
 public:
-  /** The half plane (x - point).normal <= 0; @p normal (not zero, of any length) points out of it,
-   * towards the body. */
+  /** Returns the half-plane (x - point).normal <= 0; @p normal (not zero, of any length) points out
+   * of it, towards the body. */
   static RigidThing plane(const dealii::Point<2> &point, const dealii::Tensor<1, 2> &normal);
 
-  /** What lies behind the curve x(t) = point + t tau + (curvature/2) t² nu, where nu is
+  /** Returns the region behind the curve x(t) = point + t tau + (curvature/2) t² nu, where nu is
    * normal/|normal| and tau is perpendicular to it (t: length, curvature: 1/length). It bends away
    * from the body where curvature < 0. */
   static RigidThing parabola(const dealii::Point<2> &point,
                              const dealii::Tensor<1, 2> &normal,
                              double curvature);
 
-  /** A disc where the body lies outside, or all of the plane but a disc where it lies inside. */
+  /** Returns a disc if the body lies outside of it, or the complement of a disc if the body lies
+   * inside. */
   static RigidThing circle(const dealii::Point<2> &centre, double radius, Body body);
 
   /**
-   * The t (length) at which the line x + t n, |n| = 1, enters this thing: positive for a point
-   * ahead, negative where x lies inside already.
+   * Returns the t (length) at which the line x + t n, |n| = 1, enters the obstacle: positive for a
+   * point ahead, negative where x lies inside already.
    *
    * Where x lies outside of a disc or of a parabola that bends away, and no point of it lies ahead,
-   * this is sqrt(t_1 t_2) with the (complex) t_i at which the line meets its boundary; for a disc,
-   * the length of the tangent from x. So the distance is continuous. It is nothing where a line
-   * from outside does not lead to a plane, and where n points out of a thing other than a disc or
+   * t is sqrt(t_1 t_2) with the (complex) t_i at which the line meets its boundary; for a disc, the
+   * length of the tangent from x. So the distance is continuous. It is empty where a line from
+   * outside does not lead to a plane, and where n points out of an obstacle other than a disc or
    * such a parabola from inside.
    */
   std::optional<double> distance(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const;
 
-  /** Whether a line with the direction n, |n| = 1, can enter this thing, wherever that is moved. */
+  /** Returns whether a line with the direction n, |n| = 1, can enter the obstacle, wherever that is
+   * moved. */
   bool can_stop(const dealii::Tensor<1, 2> &n) const;
 
-  /** Whether the line x + t n, |n| = 1, enters this thing at t < @p reach (length), or x lies in
-   * it. What distance() says about lines that miss does not count. */
+  /** Returns whether the line x + t n, |n| = 1, enters the obstacle at t < @p reach (length), or x
+   * lies in it. A line that misses does not count, although distance() has a value for it. */
   bool is_met(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n, double reach) const;
 
-  /** A point of a plane or a parabola, or the centre of a circle. */
+  /** Returns a point of a plane or a parabola, or the centre of a circle. */
   const dealii::Point<2> &anchor() const;
 
 private:
-  /** A plane has the curvature 0. */
+  /** A parabola, or a plane, which has the curvature 0. */
   struct Parabola
   {
     dealii::Point<2> point;
@@ -78,15 +80,16 @@ private:
   std::variant<Parabola, Circle> shape_;
 };
 
-/** The rigid things that a side of a body may touch. */
+/** The rigid obstacles that a side of a body may touch. */
 class Foundation
 {
 public:
-  /** @param largest_gap the gap (length) where the normal meets none of the things, or one that is
-   * farther away. */
+  /** Stores the obstacles. @param largest_gap the gap (length) where the normal meets no obstacle,
+   * or one that is farther away. */
   Foundation(std::vector<RigidThing> things, double largest_gap);
 
-  /** The smallest distance of the things from x along n, at most largest_gap() (length). */
+  /** Returns the smallest distance of the obstacles from x along n, at most largest_gap() (length).
+   */
   double gap(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const;
 
   double largest_gap() const
@@ -104,7 +107,7 @@ private:
 };
 
 /**
- * The gap g(x) of (1) on a side (length): the distance along its outward normal n(x) to the
+ * Returns the gap g(x) of (1) on a side (length): the distance along its outward normal n(x) to the
  * foundation that was moved by @p position. Points beside a curved side count as those of the side
  * with the same arc length. Thread-safe.
  */

@@ -10,7 +10,7 @@
 
 namespace Signorini
 {
-/** A vector field of the plane as a deal.II function. */
+/** A 2-D vector field as a deal.II function. */
 class FieldFunction final : public dealii::Function<2>
 {
 public:
@@ -42,7 +42,7 @@ private:
  * (component by component, dim each) or by fourth-order differences with the step @p h (length).
  * Thread-safe; the functions for lists of points are the fast ones. Without gradients and step the
  * function is data of the problem: its values must be finite and not beyond largest_magnitude
- * (magnitudes.h), or InputError is thrown.
+ * (scene.h), or InputError is thrown.
  */
 template <int dim>
 class ExpressionFunction : public dealii::Function<dim>
@@ -54,10 +54,10 @@ public:
   ExpressionFunction(std::vector<Expression<dim>> values,
                      std::vector<Expression<dim>> gradients,
                      double h);
-  /** Data of the problem, with checked values and without derivatives. */
+  /** Makes data of the problem, with checked values and without derivatives. */
   explicit ExpressionFunction(std::vector<Expression<dim>> values);
 
-  /** Whether no component uses a coordinate. */
+  /** Returns whether no component uses a coordinate. */
   bool is_constant() const;
 
   double value(const dealii::Point<dim> &x, unsigned int component = 0) const override;
@@ -76,10 +76,11 @@ public:
   void vector_gradient_list(const Points &points, std::vector<Gradients> &gradients) const override;
 
 private:
-  /** @throws InputError if this is data and a value of a component cannot be used. */
+  /** Checks a value. @throws InputError if this is data and a value of a component cannot be used.
+   */
   void check(double value, unsigned int component, const dealii::Point<dim> &x) const;
 
-  /** du_c/dx_d at all points. */
+  /** Computes du_c/dx_d at all points. */
   void derivative_list(const Points &points,
                        unsigned int component,
                        unsigned int d,
@@ -87,11 +88,11 @@ private:
 
   std::vector<Expression<dim>> values_;
   std::vector<Expression<dim>> gradients_;
-  /** 0 for data. */
+  /** The step of the differences (length); 0 for data. */
   double h_;
 };
 
-/** Whether a function is known to be the same everywhere. */
+/** Returns whether a function is known to be the same everywhere. */
 template <int dim>
 bool is_constant(const dealii::Function<dim> &function);
 } // namespace Signorini

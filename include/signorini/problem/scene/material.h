@@ -23,24 +23,24 @@ public:
   }
   virtual ~Material() = default;
 
-  /** E_0, the unit of stress in which systems of equations are solved (force/area). */
+  /** Returns E_0, the unit of stress in which systems of equations are solved (force/area). */
   double modulus() const
   {
     return modulus_;
   }
-  /** E_ijkl / E_0 at a point. @throws InputError where the data there is no material. */
+  /** Returns E_ijkl / E_0 at a point. @throws InputError where the data there is no material. */
   virtual dealii::SymmetricTensor<4, dim> relative_hooke(const dealii::Point<dim> &x) const = 0;
-  /** E_ijkl at a point. @throws InputError like relative_hooke(). */
+  /** Returns E_ijkl at a point. @throws InputError like relative_hooke(). */
   dealii::SymmetricTensor<4, dim> hooke(const dealii::Point<dim> &x) const
   {
     return modulus_ * relative_hooke(x);
   }
 
-  /** Whether E_ijkl is the same everywhere. */
+  /** Returns whether E_ijkl is the same everywhere. */
   virtual bool is_constant() const = 0;
 
-  /** sigma_zz, the stress normal to the plane. The problem does not contain it, but the von Mises
-   * stress does. */
+  /** Returns sigma_zz, the stress normal to the plane. The problem does not contain it, but the von
+   * Mises stress does. */
   virtual double out_of_plane_stress(const dealii::Point<dim> &x,
                                      const dealii::SymmetricTensor<2, dim> &strain) const = 0;
 
@@ -48,9 +48,9 @@ private:
   double modulus_;
 };
 
-/** sigma = lambda tr(eps) I + 2 mu eps, with lambda replaced by 2 lambda mu/(lambda + 2 mu) for
- * plane stress. Young's modulus and Poisson's ratio may vary in space; E_0 is Young's modulus at
- * the point @p reference. */
+/** Returns the material sigma = lambda tr(eps) I + 2 mu eps, with lambda replaced by 2 lambda
+ * mu/(lambda + 2 mu) for plane stress. Young's modulus and Poisson's ratio may depend on the point;
+ * E_0 is Young's modulus at the point @p reference. */
 template <int dim>
 std::shared_ptr<const Material<dim>>
 make_isotropic(const Expression<dim> &youngs_modulus,
@@ -58,26 +58,26 @@ make_isotropic(const Expression<dim> &youngs_modulus,
                PlaneState plane_state,
                const dealii::Point<dim> &reference = dealii::Point<dim>());
 
-/** (s11,s22,s12) = C (e11,e22,2 e12) with the entries C11, C12, C13, C22, C23, C33; positive
- * definite at every point; s33 = Z (e11,e22,2 e12) with the three entries Z of @p across, which is
- * empty in plane stress. E_0 is C11 at the point @p reference. */
+/** Returns the material (s11,s22,s12) = C (e11,e22,2 e12) with the entries C11, C12, C13, C22, C23,
+ * C33; C must be positive definite at every point. s33 = Z (e11,e22,2 e12) with the three entries Z
+ * of @p across, which is empty in plane stress. E_0 is C11 at the point @p reference. */
 std::shared_ptr<const Material<2>>
 make_general(const std::vector<Expression<2>> &entries,
              const std::vector<Expression<2>> &across = {},
              const dealii::Point<2> &reference = dealii::Point<2>());
 
-/** Moduli Q11, Q22, Q12, Q66 in axes that are rotated by @p degrees against the x-axis; s33 =
- * Q31 e11 + Q32 e22 in these axes with the two entries of @p across, which is empty in plane
- * stress. E_0 is Q11 at the point @p reference. */
+/** Returns the material with the moduli Q11, Q22, Q12, Q66 in axes that are rotated by @p degrees
+ * against the x-axis; s33 = Q31 e11 + Q32 e22 in these axes with the two entries of @p across,
+ * which is empty in plane stress. E_0 is Q11 at the point @p reference. */
 std::shared_ptr<const Material<2>>
 make_orthotropic(const std::vector<Expression<2>> &moduli,
                  double degrees,
                  const std::vector<Expression<2>> &across = {},
                  const dealii::Point<2> &reference = dealii::Point<2>());
 
-/** In space: (s11, s22, s33, s23, s13, s12) = C (e11, e22, e33, 2 e23, 2 e13, 2 e12) with the upper
- * triangle of C, row by row: C11, C12, ..., C16, C22, ..., C66; positive definite at every point.
- * E_0 is C11 at the point @p reference. */
+/** Returns the 3-D material (s11, s22, s33, s23, s13, s12) = C (e11, e22, e33, 2 e23, 2 e13, 2 e12)
+ * with the upper triangle of C, row by row: C11, C12, ..., C16, C22, ..., C66; C must be positive
+ * definite at every point. E_0 is C11 at the point @p reference. */
 std::shared_ptr<const Material<3>>
 make_general_in_space(const std::vector<Expression<3>> &entries,
                       const dealii::Point<3> &reference = dealii::Point<3>());

@@ -15,21 +15,21 @@
 namespace Signorini
 {
 /**
- * Lengths and moduli of a described scene lie between these bounds, loads and displacements below
- * the upper one: far enough from the ends of the double precision for products such as an energy
+ * The bounds of lengths and moduli of a described scene; loads and displacements lie below the
+ * upper one. They are far enough from the ends of double precision for products such as an energy
  * f² L⁴/E or a determinant of moduli. Other units bring every real body into this range.
  */
 constexpr double smallest_magnitude = 1e-30;
 constexpr double largest_magnitude = 1e30;
 
-/** How many times its own size a body may lie away from the origin: x - y loses that much. */
+/** The largest distance of a body from the origin, in its own diameters: x - y loses that much. */
 constexpr double largest_distance = 1e6;
 
-/** How many times longer than thick a body may be, and longer than its shortest side. */
+/** The largest ratio of a body's length to its thickness, and to its shortest side. */
 constexpr double largest_slenderness = 1e6;
 
-/** A scene with other loads and another foundation; the body and what holds it are the same, and so
- * is its stiffness. */
+/** A change of a scene's loads and of its foundation; the body and its supports stay the same, and
+ * so does its stiffness. */
 struct LoadCase
 {
   /** Factor of tractions and of the forces and moments on plates. */
@@ -40,18 +40,18 @@ struct LoadCase
   double travel = 1.;
   /** Factor of the gap. */
   double gap = 1.;
-  /** By how much the foundation is moved, beside Contact/Foundation position (length). */
+  /** The shift of the foundation, in addition to Contact/Foundation position (length). */
   dealii::Tensor<1, 2> shift;
   /** Whether its fields are written. */
   bool has_fields = false;
 };
 
-/** How far a plate has moved. */
+/** The motion of a plate. */
 struct PlateMotion
 {
-  /** delta, along the plate's direction (length). */
+  /** The travel delta along the plate's direction (length). */
   double travel = 0.;
-  /** theta, counter-clockwise about the plate's centre (radians, small). */
+  /** The rotation theta, counter-clockwise about the plate's centre (radians, small). */
   double rotation = 0.;
 };
 
@@ -61,38 +61,39 @@ struct PlateMotion
  */
 struct Plate
 {
-  /** Number of the side in the geometry. */
+  /** The number of the side in the geometry. */
   unsigned int side = 0;
-  /** d, a unit vector. */
+  /** The direction d, a unit vector. */
   dealii::Tensor<1, 2> direction;
-  /** c, the middle of the side. */
+  /** The centre c, the middle of the side. */
   dealii::Point<2> centre;
   /** Whether a force drives the travel; otherwise it is given. */
   bool is_pushed = false;
-  /** Along d (force per thickness); of a plate that is pushed. */
+  /** The force along d on a plate that is pushed (force per thickness). */
   double force = 0.;
-  /** delta of a plate that is not pushed (length). */
+  /** The travel delta of a plate that is not pushed (length). */
   double travel = 0.;
   /** Whether a moment drives the rotation; otherwise it is zero. */
   bool turns = false;
-  /** About c, counter-clockwise (force x length per thickness); of a plate that turns. */
+  /** The moment about c, counter-clockwise, on a plate that turns (force x length per thickness).
+   */
   double moment = 0.;
 
-  /** The displacement of the point @p x of the plate. */
+  /** Returns the displacement of the point @p x of the plate. */
   dealii::Tensor<1, 2> displacement(const PlateMotion &motion, const dealii::Point<2> &x) const;
-  /** What the force and the moment that drive the plate do in a motion (force x length per
-   * thickness). */
+  /** Returns the work that the force and the moment that drive the plate do in a motion (force x
+   * length per thickness). */
   double work(const PlateMotion &motion) const
   {
     return force * motion.travel + moment * motion.rotation;
   }
 };
 
-/** The displacement of a plate as data of its side. */
+/** Returns the displacement of a plate as data of its side. */
 std::shared_ptr<const dealii::Function<2>> plate_displacement(const Plate &plate,
                                                               const PlateMotion &motion);
 
-/** What happens on a side of the body; every side has exactly one role. */
+/** The condition on a side of the body; every side has exactly one role. */
 enum class Role
 {
   /** sigma n = 0. */
@@ -101,9 +102,9 @@ enum class Role
   clamped,
   /** u.n = 0, sigma_T = 0. */
   roller,
-  /** u given. */
+  /** u is given. */
   displacement,
-  /** sigma n given. */
+  /** sigma n is given. */
   traction,
   /** u.n <= g, sigma_n <= 0, sigma_n (u.n - g) = 0, sigma_T = 0. */
   contact
@@ -117,69 +118,69 @@ template <int dim>
 struct BoundaryCondition
 {
   Role role = Role::free;
-  /** Prescribed displacement or traction (dim components), or gap (one); else empty. */
+  /** The prescribed displacement or traction (dim components), or the gap (one component); else
+   * empty. */
   FunctionPointer<dim> data;
-  /** Exact contact pressure p = sigma_n of a contact side, if known. */
+  /** The exact contact pressure p = sigma_n of a contact side, if known. */
   FunctionPointer<dim> exact_pressure;
-  /** Of a contact side whose gap is the distance to rigid things: these things, so that the gap can
-   * be had for another position of theirs, foundation_gap(side, foundation, position). Else empty.
-   */
+  /** The obstacles of a contact side whose gap is the distance to them; foundation_gap(side,
+   * foundation, position) computes the gap for another position of theirs. Else empty. */
   std::shared_ptr<const Foundation> foundation = nullptr;
 };
 
-/** Problem (1): a body, its material, what holds it, loads it and stops it. */
+/** Problem (1): a body, its material, its supports, its loads and its foundation. */
 template <int dim>
 struct Scene
 {
   std::string name;
-  /** One line that says what the scene shows. */
+  /** One line that describes the scene. */
   std::string title;
-  /** What a catalogue scene solves, in lines; empty where the parameters say it. */
+  /** The problem of a catalogue scene, in lines; empty for a scene that the parameters describe. */
   std::string description;
   Geometry<dim> geometry;
   /** boundary[i] belongs to geometry.sides[i]. */
   std::vector<BoundaryCondition<dim>> boundary;
-  /** Sides that rigid plates move (in the plane). Their role is displacement; their data is what is
-   * given of the motion, and all of it once it is known (with_plates_moved()). */
+  /** The sides that rigid plates move (2-D only). Their role is displacement; their data is the
+   * given part of the motion, and all of it once it is known (with_plates_moved()). */
   std::vector<Plate> plates;
-  /** Whether rigid motions are left that contact alone can stop: then single degrees of freedom are
+  /** Whether rigid motions are left that contact alone can stop. Then single degrees of freedom are
    * pinned while the system is solved, and the motions are unknowns of the dual problem. */
   bool is_held_by_contact = false;
-  /** Other loads that the finest level is solved for, too. */
+  /** Other loads for which the finest level is solved, too. */
   std::vector<LoadCase> load_cases;
   std::shared_ptr<const Material<dim>> material;
-  /** f of (1), dim components; empty means zero. */
+  /** The body force f of (1), dim components; empty means zero. */
   FunctionPointer<dim> body_force;
-  /** u of (1) with its gradient, dim components; empty means unknown. */
+  /** The exact displacement u of (1) with its gradient, dim components; empty means unknown. */
   FunctionPointer<dim> exact_displacement;
-  /** By how much the foundations of all sides are moved in `data` (length). */
+  /** The shift of the foundations of all sides that `data` contains (length). */
   dealii::Tensor<1, dim> foundation_position;
-  /** Where the data is not smooth. */
+  /** The lines on which the data is not smooth. */
   Kinks<dim> kinks;
 
-  /** The numbers of the contact sides gamma_{c,i}, i = 1..n_g. */
+  /** Returns the numbers of the contact sides gamma_{c,i}, i = 1..n_g. */
   std::vector<unsigned int> contact_sides() const;
-  /** Whether p is known on every contact side. */
+  /** Returns whether p is known on every contact side. */
   bool has_exact_pressure() const;
 };
 
-/** The scene with the plates where they have moved to: an ordinary scene with prescribed
- * displacements. @param motions one for each plate. */
+/** Returns the scene with the displacements of the moved plates as prescribed displacements. @param
+ * motions one for each plate. */
 template <int dim>
 Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions);
 
-/** The same with nothing else prescribed: all other given displacements are zero. */
+/** Returns the same scene with all other prescribed displacements set to zero. */
 template <int dim>
 Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions);
 
-/** The scene of a load case. Exact solutions are not known for it.
- * @param scene with rigid things as foundation where shift is not zero. */
+/** Returns the scene of a load case, without its exact solution. @param scene must have a
+ * foundation of obstacles if the shift is not zero. */
 Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case);
 
-/** The plates with the forces and travels of a load case. */
+/** Returns the plates with the forces and travels of a load case. */
 std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &load_case);
 
-/** Which of a scene's loads act. */
+/** The kinds of load of a scene. */
 enum class LoadKind
 {
   force,
@@ -187,9 +188,10 @@ enum class LoadKind
   travel
 };
 
-/** The scene with one kind of load; all others are zero, and forces do not act on plates. */
+/** Returns the scene with one kind of load; all others are zero, and forces do not act on plates.
+ */
 Scene<2> with_only(Scene<2> scene, LoadKind kind);
 
-/** Whether the scene has loads of this kind. */
+/** Returns whether the scene has loads of this kind. */
 bool has_load(const Scene<2> &scene, LoadKind kind);
 } // namespace Signorini

@@ -9,13 +9,13 @@
 
 namespace Signorini
 {
-/** What ends a run on the screen: the answer of the finest level in lines of at most 80 columns.
- * @param directory where the results are; empty: nowhere. */
+/** Prints the answer of the finest level, which ends a run on the screen, in lines of at most 80
+ * columns. @param directory where the results are; empty: nowhere. */
 void print_answer(std::ostream &stream,
                   const std::vector<LevelRecord> &levels,
                   const std::filesystem::path &directory);
 
-/** answer.json: the same with all digits. */
+/** Writes answer.json: the answer with all digits. */
 void write_answer(std::ostream &stream,
                   const std::vector<LevelRecord> &levels,
                   const StudyVerdict &verdict);

@@ -13,14 +13,14 @@
 
 namespace Signorini
 {
-/** What is known at one point of the contact boundary of a plane body. Pressures are those of the
+/** The fields at one point of the contact boundary of a 2-D body. Pressures are those of the
  * formulas, sigma_n: negative in compression. */
 struct ContactPoint
 {
-  /** Arc length along the side. */
+  /** The arc length along the side. */
   double s;
   dealii::Point<2> x;
-  /** Outward. */
+  /** The outward normal. */
   dealii::Tensor<1, 2> n;
   double p_H;
   double p_recovered;
@@ -34,20 +34,21 @@ struct ContactPoint
 struct ContactSegment
 {
   std::string side;
-  /** Number of the side in the geometry, of the contact face and of the patch. */
+  /** The numbers of the side in the geometry, of the contact face and of the patch. */
   unsigned int side_number, face, patch;
-  /** |tau| (length). */
+  /** The length |tau| of the patch (length). */
   double patch_length;
-  /** What tables show, in the order of arc length. Of constants the middle. Of polynomials the
-   * ends, the nodes of the multipliers, and the middles between all of these. */
+  /** The points of tables, in the order of arc length. A piece with a constant has its middle; a
+   * piece with polynomials has its ends, the nodes of the multipliers, and the middles between all
+   * of these. */
   std::vector<ContactPoint> rows;
-  /** What curves join: of constants the ends and points between them, of polynomials the same
-   * points as in tables. */
+  /** The points of curves. A piece with a constant has its ends and points between them; a piece
+   * with polynomials has the same points as in tables. */
   std::vector<ContactPoint> curve;
 };
 
 /**
- * The contact boundary piece by piece, side after side, in the order of arc length.
+ * Returns the contact boundary piece by piece, side after side, in the order of arc length.
  * @param n_parts into which points divide the curve of a piece with a constant.
  */
 std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
@@ -56,7 +57,7 @@ std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space
                                                const dealii::Vector<double> &P,
                                                unsigned int n_parts = 1);
 
-/** The same with gap and exact pressure of other conditions on the same sides. */
+/** Returns the same with gap and exact pressure of other conditions on the same sides. */
 std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
                                                const std::vector<BoundaryCondition<2>> &boundary,
@@ -64,20 +65,20 @@ std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space
                                                const dealii::Vector<double> &P,
                                                unsigned int n_parts = 1);
 
-/** contact-LL.csv. */
+/** Writes contact-LL.csv. */
 void write_contact_csv(std::ostream &stream, const std::vector<ContactSegment> &line);
 
 /**
- * contact-LL.vtu: pressures (positive in compression), displacement, gap and opening along the
- * contact boundary.
+ * Writes contact-LL.vtu: pressures (positive in compression), displacement, gap and opening along
+ * the contact boundary.
  * @param bound of every contact face; empty if there is none.
  */
 void write_contact_vtu(std::ostream &stream,
                        const std::vector<ContactSegment> &line,
                        const std::vector<double> &bound);
 
-/** What is known at one point of the contact boundary of a body in space. Pressures are those of
- * the formulas, sigma_n: negative in compression. */
+/** The fields at one point of the contact boundary of a 3-D body. Pressures are those of the
+ * formulas, sigma_n: negative in compression. */
 struct ContactAreaPoint
 {
   dealii::Point<3> x;
@@ -89,22 +90,22 @@ struct ContactAreaPoint
   std::optional<double> p_exact;
 };
 
-/** A contact face. */
+/** A contact face of a 3-D body. */
 struct ContactQuadrilateral
 {
   std::string side;
-  /** Number of the side in the geometry, of the contact face and of the patch. */
+  /** The numbers of the side in the geometry, of the contact face and of the patch. */
   unsigned int side_number, face, patch;
-  /** |tau| (length²). */
+  /** The area |tau| of the patch (length²). */
   double patch_area;
-  /** In the order of the vertices of deal.II's faces: the second differs from the first in one
-   * coordinate, the third in the other, the fourth in both. */
+  /** The corners in the order of the vertices of deal.II's faces: the second differs from the first
+   * in one coordinate, the third in the other, the fourth in both. */
   std::array<ContactAreaPoint, 4> corners;
   ContactAreaPoint middle;
 };
 
-/** The contact boundary face by face, side after side, with the conditions of the surface's own
- * scene or with others on the same sides. */
+/** Returns the contact boundary face by face, side after side, with the conditions of the surface's
+ * own scene or with others on the same sides. */
 std::vector<ContactQuadrilateral>
 trace_contact_area(const DisplacementSpace<3> &space,
                    const MultiplierSpace<3> &multipliers,
@@ -112,10 +113,10 @@ trace_contact_area(const DisplacementSpace<3> &space,
                    const NodalVector &U,
                    const dealii::Vector<double> &P);
 
-/** contact-LL.csv in space: one row for each contact face, at its middle. */
+/** Writes contact-LL.csv in 3-D: one row for each contact face, at its middle. */
 void write_contact_csv(std::ostream &stream, const std::vector<ContactQuadrilateral> &area);
 
-/** contact-LL.vtu in space: the faces with the fields of write_contact_vtu() of a line. @param
+/** Writes contact-LL.vtu in 3-D: the faces with the fields of write_contact_vtu() of a line. @param
  * bound of every contact face; empty if there is none. */
 void write_contact_vtu(std::ostream &stream,
                        const std::vector<ContactQuadrilateral> &area,
@@ -126,7 +127,8 @@ template <int dim>
 using TracedContact =
   std::vector<std::conditional_t<dim == 2, ContactSegment, ContactQuadrilateral>>;
 
-/** @param boundary the gap and the exact pressure of every side. */
+/** Returns the contact boundary for tables and files. @param boundary the gap and the exact
+ * pressure of every side. */
 template <int dim>
 TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                                  const MultiplierSpace<dim> &multipliers,

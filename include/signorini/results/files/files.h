@@ -11,12 +11,12 @@ namespace Signorini
 {
 using NameTest = std::function<bool(const std::string &name)>;
 
-/** Whether a run writes files of this name. */
+/** Returns whether a run writes files of this name. */
 bool is_name_of_result(const std::string &name);
 constexpr const char *parameters_name = "parameters.prm";
 constexpr const char *certificate_name = "certificate.json";
 
-/** A directory for results, which is this run's alone as long as the object lives. */
+/** A directory for results, which belongs to this run alone as long as the object lives. */
 class ResultsDirectory
 {
 public:
@@ -38,14 +38,15 @@ public:
   void remove_if_empty() const;
 
 private:
-  /** @return what speaks against the directory, empty if nothing does. */
+  /** Locks the directory. @return the reason why the directory cannot be used; empty if there is
+   * none. */
   std::string lock(const std::vector<std::filesystem::path> &inputs, const NameTest &is_result);
   void unlock();
 
   std::filesystem::path path_;
-  /** The directories that had to be made, each behind those above it. */
+  /** The directories that were made, each behind those above it. */
   std::vector<std::filesystem::path> made_;
-  /** Of the open directory, which bears the lock; negative: none. */
+  /** The descriptor of the open directory, which bears the lock; negative: none. */
   int descriptor_ = -1;
 };
 
@@ -61,16 +62,18 @@ public:
   HeldDirectory(const HeldDirectory &) = delete;
   HeldDirectory &operator=(const HeldDirectory &) = delete;
 
-  /** @throws WritingError if the path leads elsewhere now. */
+  /** Checks that the path still leads to the directory. @throws WritingError if it leads elsewhere.
+   */
   void check() const;
 
 private:
   std::filesystem::path path_;
-  /** Keeps the kernel from giving the directory's number to another one. */
+  /** The open descriptor, which keeps the kernel from giving the directory's number to another one.
+   */
   int descriptor_;
 };
 
-/** The name under which a file is written until it is complete. */
+/** Returns the name under which a file is written until it is complete. */
 std::filesystem::path temporary_name(const std::filesystem::path &path);
 
 /**
@@ -95,34 +98,33 @@ void remove_files(const std::filesystem::path &directory, const NameTest &is_rem
 /** Moves the results into the folder, the certificate first; what was in it is removed.
  * @throws WritingError if that is not possible; then they are where they were. */
 void set_results_aside(const std::filesystem::path &directory);
-/** Moves them back. */
+/** Moves the results back. */
 void put_results_back(const std::filesystem::path &directory);
 /** Removes the folder with the earlier results. @throws WritingError */
 void remove_results_aside(const std::filesystem::path &directory);
 
-/*
- * How the program ends on a signal. Long runs are killed often, by a user or a queue, and a half
- * written file must not look like a result. A signal handler takes no arguments, so it needs global
- * variables: those of interruption.cc are the only ones of the program.
- */
+/** The end of the program on a signal. Long runs are killed often, by a user or a queue, and a half
+ * written file must not look like a result. A signal handler takes no arguments, so it needs the
+ * global variables of files.cc. */
 
 /**
- * Which of SIGINT, SIGTERM, SIGHUP and SIGQUIT end the process, and are not ignored (nohup). To be
- * asked before MPI starts, since PETSc, which deal.II starts with it, takes some of them.
+ * Returns which of SIGINT, SIGTERM, SIGHUP and SIGQUIT end the process, and are not ignored
+ * (nohup). Call it before MPI starts, since PETSc, which deal.II starts with it, takes some of
+ * them.
  */
 std::vector<int> ending_signals();
 
 /**
- * From here on the @p ending signals remove the file that is being written, print the sentence of
- * describe_interruption(), and end the process as they would without a handler, also in the middle
- * of a factorisation; the others of that list are ignored. SIGPIPE does nothing: writing to a
- * closed pipe is an error of the stream.
+ * Installs handlers: from here on the @p ending signals remove the file that is being written,
+ * print the sentence of describe_interruption(), and end the process as they would without a
+ * handler, also in the middle of a factorisation; the others of that list are ignored. SIGPIPE does
+ * nothing: writing to a closed pipe is an error of the stream.
  */
 void handle_signals(const std::vector<int> &ending);
 
 /**
- * What is said on stderr after "signorini: interrupted by signal N ": @p where, one line of at most
- * 400 characters. Nothing is said before the first call, or if @p where is empty.
+ * Stores @p where, one line of at most 400 characters, which is printed on stderr after "signorini:
+ * interrupted by signal N ". Nothing is printed before the first call, or if @p where is empty.
  */
 void describe_interruption(const std::string &where);
 
@@ -143,9 +145,9 @@ private:
 };
 
 /**
- * A closed stdin, stdout or stderr becomes one that fails: otherwise the next file that is opened
- * would take its number and receive what is printed. Writing beyond the limit of `ulimit -f`
- * becomes an error of the stream, too. To be called first of all.
+ * Replaces a closed stdin, stdout or stderr by one that fails: otherwise the next file that is
+ * opened would take its number and receive what is printed. Writing beyond the limit of `ulimit -f`
+ * becomes an error of the stream, too. Call it first of all.
  */
 void make_standard_streams_safe();
 } // namespace Signorini

@@ -12,26 +12,26 @@
 
 namespace Signorini
 {
-/** The lower triangle of a symmetric dense matrix in Matrix Market's array format (columns one
- * after another). */
+/** Writes the lower triangle of a symmetric dense matrix in Matrix Market's array format (columns
+ * one after another). */
 void write_symmetric_matrix_market(std::ostream &stream, const dealii::FullMatrix<double> &matrix);
 
-/** A dense matrix in Matrix Market's array format. */
+/** Writes a dense matrix in Matrix Market's array format. */
 void write_matrix_market(std::ostream &stream, const dealii::FullMatrix<double> &matrix);
 
-/** A vector as an m x 1 matrix. */
+/** Writes a vector as an m x 1 matrix. */
 void write_matrix_market(std::ostream &stream, const dealii::Vector<double> &vector);
 
-/** The lower triangle of factor × matrix, symmetric and sparse: lines "i j value" for the rows of
- * this rank. */
+/** Returns the lower triangle of factor × matrix, symmetric and sparse: lines "i j value" for the
+ * rows of this rank. */
 std::string lower_triangle(const dealii::TrilinosWrappers::SparseMatrix &matrix, double factor);
 
-/** A symmetric matrix in coordinate format from the lower_triangle() of every rank. */
+/** Writes a symmetric matrix in coordinate format from the lower_triangle() of every rank. */
 void write_symmetric_matrix_market(std::ostream &stream,
                                    dealii::types::global_dof_index n,
                                    const std::vector<std::string> &parts);
 
-/** D in coordinate format, @p n_rows x m. */
+/** Writes D in coordinate format, @p n_rows x m. */
 void write_matrix_market(std::ostream &stream,
                          const Coupling &D,
                          dealii::types::global_dof_index n_rows);

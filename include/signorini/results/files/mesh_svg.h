@@ -9,9 +9,9 @@
 namespace Signorini
 {
 /**
- * mesh-LL.svg: the undeformed cells, coloured by their degree, with a legend; contact sides have a
- * red line. Where cells at contact sides are too small to be seen, further panels magnify the
- * surroundings of the smallest one step by step.
+ * Writes mesh-LL.svg: the undeformed cells, coloured by their degree, with a legend; contact sides
+ * have a red line. Where cells at contact sides are too small to be seen, further panels magnify
+ * the surroundings of the smallest one step by step.
  * @param number of the step.
  */
 void write_mesh_svg(std::ostream &stream,

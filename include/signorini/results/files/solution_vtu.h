@@ -12,11 +12,11 @@ namespace Signorini
 {
 /**
  * Writes for ParaView u_h, the patch interpolation that comes closest to u (RecoveredDisplacement,
- * where T^{2h} exists) and its stress in space, its von Mises stress and its principal stresses;
+ * where T^{2h} exists) and its 3-D stress tensor, its von Mises stress and its principal stresses;
  * and the bound cell by cell, where there is one. Cells of a degree p > 1 are divided into p x p,
- * get the stress of u_h, and have the field "degree" in place of the bound. In space the file holds
- * u_h and the same stresses at the corners of the cells, where the patch interpolation is u_h.
- * Collective.
+ * get the stress of u_h, and have the field "degree" in place of the bound. In 3-D the file
+ * contains u_h and the same stresses at the corners of the cells, where the patch interpolation is
+ * u_h. Collective.
  */
 template <int dim>
 void write_solution_vtu(const std::filesystem::path &path,
@@ -26,7 +26,7 @@ void write_solution_vtu(const std::filesystem::path &path,
                         const BoundFields &bound,
                         unsigned int number);
 
-/** Writes a .pvd that lists one file per level; the level plays the part of time. */
+/** Writes a .pvd that lists one file per level; the level takes the place of time. */
 void write_pvd(const std::filesystem::path &path,
                const std::vector<std::pair<double, std::string>> &files);
 } // namespace Signorini

@@ -10,40 +10,40 @@
 
 namespace Signorini
 {
-/** The line of column names of the table that grows as levels finish. @param graded whether levels
- * are steps of a graded sequence (LevelSizes::is_graded). */
+/** Returns the line of column names of the table that grows as levels finish. @param graded whether
+ * levels are steps of a graded sequence (LevelSizes::is_graded). */
 std::string screen_header(bool graded = false);
 
-/** The line of a level; the order of the estimate is taken against @p before, which may be null.
- * Steps of a graded sequence have no orders. */
+/** Returns the line of a level; the order of the estimate is taken against @p before, which may be
+ * null. Steps of a graded sequence have no orders. */
 std::string screen_row(const LevelRecord &level, const LevelRecord *before);
 
-/** What the columns mean. */
+/** Returns the meaning of the columns. */
 std::string screen_legend(bool graded = false);
 
 /**
- * The errors that are known with their orders from level to level, and below them the slopes of
- * log(error) over log(h), least squares over the last four levels; without orders and slopes for a
- * graded sequence. Empty if nothing is known.
+ * Returns the errors that are known with their orders from level to level, and below them the
+ * slopes of log(error) over log(h), least squares over the last four levels; without orders and
+ * slopes for a graded sequence. Empty if nothing is known.
  */
 std::string error_table(const std::vector<LevelRecord> &levels);
 
-/** convergence.csv, all levels. */
+/** Writes convergence.csv, all levels. */
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels);
 
-/** convergence.md: sizes, errors with their orders, or estimates, bound and contact force, as far
- * as they are known. A graded sequence has no orders. */
+/** Writes convergence.md: sizes, errors with their orders, or estimates, bound and contact force,
+ * as far as they are known. A graded sequence has no orders. */
 void write_convergence_markdown(std::ostream &stream, const std::vector<LevelRecord> &levels);
 
-/** convergence.tex: the same as a LaTeX tabular. */
+/** Writes convergence.tex: the same as a LaTeX tabular. */
 void write_convergence_latex(std::ostream &stream, const std::vector<LevelRecord> &levels);
 
-/** certificate.json, all levels. */
+/** Writes certificate.json, all levels. */
 void write_certificate(std::ostream &stream,
                        const std::vector<LevelRecord> &levels,
                        const Judge &judge,
                        const StudyVerdict &verdict);
 
-/** cases.csv: one row per load case; numbers of a case without a solution are empty. */
+/** Writes cases.csv: one row per load case; numbers of a case without a solution are empty. */
 void write_cases_csv(std::ostream &stream, const std::vector<CaseResult> &cases);
 } // namespace Signorini

@@ -10,13 +10,13 @@
 namespace Signorini
 {
 /**
- * deformed.svg: the points x + a u_h(x), coloured by the von Mises stress of largest_von_mises(),
- * with the undeformed outline, the contact sides, and the foundation where it is near, x + a g n.
- * So contact and gaps are shown magnified like the displacement. The factor a is 1, 2 or 5 times a
- * power of ten, at least 1, and stands in the title.
+ * Makes deformed.svg: the points x + a u_h(x), coloured by the von Mises stress of
+ * largest_von_mises(), with the undeformed outline, the contact sides, and the foundation where it
+ * is near, x + a g n. So contact and gaps are shown magnified like the displacement. The factor a
+ * is 1, 2 or 5 times a power of ten, at least 1, and stands in the title.
  *
  * Where there are more than 10000 cells, ancestors of cells are drawn, with values of u_h and its
- * stress at their corners. Runs on one rank alone.
+ * stress at their corners. Not collective.
  * @param line from trace_contact_line().
  */
 Picture deformed_picture(const DisplacementSpace<2> &space,

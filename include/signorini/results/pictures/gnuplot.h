@@ -10,11 +10,11 @@ namespace Signorini
 /** A picture before it is drawn. */
 struct Picture
 {
-  /** "pressure.svg". */
+  /** The name of the file: "pressure.svg". */
   std::string file;
-  /** What it shows, as plain text. */
+  /** The title, as plain text. */
   std::string title;
-  /** What gnuplot is told: data and commands, without the choice of the terminal's kind. */
+  /** The data and commands for gnuplot, without the choice of the terminal's kind. */
   std::string script;
 };
 
@@ -26,8 +26,8 @@ struct Drawing
 };
 
 /**
- * Lets gnuplot draw a script. The script is its standard input and the picture its standard output:
- * no shell, no files, no settings of the user. The same script gives the same text.
+ * Draws a script with gnuplot. The script is its standard input and the picture its standard
+ * output: no shell, no files, no settings of the user. The same script gives the same text.
  */
 Drawing draw_with_gnuplot(const Picture &picture);
 

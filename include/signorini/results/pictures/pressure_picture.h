@@ -8,8 +8,8 @@
 namespace Signorini
 {
 /**
- * The contact boundary with so many points on each of its pieces that curves are smooth: what
- * pressure_picture() draws.
+ * Returns the contact boundary for pressure_picture(), with so many points on each of its pieces
+ * that curves are smooth.
  */
 std::vector<ContactSegment> trace_for_pictures(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
@@ -17,9 +17,9 @@ std::vector<ContactSegment> trace_for_pictures(const DisplacementSpace<2> &space
                                                const dealii::Vector<double> &P);
 
 /**
- * pressure.svg: for every contact side the contact pressure -p (positive in compression; p_H, the
- * recovered pressure, and the exact one where it is known), and below it the opening g - u_n, over
- * arc length. Where p_H presses, the ground is coloured.
+ * Makes pressure.svg: for every contact side the contact pressure -p (positive in compression; p_H,
+ * the recovered pressure, and the exact one where it is known), and below it the opening g - u_n,
+ * over arc length. Where p_H presses, the ground is coloured.
  * @param line not empty.
  */
 Picture pressure_picture(const Scene<2> &scene, const std::vector<ContactSegment> &line);

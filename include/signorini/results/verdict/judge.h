@@ -13,9 +13,9 @@ namespace Signorini
 struct Residual
 {
   double value = 0.;
-  /** As certificate.json calls it. */
+  /** The name in certificate.json. */
   const char *name = "";
-  /** What makes it large. */
+  /** The cause of a large residual. */
   enum class Origin
   {
     equilibrium,
@@ -25,24 +25,25 @@ struct Residual
   Origin origin = Origin::equilibrium;
 };
 
-/** The largest of the residuals that must vanish; one that is not a number is the largest. */
+/** Returns the largest of the residuals that must vanish; one that is not a number is the largest.
+ */
 Residual largest_residual(const Certificate &certificate);
 
-/** The relative change of U or of its forces by rounding, the larger of both. */
+/** Returns the relative change of U or of its forces by rounding, the larger of both. */
 double rounding(const LevelRecord &level);
 
-/** The bound of the relative error of u_h in the energy norm, where there is one; on curved sides
- * it is an estimated bound. */
+/** Returns the bound of the relative error of u_h in the energy norm, where there is one; on curved
+ * sides it is an estimated bound. */
 std::optional<double> bound_of(const LevelRecord &level);
 
-/** Whether there is a bound that is guaranteed. */
+/** Returns whether there is a bound that is guaranteed. */
 bool is_guaranteed(const LevelRecord &level);
 
-/** That bound, or else the estimated relative error in the energy norm. */
+/** Returns that bound, or else the estimated relative error in the energy norm. */
 std::optional<double> relative_error(const LevelRecord &level);
 
-/** What is known about the error of the finest level, half a sentence: its bound and its
- * estimate, or why there is no bound and whether the estimate was checked. */
+/** Returns half a sentence about the error of the finest level: its bound and its estimate, or why
+ * there is no bound and whether the estimate was checked. */
 std::string describe_accuracy(const std::vector<LevelRecord> &levels);
 
 enum class Outcome
@@ -51,10 +52,10 @@ enum class Outcome
   unfinished,
   /** The equations are solved, and the guaranteed bound of the error is tolerated. */
   certified,
-  /** The equations are solved, and what is estimated of the error is tolerated; there is no
-   * guaranteed bound for such a scene. */
+  /** The equations are solved, and the estimated error is tolerated; there is no guaranteed bound
+   * for such a scene. */
   equations_certified,
-  /** The same on a graded mesh. */
+  /** The equations are solved, and the estimated error is tolerated, on a graded mesh. */
   accuracy_estimated,
   /** The equations are solved, but the error may be larger than what is tolerated. */
   not_resolved,
@@ -62,26 +63,26 @@ enum class Outcome
   not_certified
 };
 
-/** The outcome as certificate.json names it: "certified", "not resolved" and so on. */
+/** Returns the outcome as certificate.json names it: "certified", "not resolved" and so on. */
 const char *word_for(Outcome outcome);
 
-/** Whether the answer of a study can be trusted. */
+/** The verdict on a study: whether its answer can be trusted. */
 struct StudyVerdict
 {
   Outcome outcome = Outcome::unfinished;
-  /** Says why the study is not certified, and what helps; otherwise empty. */
+  /** The reason why the study is not certified, and the remedy; otherwise empty. */
   std::string reason;
-  /** What is known about the error of the finest level, half a sentence; empty if nothing is. */
+  /** Half a sentence about the error of the finest level; empty if nothing is known about it. */
   std::string accuracy;
   /** The largest Judge::residual_bound() of the levels. */
   double residual_bound = 0.;
 
-  /** Whether the equations are solved, however far the mesh is from the solution. */
+  /** Returns whether the equations are solved, however far the mesh is from the solution. */
   bool equations_hold() const
   {
     return is_certified() || outcome == Outcome::not_resolved;
   }
-  /** Whether the program ends with the exit code 0. */
+  /** Returns whether the program ends with the exit code 0. */
   bool is_certified() const
   {
     return outcome == Outcome::certified || outcome == Outcome::equations_certified ||
@@ -89,16 +90,16 @@ struct StudyVerdict
   }
 };
 
-/** What a user asks of an answer. */
+/** The demands of the user on an answer. */
 struct Demands
 {
-  /** On the KKT residual of the dual problem. */
+  /** The tolerance of the KKT residual of the dual problem. */
   double tolerance = 1e-10;
-  /** On the relative error in the energy norm: its bound, or else its estimate. */
+  /** The tolerated relative error in the energy norm: its bound, or else its estimate. */
   double tolerated_error = 0.2;
-  /** The same for a study that refines until it is reached; 0: none. */
+  /** The target of the same error for a study that refines until it is reached; 0: none. */
   double target_error = 0.;
-  /** Whether the user has set the target. The usual one of graded meshes is only aimed at. */
+  /** Whether the user has set the target. The default target of graded meshes is not required. */
   bool target_is_given = true;
   /** Whether graded meshes can solve the scene, too. */
   bool can_be_graded = false;
@@ -106,7 +107,7 @@ struct Demands
   bool has_b_bar = true;
 };
 
-/** Decides what can be trusted: single levels, and a study. */
+/** Decides whether single levels and a study can be trusted. */
 class Judge
 {
 public:
@@ -116,7 +117,7 @@ public:
   {
     return demands_.tolerance;
   }
-  /** The largest relative error that is certified. */
+  /** Returns the largest relative error that is certified. */
   double tolerated_error() const
   {
     return demands_.tolerated_error;
@@ -125,7 +126,7 @@ public:
   {
     return demands_.target_error;
   }
-  /** Whether the target error has to be reached. */
+  /** Returns whether the target error has to be reached. */
   bool requires_target() const
   {
     return demands_.target_error > 0. && demands_.target_is_given;
@@ -134,25 +135,25 @@ public:
   {
     return demands_.has_b_bar;
   }
-  /** Whether refinement may stop at this level because it reaches the target error. */
+  /** Returns whether refinement may stop at this level because it reaches the target error. */
   bool reaches_target(const LevelRecord &level) const;
-  /** The bound on the certificate's residuals: a hundred times the tolerance, but at most one per
-   * cent, or a hundred times the rounding. */
+  /** Returns the bound on the certificate's residuals: a hundred times the tolerance, but at most
+   * one per cent, or a hundred times the rounding. */
   double residual_bound(const LevelRecord &level) const;
-  /** One sentence that says why the answer of this level does not solve its equations; empty if it
-   * does. */
+  /** Returns one sentence with the reason why the answer of this level does not solve its
+   * equations; empty if it does. */
   std::string doubt(const LevelRecord &level) const;
-  /** Whether there is no doubt() about a level. */
+  /** Returns whether there is no doubt() about a level. */
   bool accepts(const LevelRecord &level) const
   {
     return doubt(level).empty();
   }
 
-  /** The verdict on all levels of a study. */
+  /** Returns the verdict on all levels of a study. */
   StudyVerdict verdict(const std::vector<LevelRecord> &levels) const;
-  /** The verdict as long as more levels follow. */
+  /** Returns the verdict as long as more levels follow. */
   StudyVerdict unfinished(const std::vector<LevelRecord> &levels) const;
-  /** The verdict on a study that an error has ended; @p reason is the error's message. */
+  /** Returns the verdict on a study that an error has ended; @p reason is the error's message. */
   StudyVerdict failed(const std::vector<LevelRecord> &levels, const std::string &reason) const;
 
 private:
