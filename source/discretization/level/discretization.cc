@@ -24,6 +24,11 @@ StrainOperator strain_operator(const Element element)
                                       : StrainOperator::symmetric_gradient;
 }
 
+unsigned int degree_of(const Element element)
+{
+  return element == Element::q2 ? 2 : 1;
+}
+
 /** C is singular anyway where patches are finer than faces; those that are far finer even on the
  * finest level only cost time. */
 constexpr unsigned int most_patches_per_face = 4;
@@ -55,9 +60,10 @@ void refuse_blind_patches(const Parameters &parameters, const Coupling &condense
 }
 
 template <int dim>
-void refuse_unstable_patches(const Parameters &parameters, const ContactSurface<dim> &surface)
+void refuse_unstable_patches(const Parameters &parameters,
+                             const Discretization<dim> &discretization)
 {
-  if (!surface.has_unstable_patch())
+  if (!is_unstable(discretization))
     return;
   if (dim == 3)
     throw InputError(parameters.discretization.coarsest_level.where() + ": found '" +
@@ -134,10 +140,11 @@ Discretization<dim>::Discretization(const Parameters &parameters,
              additional_points(mesh.triangulation().n_active_cells()))
   , space(timed(times.setup,
                 [&]() {
-                  return DisplacementSpace<dim>(
-                    mesh, scene, strain_operator(parameters.discretization.element));
+                  return DisplacementSpace<dim>(mesh,
+                                                scene,
+                                                strain_operator(parameters.discretization.element),
+                                                degree_of(parameters.discretization.element));
                 }))
-  , is_graded(false)
   , surface(timed(times.setup,
                   [&]() {
                     return ContactSurface<dim>(mesh,
@@ -148,11 +155,13 @@ Discretization<dim>::Discretization(const Parameters &parameters,
   , multipliers(surface)
   , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
   , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
+  , n_gap_points(n_points)
+  , gap_grading(Grading::towards_kinks)
   , G(timed(times.setup, [&]() { return assemble_gap_of(scene); }))
 {
   refuse_blind_patches(parameters, condensed_D);
   refuse_needless_patches(parameters, level, surface);
-  refuse_unstable_patches(parameters, surface);
+  refuse_unstable_patches(parameters, *this);
 }
 
 template <>
@@ -163,7 +172,6 @@ Discretization<2>::Discretization(const Parameters &parameters,
   , n_points(parameters.discretization.quadrature_points)
   , space(timed(times.setup,
                 [&]() { return DisplacementSpace<2>(mesh, scene, plan_degrees(plan, mesh)); }))
-  , is_graded(true)
   , surface(
       timed(times.setup,
             [&]() { return make_surface(space, scene, parameters.discretization.multipliers); }))
@@ -172,6 +180,8 @@ Discretization<2>::Discretization(const Parameters &parameters,
       [&]() { return make_multipliers(space, surface, parameters.discretization.multipliers); }))
   , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
   , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
+  , n_gap_points(n_points + 2)
+  , gap_grading(Grading::none)
   , G(timed(times.setup, [&]() { return assemble_gap_of(scene); }))
 {
   refuse_blind_patches(parameters, condensed_D);
@@ -180,9 +190,7 @@ Discretization<2>::Discretization(const Parameters &parameters,
 template <int dim>
 dealii::Vector<double> Discretization<dim>::assemble_gap_of(const Scene<dim> &scene) const
 {
-  if (is_graded)
-    return assemble_gap(multipliers, scene.boundary, n_points + 2, Grading::none);
-  return assemble_gap(multipliers, scene.boundary, n_points);
+  return assemble_gap(multipliers, scene.boundary, n_gap_points, gap_grading);
 }
 
 std::vector<unsigned int> degrees_of(const DisplacementSpace<2> &space)

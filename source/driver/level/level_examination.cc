@@ -50,7 +50,7 @@ bool wants_bound(const DiscretizationParameters &given, const unsigned int level
 constexpr unsigned long long max_bounded_unknowns = 10000000;
 
 template <int dim>
-LevelSizes sizes_of(const Discretization<dim> &discretization)
+LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy strategy)
 {
   return {discretization.mesh.level(),
           discretization.mesh.triangulation().n_global_active_cells(),
@@ -60,7 +60,8 @@ LevelSizes sizes_of(const Discretization<dim> &discretization)
           discretization.surface.longest_patch(),
           is_unstable(discretization),
           discretization.space.largest_degree(),
-          discretization.mesh.shortest_edge()};
+          discretization.mesh.shortest_edge(),
+          strategy};
 }
 
 /** Where plates are and what holds them there. */
@@ -178,10 +179,11 @@ LocatedBound bound_of(const Discretization<2> &discretization,
 /** Sizes, and how contact was found. */
 template <int dim>
 LevelRecord begin_record(const Discretization<dim> &discretization,
-                         const ContactState<dim> &contact)
+                         const ContactState<dim> &contact,
+                         const Strategy strategy)
 {
   LevelRecord record;
-  record.sizes = sizes_of(discretization);
+  record.sizes = sizes_of(discretization, strategy);
   record.times = contact.times;
   record.times.mesh = discretization.times.mesh;
   record.times.setup = discretization.times.setup;
@@ -220,7 +222,8 @@ Examination examine(const Parameters &parameters,
                     const ContactState<dim> &contact,
                     const Progress &progress)
 {
-  Examination found = {begin_record(discretization, contact), {}};
+  Examination found = {begin_record(discretization, contact, parameters.discretization.strategy),
+                       {}};
   LevelRecord &record = found.record;
   const StageTimer timer(record.times.postprocess);
   if (wants_inf_sup<dim>(parameters, contact))

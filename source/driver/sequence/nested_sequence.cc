@@ -49,8 +49,7 @@ public:
     add_errors(parameters, context_.scene, discretization, exact_pressure_.get(), result.solution);
     result.is_last = next_level_ == parameters.discretization.finest_level ||
                      !record.dual.converged || context_.judge.reaches_target(record);
-    const bool may_lock =
-      discretization.space.strain_operator() == StrainOperator::symmetric_gradient;
+    const bool may_lock = parameters.discretization.element == Element::q1;
     if (result.is_last && may_lock)
       record.locking_number = locking_number(discretization.mesh, *context_.scene.material);
     if (!result.is_last)

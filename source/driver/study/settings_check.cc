@@ -72,6 +72,10 @@ void check_multigrid(const Given<Option> &solver,
   if (strategy == Strategy::hp)
     throw InputError(solver.where() + ": found '" + to_text(solver.value) + "' with Strategy '" +
                      to_text(strategy.value) + "', allowed with it: " + allowed + ".");
+  const Given<Element> &element = parameters.discretization.element;
+  if (element == Element::q2)
+    throw InputError(solver.where() + ": found '" + to_text(solver.value) + "' with Element '" +
+                     to_text(element.value) + "', allowed with it: " + allowed + ".");
   if (parameters.output.compliance)
     throw InputError(parameters.output.compliance.where() + ": found 'true' with " + name + " '" +
                      to_text(solver.value) +

@@ -13,7 +13,7 @@ namespace Signorini
 template <int dim>
 RecoveredDisplacement<dim>::RecoveredDisplacement(const DisplacementSpace<dim> &space,
                                                   const NodalVector &U)
-  : element_(dealii::FE_Q<dim>(2), dim)
+  : element_(dealii::FE_Q<dim>(2 * space.element().degree), dim)
   , dofs_(space.mesh().triangulation())
 {
   dofs_.distribute_dofs(element_);
@@ -24,10 +24,10 @@ RecoveredDisplacement<dim>::RecoveredDisplacement(const DisplacementSpace<dim> &
   PatchInterpolation<dim> interpolation(space, nodes, best_interpolation(space, U));
   dealii::Vector<double> cell_values(element_.n_dofs_per_cell());
   auto cell = dofs_.begin_active();
-  for (const auto &q1_cell : space.dofs().active_cell_iterators())
+  for (const auto &own_cell : space.dofs().active_cell_iterators())
   {
-    at_nodes.reinit(q1_cell);
-    const FieldValues<dim> &recovered = interpolation.evaluate(U, q1_cell, at_nodes);
+    at_nodes.reinit(own_cell);
+    const FieldValues<dim> &recovered = interpolation.evaluate(U, own_cell, at_nodes);
     for (unsigned int i = 0; i < cell_values.size(); ++i)
     {
       const auto component_and_node = element_.system_to_component_index(i);

@@ -146,9 +146,11 @@ void refuse_what_is_plane(const Parameters &parameters)
                        ": this entry exists with Dimension = 2 only, found Dimension = 3.");
   refuse_option(parameters.material.law, MaterialLaw::orthotropic, "isotropic, general");
   refuse_option(parameters.discretization.strategy, Strategy::hp, to_text(Strategy::nested));
-  refuse_option(parameters.discretization.element, Element::q1_b_bar, to_text(Element::q1));
+  refuse_option(parameters.discretization.element,
+                Element::q1_b_bar,
+                to_text(Element::q1) + ", " + to_text(Element::q2));
   const Given<unsigned int> &ratio = parameters.discretization.patch_ratio;
-  if (ratio < 2)
+  if (ratio < 2 && parameters.discretization.element != Element::q2)
     throw InputError(ratio.where() + ": found '" + std::to_string(ratio.value) +
                      "' with Dimension = 3, allowed: 2 or more; in space the inf-sup constant of "
                      "H = h falls like h^2.");

@@ -53,7 +53,8 @@ const OptionNames<HpMultipliers> &option_names()
 template <>
 const OptionNames<Element> &option_names()
 {
-  static const OptionNames<Element> names = {{Element::q1, "Q1"}, {Element::q1_b_bar, "Q1 B-bar"}};
+  static const OptionNames<Element> names = {
+    {Element::q1, "Q1"}, {Element::q1_b_bar, "Q1 B-bar"}, {Element::q2, "Q2"}};
   return names;
 }
 

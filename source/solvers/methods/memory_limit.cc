@@ -160,8 +160,11 @@ double MemoryLimit<dim>::needed(const unsigned int level) const
 {
   if (solvers_.is_matrix_free())
     return bytes_without_factor<dim>(n_cells(level));
-  return sparse_bytes<dim>(n_cells(level)) +
-         dense_bytes(n_patches(level), dim * n_contact_faces(level), condensed_);
+  // A cell of degree two has the unknowns of 2^dim cells of degree one.
+  const double degree = given_.element == Element::q2 ? 2. : 1.;
+  return sparse_bytes<dim>(std::pow(degree, dim) * n_cells(level)) +
+         dense_bytes(
+           n_patches(level), dim * std::pow(degree, dim - 1.) * n_contact_faces(level), condensed_);
 }
 
 template <int dim>

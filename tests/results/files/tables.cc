@@ -115,6 +115,7 @@ void graded_tables(Checks &checks)
   auto steps = two_levels();
   for (LevelRecord &step : steps)
   {
+    step.sizes.strategy = Strategy::hp;
     step.sizes.max_degree = 2 + step.sizes.level;
     step.sizes.min_h = 0.01;
     step.estimate = ErrorEstimate{{}, 0.6, 0.25, {}, {}};

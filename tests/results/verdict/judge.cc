@@ -239,7 +239,7 @@ void estimates(Checks &checks)
   levels[2].estimate->relative = 0.019;
   checks.that("one that is tolerated",
               judge.verdict(levels).outcome == Outcome::equations_certified);
-  levels[2].sizes.max_degree = 4;
+  levels[2].sizes.strategy = Strategy::hp;
   checks.that("on a graded mesh, above its usual aim",
               judge.verdict(levels).outcome == Outcome::accuracy_estimated);
   levels[2].estimate->relative = 0.03;

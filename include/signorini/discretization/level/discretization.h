@@ -31,13 +31,14 @@ struct Discretization
    * take more. */
   unsigned int n_points;
   DisplacementSpace<dim> space;
-  /** Whether this is a graded mesh. */
-  bool is_graded;
   ContactSurface<dim> surface;
   MultiplierSpace<dim> multipliers;
   Coupling D;
   /** D seen from the unconstrained degrees of freedom. */
   Coupling condensed_D;
+  /** How the gap is integrated on pieces of patches with constants. */
+  unsigned int n_gap_points;
+  Grading gap_grading;
   dealii::Vector<double> G;
 
   /** G for the gap of another scene with the same contact sides. */

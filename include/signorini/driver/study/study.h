@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/problem/parameters/parameters.h>
+#include <signorini/results/record/level_result.h>
 #include <signorini/results/verdict/judge.h>
 
 #include <filesystem>

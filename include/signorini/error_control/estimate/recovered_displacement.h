@@ -7,7 +7,8 @@ namespace Signorini
 {
 /**
  * The patch interpolation of u_h that comes closest to u, pi^{2h} u_h or the one of degree four
- * (best_interpolation()), as a function of degree two per direction on T^h. Stresses come from it.
+ * (best_interpolation()), as a function of degree 2 p per direction on T^h, for elements of degree
+ * p. Stresses come from it.
  */
 template <int dim>
 class RecoveredDisplacement

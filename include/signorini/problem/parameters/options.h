@@ -100,7 +100,9 @@ enum class Element
 {
   q1,
   /** Q1 with the dilatation averaged over each cell (B-bar). */
-  q1_b_bar
+  q1_b_bar,
+  /** Biquadratic: the method of the paper one order up, with constants on patches as before. */
+  q2
 };
 
 /** The levels for which VTU files are written. */

@@ -40,13 +40,16 @@ struct LevelSizes
   /** The shortest edge (length). */
   double min_h = 0.;
 
-  /** Whether the mesh is a step of a sequence of graded meshes, whose elements have degrees above
-   * one. There h alone does not tell how fine a mesh is, and errors have no orders in h. */
+  /** The sequence that the mesh belongs to. */
+  Strategy strategy = Strategy::nested;
+
+  /** Returns whether the mesh is a step of a sequence of graded meshes. There h alone does not tell
+   * how fine a mesh is, and errors have no orders in h. */
   bool is_graded() const
   {
-    return max_degree > 1;
+    return strategy == Strategy::hp;
   }
-  /** What it is called on the screen. */
+  /** Returns what the mesh is called on the screen. */
   const char *word() const
   {
     return is_graded() ? "step" : "level";
