@@ -19,7 +19,7 @@ namespace Signorini
 {
 namespace
 {
-/** r_F of one face, from q and w_h. */
+/** Computes r_F of one face from q and w_h. */
 class Remainder
 {
 public:
@@ -60,7 +60,7 @@ public:
 private:
   using Ends = std::array<double, 2>;
 
-  /** A part minus the linear function with the given values at 0 and 1. */
+  /** Returns a part minus the linear function with the given values at 0 and 1. */
   static EdgeFunction::Part minus(EdgeFunction::Part part, const Ends &ends)
   {
     part.first -= (1. - part.start) * ends[0] + part.start * ends[1];
@@ -80,7 +80,7 @@ private:
       if (tau > 1e-9 && tau < 1. - 1e-9)
         breaks.push_back(part.start + tau * (part.end - part.start));
   }
-  /** The remainder between two breaks: there it is one of b - e, b and 0. */
+  /** Returns the remainder between two breaks: there it is one of b - e, b and 0. */
   EdgeFunction::Part on(const EdgeFunction::Part &b,
                         const EdgeFunction::Part &lack,
                         const double start,
@@ -117,13 +117,13 @@ std::string describe(const std::string &reason, const SidePlace &place, const Sc
   return text.str();
 }
 
-/** int_F tau_n (d - w_n). */
+/** Returns int_F tau_n (d - w_n). */
 double contact_term(const ContactTrace &trace, const LiftField &lift, const unsigned int face)
 {
   static const dealii::QGauss<1> gauss(4);
   const PenetrationFace &F = trace.faces()[face];
   double sum = 0.;
-  // Those of d and p_H, and where w_n has kinks.
+  // The parts are those of d and p_H, cut where w_n has kinks.
   for (const EdgeFunction::Part &part : lift.remainder(face).parts())
     for (unsigned int q = 0; q < gauss.size(); ++q)
     {

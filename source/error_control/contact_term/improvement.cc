@@ -22,14 +22,14 @@ double product(const std::vector<double> &a, const std::vector<double> &b)
   return sum;
 }
 
-/** a += factor b. */
+/** Adds factor b to a. */
 void add(std::vector<double> &a, const double factor, const std::vector<double> &b)
 {
   for (std::size_t i = 0; i < a.size(); ++i)
     a[i] += factor * b[i];
 }
 
-/** Below this share of the square of tau, the misfit is rounding. */
+/** The share of the square of tau below which the misfit is rounding. */
 constexpr double rounding = 1e-20;
 
 std::vector<unsigned int> pulling(const EdgeMesh &mesh,

@@ -12,7 +12,7 @@ namespace Signorini
 {
 namespace
 {
-/** The lines that run through the interior of a cell. */
+/** Returns the lines that run through the interior of a cell. */
 std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const EdgeCell &cell)
 {
   std::vector<KinkLine<2>> result;

@@ -13,14 +13,15 @@ template <int dim>
 class RecoveredDisplacement
 {
 public:
-  /** The space must outlive the object, and Mesh::has_parents() be true. Collective. */
+  /** Interpolates u_h. The space must outlive the object, and Mesh::has_parents() must be true.
+   * Collective. */
   RecoveredDisplacement(const DisplacementSpace<dim> &space, const NodalVector &U);
 
   const dealii::DoFHandler<dim> &dofs() const
   {
     return dofs_;
   }
-  /** Set on the cells that this rank knows. */
+  /** Returns the nodal values, set on the cells that this rank stores. */
   const NodalVector &values() const
   {
     return values_;

@@ -27,10 +27,10 @@ namespace Signorini
 class PatchBubbles
 {
 public:
-  /** m_k of the four edges of an EdgeCell, 0 where it is held back, then c. */
+  /** The coefficients m_k of the four edges of an EdgeCell, 0 where m_k is held back, then c. */
   using Coefficients = std::array<dealii::Tensor<1, 2>, 5>;
 
-  /** Needs Mesh::has_parents(). */
+  /** Interpolates u_h. Needs Mesh::has_parents(). */
   PatchBubbles(const DisplacementSpace<2> &space, const EdgeMesh &mesh, const NodalVector &U);
 
   Coefficients on(const unsigned int cell) const
@@ -43,12 +43,12 @@ public:
   {
     return !held_.empty() && held_.find(cell) != held_.end();
   }
-  /** What is held back on such a cell. */
+  /** Returns the coefficients that are held back on such a cell. */
   const Coefficients &held_back(const unsigned int cell) const
   {
     return held_.at(cell);
   }
-  /** b in the middle of an edge, 0 where it is held back. */
+  /** Returns b in the middle of an edge, 0 where it is held back. */
   const dealii::Tensor<1, 2> &on_edge(const unsigned int edge) const
   {
     return edges_[edge];
@@ -60,36 +60,35 @@ private:
   std::map<unsigned int, Coefficients> held_;
 };
 
-/** The gradients of the five functions at a point. */
+/** The gradients of the five functions at a point, see PatchBubbles. */
 using BubbleGradients = std::array<dealii::Tensor<1, 2>, 5>;
 BubbleGradients bubble_gradients(const StressPoint &point);
 
-/** (e11, e22, 2 e12) of a sum of the five functions. */
+/** Returns the strain (e11, e22, 2 e12) of a sum of the five functions. */
 Components strain_of(const BubbleGradients &gradients,
                      const PatchBubbles::Coefficients &coefficients);
 
-/** What determines sigma(u_h) - tau on a parallelogram with a constant law. */
+/** The data that determine sigma(u_h) - tau on a parallelogram with a constant law. */
 struct CellMisfit
 {
-  /** u_h at the corners, relative to one of them. */
+  /** The values of u_h at the corners, relative to one of them. */
   std::array<dealii::Tensor<1, 2>, 4> u;
-  /** tau without the part of CellLoad::slope. */
+  /** The stress tau without the part of CellLoad::slope. */
   CompositeCell::Stresses stresses;
   std::array<double, 4> slope;
 };
 
-/**
- * ‖sigma(u_h + b) - tau‖² - ‖sigma(u_h) - tau‖² = 2 int eps(b):(sigma(u_h) - tau) + |||b|||² on a
- * parallelogram with a constant law, as a form in the ten components of b. Exact: the products have
- * the degree six, the rule ten.
- */
+/** The form ‖sigma(u_h + b) - tau‖² - ‖sigma(u_h) - tau‖² = 2 int eps(b):(sigma(u_h) - tau) +
+ * |||b|||² on a parallelogram with a constant law, in the ten components of b. It is exact: the
+ * products have the degree six, the rule ten. */
 class BubbleForm
 {
 public:
   BubbleForm(const CellShape &shape, const Law &law);
 
   double change(const PatchBubbles::Coefficients &b, const CellMisfit &misfit) const;
-  /** int eps(b) psi: minus half of the derivative of change() by the stresses. */
+  /** Returns int eps(b) psi, which is minus half of the derivative of change() with respect to the
+   * stresses. */
   CompositeCell::Stresses dual(const PatchBubbles::Coefficients &b) const;
 
 private:
@@ -106,12 +105,13 @@ class BubbleForms
 public:
   explicit BubbleForms(const CellTable &table);
 
-  /** None where the cell is no parallelogram, shares CellData with no other or the law varies. */
+  /** Returns the form of a cell; null where the cell is no parallelogram, shares CellData with no
+   * other cell, or the law varies. */
   const BubbleForm *of(unsigned int cell) const;
 
 private:
   const CellTable &table_;
-  /** By shape. */
+  /** The forms, by shape. */
   std::vector<std::unique_ptr<const BubbleForm>> forms_;
 };
 } // namespace Signorini
