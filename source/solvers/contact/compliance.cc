@@ -13,7 +13,7 @@ namespace Signorini
 {
 namespace
 {
-/** As many right-hand sides as are solved at once. */
+/** The number of right-hand sides that are solved at once. */
 constexpr std::size_t block_size = 32;
 } // namespace
 
@@ -215,10 +215,10 @@ bool SolvedCompliance::is_explicit() const
 
 namespace
 {
-/** C = D^T S^{-1} D = W^T W with S = L L^T, W = L^{-1} D. */
+/** Returns C = D^T S^{-1} D = W^T W with S = L L^T and W = L^{-1} D. */
 dealii::FullMatrix<double> compliance_from(TrailingFactor &factor, const Coupling &condensed_D)
 {
-  // A matrix of LAPACK that was moved has forgotten it.
+  // A moved LAPACK matrix loses its properties.
   factor.L.set_property(dealii::LAPACKSupport::lower_triangular);
   const unsigned int m = condensed_D.n_columns();
   dealii::LAPACKFullMatrix<double> W(factor.L.m(), m);

@@ -9,18 +9,18 @@
 
 namespace Signorini
 {
-/** How the dual problem is solved. */
+/** The options of the solution of the dual problem. */
 struct DualSolverOptions
 {
   ContactSolver method = ContactSolver::active_set;
-  /** omega of projected SOR, 0 < omega < 2. */
+  /** The factor omega of projected SOR, 0 < omega < 2. */
   double relaxation = 1.1;
-  /** On the KKT residual. */
+  /** The tolerance of the KKT residual. */
   double tolerance = 1e-10;
   unsigned int maximum_iterations = 100000;
-  /** Whether C may be singular: then QPResult::unique is found out. */
+  /** Whether C may be singular: then QPResult::unique is determined. */
   bool may_be_singular = false;
-  /** For MPRGP; empty: none. */
+  /** The preconditioner of MPRGP; none if it is empty. */
   SetPreconditioner preconditioner = {};
 };
 
