@@ -17,7 +17,7 @@ using dealii::numbers::PI;
 
 constexpr int n_aliases = 8;
 
-/** (c_k/n)^{1/2} cos(k pi (i + 1/2)/n), c_0 = 1, c_k = 2. */
+/** Returns (c_k/n)^{1/2} cos(k pi (i + 1/2)/n), c_0 = 1, c_k = 2. */
 Matrix orthonormal_cosines(const unsigned int n)
 {
   Matrix cosines(n, n);
@@ -27,7 +27,7 @@ Matrix orthonormal_cosines(const unsigned int n)
   return cosines;
 }
 
-/** c_k/n cos(k pi a/n) for 0 <= a < 2 n. */
+/** Returns c_k/n cos(k pi a/n) for 0 <= a < 2 n. */
 Matrix differences(const unsigned int n)
 {
   Matrix cosines(2 * n, n);
@@ -37,13 +37,14 @@ Matrix differences(const unsigned int n)
   return cosines;
 }
 
-/** A mode of the series: its frequency squared, and the part of it that patches see, squared. */
+/** A mode of the series: the square of its frequency, and the square of the share of it that
+ * patches resolve. */
 struct Alias
 {
   double square_of_frequency, share;
 };
 
-/** The modes k + 2 n j of the series, with (sin x/x)^2 for x = omega h/2. */
+/** Returns the modes k + 2 n j of the series, with (sin x/x)^2 for x = omega h/2. */
 std::vector<Alias> aliases_of(const unsigned int k, const unsigned int n, const double length)
 {
   if (length <= 0.)
