@@ -15,7 +15,7 @@ namespace Signorini
 {
 namespace
 {
-/** Smaller groups are left to the sparse factorisation. */
+/** The size below which groups are left to the sparse factorisation. */
 constexpr int smallest_group = 8;
 
 constexpr int one = 1;
