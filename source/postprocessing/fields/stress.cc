@@ -53,7 +53,7 @@ template std::vector<double> mean_dilatations(const DisplacementSpace<3> &, cons
 
 namespace
 {
-/** sum_k row[k] v[k * stride]. */
+/** Returns sum_k row[k] v[k * stride]. */
 dealii::Tensor<1, 3> along(const double *const row,
                            const unsigned int n,
                            const dealii::Tensor<1, 3> *const v,

@@ -12,7 +12,7 @@ namespace Signorini
 {
 namespace
 {
-/** Values at the two nodes of a first and of a second cell. */
+/** A matrix for the values at the two nodes of a first and of a second cell. */
 using PairMatrix = std::array<std::array<double, 4>, 4>;
 
 /** Adds weight * w w^T. */
@@ -23,8 +23,8 @@ void add_square(const std::array<double, 4> &w, const double weight, PairMatrix 
       matrix[i][j] += weight * w[i] * w[j];
 }
 
-/** Both orders of two different cells whose first nodes are @p d >= 1 cells apart. In one dimension
- * the double integral does not depend on the size of the cells. */
+/** Returns the integrals over both orders of two different cells whose first nodes are @p d >= 1
+ * cells apart. In one dimension the double integral does not depend on the size of the cells. */
 PairMatrix pair_matrix(const unsigned int d)
 {
   PairMatrix matrix = {};
@@ -51,7 +51,7 @@ PairMatrix pair_matrix(const unsigned int d)
   return matrix;
 }
 
-/** Gram matrix of the seminorm. */
+/** Returns the Gram matrix of the seminorm. */
 dealii::FullMatrix<double> seminorm_matrix(const unsigned int n_cells)
 {
   dealii::FullMatrix<double> matrix(n_cells + 1, n_cells + 1);

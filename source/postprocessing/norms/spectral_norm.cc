@@ -20,10 +20,11 @@ namespace Signorini
 namespace
 {
 /**
- * grad phi_i . grad phi_j on a cell is a polynomial divided by the determinant of the cell's map. A
- * determinant that falls linearly by the factor @p r along an edge vanishes outside of it, where
- * the ellipse around the edge on which Gauss' rule with n points converges like rho^{-2n} has
- * rho = (sqrt(r) + 1)/(sqrt(r) - 1).
+ * Returns the number of points of a Gauss rule for the Gram matrix. grad phi_i . grad phi_j on a
+ * cell is a polynomial divided by the determinant of the cell's map. A determinant that falls
+ * linearly by the factor @p r along an edge vanishes outside of it, where the ellipse around the
+ * edge on which Gauss' rule with n points converges like rho^{-2n} has rho = (sqrt(r) + 1)/(sqrt(r)
+ * - 1).
  *
  * @return n with rho^{-2n} below 1e-10, and as many points more for the polynomial as the element's
  * degree says; from degree + 2, which is enough for r = 1, to 39 + degree.
@@ -37,7 +38,7 @@ unsigned int points_for_ratio(const double r, const unsigned int degree)
   return degree + std::max(2U, static_cast<unsigned int>(n));
 }
 
-/** Shape functions at as many Gauss points as the shape of a cell asks for. */
+/** The shape functions at as many Gauss points as the shape of a cell needs. */
 template <int dim>
 class ValuesByShape
 {
@@ -67,7 +68,8 @@ public:
   }
 
 private:
-  /** The largest over the smallest, at the vertices and the middles between them. */
+  /** Returns the ratio of the largest to the smallest determinant, at the vertices and the middles
+   * between them. */
   double
   ratio_of_determinants(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
   {
@@ -83,7 +85,7 @@ private:
 
   dealii::FE_Nothing<dim> no_functions_;
   dealii::FEValues<dim> shape_;
-  /** By the degree and the number of points per direction. */
+  /** The values by the degree and the number of points per direction. */
   std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<dealii::FEValues<dim>>> values_;
 };
 } // namespace
@@ -105,7 +107,7 @@ dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const Displacemen
     const unsigned int n = element.n_dofs_per_cell();
     cell_matrix.reinit(n, n);
     indices.resize(n);
-    // The same block for every component.
+    // The block is the same for every component.
     for (unsigned int v = 0; v < n / dim; ++v)
       for (unsigned int w = 0; w <= v; ++w)
       {
@@ -166,7 +168,7 @@ public:
       flush();
   }
 
-  /** sums[first + k - 1] += the sum of mode k, for all modes. */
+  /** Adds the sum of mode k to sums[first + k - 1], for all modes. */
   void add_to(dealii::Vector<double> &sums, const unsigned int first)
   {
     flush();
@@ -175,11 +177,11 @@ public:
   }
 
 private:
-  /** A. */
+  /** The number A. */
   static constexpr unsigned int block = 128;
 
-  /** cos(i step theta) and sin(i step theta), row i. Unit vectors are rotated by step theta; their
-   * errors add up to 1e-16 per row only. */
+  /** Computes cos(i step theta) and sin(i step theta), row i. Unit vectors are rotated by step
+   * theta; their errors add up to 1e-16 per row only. */
   void tabulate(const unsigned int step,
                 dealii::FullMatrix<double> &cosines,
                 dealii::FullMatrix<double> &sines) const
@@ -222,7 +224,7 @@ private:
   }
 
   unsigned int n_modes_;
-  /** The number of b. */
+  /** The number of values of b. */
   unsigned int n_blocks_;
   bool used_ = false;
   /** The sum for k = a + A b in row b and column a. */

@@ -11,8 +11,8 @@ namespace Signorini
  * The kernel of the cosine norm, as a function of the distance of two points on a line that is
  * repeated with the period P:
  *
- *     kappa(x) = (1/P) sum_k (1 + (k omega)²)^{-1/2} e^{i k omega x}, all integers k, omega = 2
- * pi/P = (1/pi) sum_m K_0(|x + m P|), all integers m.
+ *     kappa(x) = (1/P) sum_k (1 + (k omega)²)^{-1/2} e^{i k omega x},   omega = 2 pi/P,
+ *              = (1/pi) sum_m K_0(|x + m P|),   all integers k and m.
  *
  * The second line is the first one by Poisson's summation. For short periods, where it needs many
  * terms, ln sin takes its singularity:
@@ -35,9 +35,10 @@ public:
   {
     return period_;
   }
-  /** The distance from a point to the nearest singularity, a multiple of P. */
+  /** Returns the distance from a point to the nearest singularity, a multiple of P. */
   double distance(double x) const;
-  /** The error is below 1e-8. At singularities, the value 1e-18 P next to them. */
+  /** Returns kappa(x) with an error below 1e-8. At singularities it returns the value 1e-18 P next
+   * to them. */
   double operator()(double x) const;
 
 private:
@@ -45,11 +46,11 @@ private:
 };
 
 /**
- * The Gram matrix of the basis of Q^H in the cosine norm; block diagonal, the square of the norm is
- * the sum over the sides.
+ * Returns the Gram matrix of the basis of Q^H in the cosine norm. It is block diagonal: the square
+ * of the norm is the sum over the sides.
  *
- * Constants on patches of about the same length take the series of SpectralNorm. Series cannot tell
- * the patches of graded meshes apart; there
+ * Constants on patches of about the same length take the series of SpectralNorm. Series do not
+ * resolve the patches of graded meshes; there
  *
  *     int_I int_J psi(s) phi(t) kappa(s - t) ds dt = int kappa(x) A(x) dx,
  *     A(x) = int psi(s) phi(s - x) ds,
@@ -59,6 +60,6 @@ private:
  */
 dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers);
 
-/** In space, where patches have constants: the series of RectangleNorm. */
+/** Returns the same matrix in 3-D, where patches have constants: the series of RectangleNorm. */
 dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers);
 } // namespace Signorini
