@@ -19,8 +19,8 @@ public:
 
   /**
    * Reduces the motions.
-   * @param stiffness a typical 1/C_ii: the sum over all patches of |B_i|^2/C_ii: K is zero where
-   * it is below 1e-12 of it.
+   * @param stiffness a typical 1/C_ii, that is, the sum over all patches of |B_i|^2/C_ii. K is zero
+   * where it is below 1e-12 of it.
    * @throws std::invalid_argument if sizes do not fit or K is not symmetric.
    */
   SeenMotions(const FreeMotions &motions, unsigned int m, double stiffness);
