@@ -97,7 +97,8 @@ struct Samples
   /** Whether f is far from any parabola. */
   bool rough = false;
 
-  /** f minus the parabola at further points: the largest value and the largest absolute value. */
+  /** The excess of f over the parabola at further points: the largest value and the largest
+   * absolute value. */
   double scanned_excess = 0., scanned_misfit = 0.;
   /** The largest value of f at further points, and its position. */
   double scanned_largest = std::numeric_limits<double>::lowest(), scanned_at = 0.;

@@ -81,10 +81,10 @@ struct ErrorBound
  */
 struct BoundFields
 {
-  /** ‖sigma(u_h) - tau‖_{E^{-1},K}, osc_K and |||w|||_K by active cell; the last is zero on cells
-   * of other ranks. */
+  /** The norms ‖sigma(u_h) - tau‖_{E^{-1},K}, osc_K and |||w|||_K by active cell; the last is zero
+   * on cells of other ranks. */
   std::vector<double> mesh, oscillation, lift;
-  /** (2 int_F p_H (u_{h,n} - g - w_n))^{1/2}, in the order of ContactSurface::faces(). */
+  /** The roots (2 int_F p_H (u_{h,n} - g - w_n))^{1/2}, in the order of ContactSurface::faces(). */
   std::vector<double> contact;
 };
 
@@ -102,7 +102,7 @@ struct BoundData
   const StiffnessInverse &inverse;
   const Coupling &condensed_D;
   const dealii::Vector<double> &G;
-  /** J(u_h) = a(u_h, u_h)/2 - f(u_h) (force x length per thickness). */
+  /** The energy J(u_h) = a(u_h, u_h)/2 - f(u_h) (force x length per thickness). */
   double energy;
 };
 

@@ -10,7 +10,7 @@
 
 namespace Signorini
 {
-/** How the w of a ContactBound was found. */
+/** The method by which the w of a ContactBound was found. */
 enum class LiftMethod
 {
   /** The nodal values of a boundary layer, see layer_lift(). */
@@ -25,9 +25,9 @@ enum class LiftMethod
 /** The contact part of the bound of the energy error, with its summands. */
 struct ContactBound
 {
-  /** |||w|||² (force x length per thickness). */
+  /** The energy |||w|||² (force x length per thickness). */
   double lift_energy = 0.;
-  /** int_{Gamma_c} tau_n (ũ_n - g - w_n). It is not negative, up to rounding. */
+  /** The integral int_{Gamma_c} tau_n (ũ_n - g - w_n). It is not negative, up to rounding. */
   double contact_term = 0.;
   LiftMethod method = LiftMethod::layer;
   /** The terms 2 int_F tau_n (ũ_n - g - w_n) of the faces, in the order of ContactSurface::faces().

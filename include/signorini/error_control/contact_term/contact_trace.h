@@ -18,7 +18,7 @@ namespace Signorini
 /** A place on the boundary. */
 struct SidePlace
 {
-  /** Number of the side in the geometry. */
+  /** The number of the side in the geometry. */
   unsigned int side = 0;
   /** The arc length from the start of the side (length). */
   double arc_length = 0.;
@@ -29,7 +29,8 @@ struct FaceField
 {
   /** The coefficient in ũ_n = u_{h,n} + 4 t (1 - t) bubble. */
   double bubble = 0.;
-  /** tau_n at vertex 0 and vertex 1, linear between them. If it is empty, tau_n = p_H. */
+  /** The traction tau_n at vertex 0 and vertex 1, linear between them. If it is empty, tau_n = p_H.
+   */
   std::optional<std::array<double, 2>> traction;
 };
 

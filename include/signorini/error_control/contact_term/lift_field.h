@@ -14,17 +14,17 @@
 namespace Signorini
 {
 /**
- * w = w_h + sum_F r_F(t) psi_F n: a function of V^h with homogeneous essential conditions, and for
- * each contact face F what it lacks inside the face.
+ * The lift w = w_h + sum_F r_F(t) psi_F n: a function of V^h with homogeneous essential conditions,
+ * and for each contact face F what it lacks inside the face.
  *
  * F is the end of a column of cells, each entered through one edge and left through the opposite
- * one, with t along these edges. r_F vanishes at both ends of F, so on the flanks of the column;
- * psi_F is 1 on F, piecewise linear along the column, and 0 where it ends. So w is continuous and
- * vanishes on essential boundaries like w_h, whatever the shapes of the cells.
+ * one, with t along these edges. r_F vanishes at both ends of F, and so on the flanks of the
+ * column; psi_F is 1 on F, piecewise linear along the column, and 0 where it ends. So w is
+ * continuous and vanishes on essential boundaries like w_h, whatever the shapes of the cells.
  *
  * The depth of a column is D = (3 C_nn int r² / (C_nt int r'²))^{1/2}, C_nn and C_nt the moduli of
- * stretch along n and of shear at F: for r(t) (1 - y/D) n on a strip the energy is at most
- * 1/2 (C_nn int r²/D + C_nt D/3 int r'²) + mixed terms, least for this D. Any D is right; it is cut
+ * stretch along n and of shear at F: for r(t) (1 - y/D) n on a strip the energy is at most 1/2
+ * (C_nn int r²/D + C_nt D/3 int r'²) + mixed terms, least for this D. Any D is right; it is cut
  * where the column meets the boundary or cells of another size.
  */
 class LiftField
@@ -73,7 +73,8 @@ private:
     /** The edge through which the column enters, and whether t runs against that edge. */
     unsigned int entry;
     bool flipped;
-    /** psi = (top - slope eta)_+, eta in [0,1] across the cell from the entry. */
+    /** The coefficients of psi = (top - slope eta)_+, eta in [0,1] across the cell from the entry.
+     */
     double top, slope;
   };
   /** The values of w_h, the vertices and the columns that pass through a cell. */

@@ -13,10 +13,10 @@
 
 namespace Signorini
 {
-/** C = E^T A^{-1} E with the columns E of those conditions at contact nodes that A^{-1} lets move,
- * and two problems with it. Where the factors hold C, these problems are solved with the matrix.
- * Otherwise the kernel of the half-space takes its place and is improved by products with C, each
- * of which costs a solve. The number of solves does not grow with that of contact nodes. */
+/** The matrix C = E^T A^{-1} E with the columns E of those conditions at contact nodes that A^{-1}
+ * lets move, and two problems with it. Where the factors hold C, these problems are solved with the
+ * matrix. Otherwise the kernel of the half-space takes its place and is improved by products with
+ * C, each of which costs a solve. The number of solves does not grow with that of contact nodes. */
 class NodalCompliance
 {
 public:
@@ -86,14 +86,14 @@ dealii::Vector<double> required_values(const ContactTrace &trace);
 std::optional<dealii::Vector<double>> raised_values(const ContactTrace &trace);
 
 /**
- * The w_h in V^h that minimises 1/2 a(w_h, w_h) - int p_H w_{h,n} over w_{h,n} >= required: with
- * the matrix E of the conditions (w_n = E^T w) and multipliers Q,
+ * Returns the w_h in V^h that minimises 1/2 a(w_h, w_h) - int p_H w_{h,n} over w_{h,n} >= required:
+ * with the matrix E of the conditions (w_n = E^T w) and multipliers Q,
  *
- *     A w = D P - E Q,   Q <= 0,   E^T A^{-1} E Q - (E^T A^{-1} D P - required) <= 0,   Q^T (...) =
- * 0,
+ *     A w = D P - E Q,   Q <= 0,
+ *     V = E^T A^{-1} E Q - (E^T A^{-1} D P - required) <= 0,   Q^T V = 0,
  *
- * solved like the dual problem of the scene. One solve with a trailing factor, otherwise two and
- * one per contact node that is needed. Collective.
+ * solved like the dual problem of the scene. It takes one solve with a trailing factor, otherwise
+ * two and one per contact node that is needed. Collective.
  */
 NodalVector dual_lift(const DisplacementSpace<2> &space,
                       const ContactTrace &trace,

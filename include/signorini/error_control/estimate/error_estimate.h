@@ -11,12 +11,13 @@
 
 namespace Signorini
 {
-/** What u_h lacks because p_H is constant on patches: z_h in V^h, and its energy norm. */
+/** The correction z_h in V^h of u_h for p_H being constant on patches, and its energy norm. */
 struct PressureCorrection
 {
-  /** Nodal values of z_h, zero where displacements are prescribed; empty: zero. */
+  /** The nodal values of z_h, zero where displacements are prescribed; if there are none, z_h = 0.
+   */
   NodalVector z;
-  /** |||z_h||| (root of force x length^{dim-1}). */
+  /** The energy norm |||z_h||| (root of force x length^{dim-1}). */
   double energy_norm = 0.;
 };
 
@@ -42,8 +43,8 @@ struct PressureData
   const StiffnessInverse &inverse;
   /** The number of Gauss points per direction for the gap, as in the dual problem. */
   unsigned int n_points;
-  /** Solves the dual problem on finer patches where patches are longer than two faces. If it is
-   * empty, the pressure of the given patches is recovered. */
+  /** The solver of the dual problem on finer patches, where patches are longer than two faces. If
+   * it is empty, the pressure of the given patches is recovered. */
   DualProblem solve_dual;
 };
 
@@ -91,8 +92,8 @@ struct OtherErrors
  */
 struct ErrorEstimate
 {
-  /** ‖pi^{2h} u_h - u_h‖_{1,Omega} estimates ‖u - u_h‖_1. It is asymptotically exact where pi^{2h}
-   * u_h superconverges and |||z_h||| is small. */
+  /** The distance ‖pi^{2h} u_h - u_h‖_{1,Omega}, which estimates ‖u - u_h‖_1. It is asymptotically
+   * exact where pi^{2h} u_h superconverges and |||z_h||| is small. */
   std::optional<double> h1;
   /** The estimate of |||u - u_h|||: the root of the sum of the squares of all parts. */
   double energy = 0.;

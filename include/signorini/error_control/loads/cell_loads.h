@@ -12,7 +12,7 @@ struct CellLoad
 {
   /** The nodal forces int f phi_i at the four corners, with the quadrature of the system. */
   std::array<dealii::Tensor<1, 2>, 4> nodal;
-  /** d_k, the part that is constant on triangle k. */
+  /** The loads d_k, the part of f_h that is constant on triangle k. */
   CompositeCell::Loads constant{};
   /** The linear part of f_h on parallelograms. With the half edges g_1 = (x_1 - x_0)/2 and g_2 =
    * (x_3 - x_0)/2 and the coordinates xi, eta in [-1,1], it is g_1 (slope[0] xi + slope[1] eta) +

@@ -51,9 +51,9 @@ struct CellShape
 };
 
 /**
- * Stresses of the composite quadrilateral of Johnson and Mercier (Numer. Math. 30 (1978) 103-116):
- * symmetric, linear on each of the four triangles into which the diagonals divide the cell, with
- * continuous tractions.
+ * The stresses of the composite quadrilateral of Johnson and Mercier (Numer. Math. 30 (1978)
+ * 103-116): symmetric, linear on each of the four triangles into which the diagonals divide the
+ * cell, with continuous tractions.
  *
  * Such a stress is determined by the moments of its tractions on the four edges and by the loads
  * d_k with div tau + d_k = 0 on triangle k, if they are in balance. It is stored as the components

@@ -71,8 +71,8 @@ struct Spoke
   unsigned int edge;
   /** The end of the edge that is the centre. */
   unsigned int end;
-  /** 1 if the traction of the edge is that on the cell to the left of the way from the centre
-   * outwards, else -1. */
+  /** The sign: 1 if the traction of the edge is that on the cell to the left of the way from the
+   * centre outwards, else -1. */
   double sign;
 };
 

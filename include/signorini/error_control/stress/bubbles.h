@@ -12,7 +12,8 @@
 namespace Signorini
 {
 /**
- * b = pi^{2h} u_h - u_h on the cells of T^h, in the reference coordinates of each cell.
+ * The difference b = pi^{2h} u_h - u_h on the cells of T^h, in the reference coordinates of each
+ * cell.
  *
  * b vanishes at nodes and is of degree two per direction. So it is
  *
@@ -38,7 +39,7 @@ public:
     const auto &edges = mesh_.cells()[cell].edges;
     return {{edges_[edges[0]], edges_[edges[1]], edges_[edges[2]], edges_[edges[3]], cells_[cell]}};
   }
-  /** Whether the cell has an edge with m_k != 0 that is held back. */
+  /** Returns whether the cell has an edge with m_k != 0 that is held back. */
   bool holds_back(const unsigned int cell) const
   {
     return !held_.empty() && held_.find(cell) != held_.end();

@@ -39,9 +39,9 @@ struct StressBound
   /** The sum over K of the squares of the part that curved sides add to osc_K, an estimate; zero
    * for straight sides. */
   double geometry_square = 0.;
-  /** |||E|||: the bound is for u_h + E, where E makes up for prescribed displacements that are not
-   * linear along edges and is zero elsewhere (PrescribedLift); that for u_h is larger by as much.
-   */
+  /** The norm |||z||| of the PrescribedLift, which makes up for prescribed displacements that are
+   * not linear along edges and is zero elsewhere. The bound is for u_h + z; that for u_h is larger
+   * by |||z|||. */
   double lift = 0.;
   /** The same sums for pi^{2h} u_h. */
   struct OfPatches
@@ -76,8 +76,8 @@ struct ImprovementOptions
   /** The improvement stops when a step takes less than this share of the square of the misfit of
    * u_h, and of pi^{2h} u_h where there is one. */
   double least_share = 0.01, least_share_of_patches = 0.03;
-  /** On meshes with at most few_cells cells the best stress is computed (best_change()); with at
-   * most most_cells_exactly, if the steps did not end. */
+  /** The number of cells up to which the best stress is computed (best_change()), and the number up
+   * to which it is computed if the steps did not end. */
   std::size_t few_cells = 1024;
   std::size_t most_cells_exactly = 4096;
 };

@@ -32,8 +32,8 @@ std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse
                                                           double &seconds,
                                                           const ColumnProgress &progress = {});
 
-/** C = D^T A^{-1} D by columns C_k = D^T A^{-1} D_k. Each column costs one solve; it is computed at
- * its first use and kept. Columns are symmetrised among each other. */
+/** The compliance C = D^T A^{-1} D by columns C_k = D^T A^{-1} D_k. Each column costs one solve; it
+ * is computed at its first use and kept. Columns are symmetrised among each other. */
 class ColumnCompliance final : public ComplianceOperator
 {
 public:
@@ -68,8 +68,8 @@ private:
   mutable unsigned int n_known_ = 0;
 };
 
-/** C = D^T A^{-1} D by products, one solve each, for methods that need few products and no entries.
- * Each column costs a solve, too, and is not kept. */
+/** The compliance C = D^T A^{-1} D by products, one solve each, for methods that need few products
+ * and no entries. Each column costs a solve, too, and is not kept. */
 class SolvedCompliance final : public ComplianceOperator
 {
 public:

@@ -8,9 +8,9 @@
 
 namespace Signorini
 {
-/** Free motions in coordinates z without units: q = T z. Columns of B have norm one before they are
- * combined. Motions without any resistance (K v = 0, B v = 0) are left out. W = C P + B z - F and K
- * z - B^T P = b hold with the matrices of this class; z has the unit of W, b that of P. */
+/** The free motions in coordinates z without units: q = T z. Columns of B have norm one before they
+ * are combined. Motions without any resistance (K v = 0, B v = 0) are left out. W = C P + B z - F
+ * and K z - B^T P = b hold with the matrices of this class; z has the unit of W, b that of P. */
 class SeenMotions
 {
 public:
