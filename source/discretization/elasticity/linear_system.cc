@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Cell matrices into A.
+// The assembly of cell matrices into A.
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Gamma_c in the plane: faces, patches and pieces are intervals of arc length.
+// Gamma_c in 2-D: faces, patches and pieces are intervals of arc length.
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/mesh/contact_surface.h>
@@ -243,7 +243,7 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece,
   return rule;
 }
 
-// Gamma_c in space: patches are squares of faces of a rectangular side.
+// Gamma_c in 3-D: patches are squares of faces of a rectangular side.
 
 namespace
 {
@@ -410,7 +410,7 @@ SurfaceRule<3> ContactSurface<3>::at(const Piece<3> &piece,
 template <>
 SurfaceRule<3> ContactSurface<3>::rule(const Piece<3> &piece,
                                        const unsigned int n_points,
-                                       const Grading /*there are no kinks in space*/) const
+                                       const Grading /*there are no kinks in 3-D*/) const
 {
   const dealii::QGauss<2> gauss(n_points);
   const ContactFace<3> &face = faces_[piece.face];

@@ -255,7 +255,7 @@ LocatedBound compute_located_bound(const BoundData &data)
   result.guaranteed = stress.is_guaranteed();
   result.geometry = std::sqrt(of_stress.geometry_square);
   result.relative_geometry = ratio(*result.geometry, scale);
-  // A polygon says nothing about the last digits of the energy, nor about the force on a curve.
+  // A polygon does not determine the last digits of the energy, nor about the force on a curve.
   if (result.guaranteed && !add_guaranteed(data, stress, of_stress, lift, scale, result))
   {
     located.bound = {};

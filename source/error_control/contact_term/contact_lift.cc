@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The contact part of the bound: what w_h lacks inside faces, and the sum.
+// The contact part of the bound: the part of w inside faces, and the sum.
 
 #include <signorini/error_control/contact_term/contact_lift.h>
 #include <signorini/error_control/contact_term/contact_trace.h>
@@ -227,7 +227,7 @@ std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
   return std::sqrt(dealii::Utilities::MPI::sum(local, space.mesh().communicator()));
 }
 
-// What the bound of pi^{2h} u_h needs of the stress.
+// The part of the stress that the bound of pi^{2h} u_h needs.
 
 void EquilibratedStress::integrate_patches(const CellState &state, CellIntegrals &result) const
 {

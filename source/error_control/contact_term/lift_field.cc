@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// w in the body: columns of cells below contact faces, and energies.
+// The lift w in the body: columns of cells below contact faces, and energies.
 
 #include <signorini/error_control/contact_term/lift_field.h>
 

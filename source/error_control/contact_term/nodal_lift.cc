@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Forces at contact nodes and what they do there.
+// Forces at contact nodes and their displacements.
 
 #include <signorini/error_control/contact_term/nodal_lift.h>
 #include <signorini/solvers/contact/compliance.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a better pressure than p_H does to the displacement.
+// The displacement z_h that belongs to a better pressure than p_H.
 
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/elasticity/traces.h>

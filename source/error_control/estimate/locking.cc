@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Whether bilinear elements can follow a nearly incompressible body.
+// The locking number of bilinear elements in nearly incompressible bodies.
 
 #include <signorini/error_control/estimate/locking.h>
 

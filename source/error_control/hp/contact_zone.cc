@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// u_n - g where the body presses.
+// The misfit u_n - g where the body presses.
 
 #include <signorini/discretization/elasticity/traces.h>
 #include <signorini/error_control/hp/contact_zone.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Piecewise quadratic functions on an edge, and how they are found.
+// Piecewise quadratic functions on an edge, and upper interpolants.
 
 #include <signorini/error_control/loads/edge_function.h>
 

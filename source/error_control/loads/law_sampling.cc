@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where Hooke's tensor varies inside of cells.
+// Variations of Hooke's tensor inside of cells.
 
 #include <signorini/error_control/loads/law_sampling.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Proved constants for what stresses do not balance exactly.
+// Proved constants for the loads that stresses do not balance exactly.
 
 #include <signorini/error_control/loads/oscillation.h>
 

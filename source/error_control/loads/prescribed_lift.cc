@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the nodal interpolation of prescribed displacements leaves out.
+// The rest of the nodal interpolation of prescribed displacements.
 
 #include <signorini/error_control/loads/prescribed_lift.h>
 #include <signorini/problem/scene/functions.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Carries what cells lack in balance to the supports.
+// Carries the lacking resultants of cells to the supports.
 
 #include <signorini/discretization/elasticity/traces.h>
 #include <signorini/error_control/stress/balance.h>

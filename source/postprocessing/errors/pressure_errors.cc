@@ -126,7 +126,7 @@ DualNormErrors ExactPressure<3>::errors(const MultiplierSpace<3> &space,
   return sum;
 }
 
-// Where contact ends, in the exact and in the discrete solution.
+// The ends of contact, in the exact and in the discrete solution.
 
 namespace
 {

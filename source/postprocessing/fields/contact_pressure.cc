@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where contact ends between the nodes of multipliers.
+// The ends of contact between the nodes of multipliers.
 
 #include <signorini/postprocessing/fields/contact_pressure.h>
 #include <signorini/postprocessing/fields/forces.h>

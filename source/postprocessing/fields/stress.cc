@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// tr eps(u_h) without what alternates from cell to cell.
+// The mean of tr eps(u_h), which does not alternate from cell to cell.
 
 #include <signorini/postprocessing/fields/stress.h>
 
@@ -145,7 +145,7 @@ void TensorEvaluation::evaluate(const std::vector<Vector3> &nodal_values,
     }
 }
 
-// The stress in space, and what is read off it.
+// The stress with three components per direction, and the quantities that follow from it.
 
 template <int dim>
 SpatialStress stress_in_space(const Material<dim> &material,

@@ -27,7 +27,7 @@ namespace
  * - 1).
  *
  * @return n with rho^{-2n} below 1e-10, and as many points more for the polynomial as the element's
- * degree says; from degree + 2, which is enough for r = 1, to 39 + degree.
+ * degree; from degree + 2, which is enough for r = 1, to 39 + degree.
  */
 unsigned int points_for_ratio(const double r, const unsigned int degree)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where contact ends, as far as the nodes of the multipliers tell.
+// The ends of contact, according to the nodes of the multipliers.
 
 #include <signorini/postprocessing/fields/contact_pressure.h>
 #include <signorini/postprocessing/fields/forces.h>
@@ -42,7 +42,7 @@ std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multiplie
   return brackets;
 }
 
-// Where the foundation presses: runs of pressing patches, and where the pressure vanishes.
+// The contact zones: runs of pressing patches, and the points where the pressure vanishes.
 
 namespace
 {

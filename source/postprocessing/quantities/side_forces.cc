@@ -81,7 +81,7 @@ template std::optional<dealii::Point<3>> point_of_action(const Resultant<3> &,
                                                          const dealii::Point<3> &,
                                                          double);
 
-// Which force acts through which side that holds the body.
+// The division of reactions among the sides that hold the body.
 
 namespace
 {

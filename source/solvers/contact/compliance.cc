@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// C column by column, as far as it is needed.
+// The compliance C column by column, as far as it is needed.
 
 #include <signorini/base/columns.h>
 #include <signorini/solvers/contact/compliance.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What every C^ can do: entries, and solves on sets of multipliers.
+// The common functions of every Ĉ: entries, and solves on sets of multipliers.
 
 #include <signorini/base/errors.h>
 #include <signorini/solvers/cycles/boundary_model.h>
@@ -131,7 +131,7 @@ bool BoundaryModel::is_explicit() const
   return true;
 }
 
-// Which C^ fits a surface.
+// The choice of Ĉ for a surface.
 
 namespace
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How far U and P are from a solution of (5).
+// The residuals of U and P in (5).
 
 #include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/cycles/saddle_point.h>

@@ -80,7 +80,7 @@ MotionState solve_on_bedding(const SeenMotions &motions, const Vector &F, const 
   return {P, z};
 }
 
-// C and motions against a stiffness.
+// The compliance of a body with motions against a stiffness.
 
 StiffenedCompliance::StiffenedCompliance(std::shared_ptr<const ComplianceOperator> C,
                                          const Matrix &B,

@@ -201,7 +201,7 @@ template MotionModes<3> make_motion_modes(const DisplacementSpace<3> &,
                                           const Scene<3> &,
                                           const StiffnessInverse &);
 
-// What a body does that neither supports nor contact stop.
+// The motion of a body that neither supports nor contact stop.
 
 std::string word_for_escape(const RigidMotion &motion, const bool opens)
 {

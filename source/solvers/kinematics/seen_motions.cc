@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Free motions without units, without those that nothing sees, and whether there is a balance.
+// Free motions without units and without those that nothing resists, and their balance.
 
 #include <signorini/solvers/kinematics/pressing_patches.h>
 #include <signorini/solvers/kinematics/seen_motions.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// From deal.II's mesh and unknowns to blocks.
+// The blocks of the finest level, from deal.II's mesh and degrees of freedom.
 
 #include "fine_level.h"
 

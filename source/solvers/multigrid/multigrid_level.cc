@@ -245,7 +245,7 @@ void CoarsestInverse<dim>::apply(LevelVector<dim, float> &x, LevelVector<dim, fl
 template class CoarsestInverse<2>;
 template class CoarsestInverse<3>;
 
-// Between two levels, row by row.
+// Transfer between two levels, row by row.
 
 namespace
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The V-cycle, and what is needed between the unknowns of the space and the levels.
+// The V-cycle, and the transfer between the unknowns of the space and the levels.
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Static condensation of the unknowns that only one cell sees.
+// Static condensation of the unknowns inside of single cells.
 
 #include "cell_interiors.h"
 

@@ -28,7 +28,7 @@ struct DualSolverOptions
  * Solves the dual problem with the bound zero by the chosen method. Where columns of C cost linear
  * solves, the active set method works on a growing set of patches. Where it fails because C is
  * singular (patches finer than the mesh: many pressures give the same displacement), projected SOR
- * finds one of the solutions, and QPResult::active_set_failure says so.
+ * finds one of the solutions, and QPResult::active_set_failure is set.
  *
  * @param start a pressure to start from; empty: none.
  */

@@ -96,7 +96,8 @@ double estimate_scale(const ContactSystem &system, unsigned int n_steps);
  * degree of freedom).
  *
  * Where steps grow, t is doubled, up to twice. Where they shrink by less than a fifth per step for
- * long, MINRES takes over (see solve_by_minres()), and the result says so.
+ * long, MINRES takes over (see solve_by_minres()), and ContactIterationResult::stalled has the
+ * reason.
  *
  * @param U, P the start; U is zero in constrained rows, P <= 0.
  */
