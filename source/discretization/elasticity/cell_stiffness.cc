@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// a(u,v) = int E_ijkl u_{k,l} v_{i,j}, cell by cell.
+// a(u,v) = ∫ E_ijkl u_{k,l} v_{i,j}, cell by cell.
 
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 
@@ -25,7 +25,7 @@ shape_of(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
   return shape;
 }
 
-/** Returns int_K div phi_i / |K| for all i. */
+/** Returns ∫_K div φ_i / |K| for all i. */
 template <int dim>
 std::vector<double> mean_divergences(const dealii::FEValues<dim> &values)
 {
@@ -68,7 +68,7 @@ double tolerance_of_shapes(const double distance_from_origin, const double size)
                   16. * std::numeric_limits<double>::epsilon() * distance_from_origin / size);
 }
 
-/** Computes magnitudes_i = sum_j |K_ij x_j|. */
+/** Computes magnitudes_i = Σ_j |K_ij x_j|. */
 void multiply_magnitudes(const dealii::FullMatrix<double> &K,
                          const dealii::Vector<double> &x,
                          dealii::Vector<double> &magnitudes)

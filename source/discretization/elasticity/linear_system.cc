@@ -229,7 +229,7 @@ private:
     return dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values;
   }
 
-  /** Adds sum_q force(x_q).phi_i(x_q) JxW_q to vector_i. */
+  /** Adds Σ_q force(x_q).φ_i(x_q) JxW_q to vector_i. */
   void add_force(const dealii::FEValuesBase<dim> &values,
                  const dealii::Function<dim> &force,
                  const char *name,
@@ -275,7 +275,7 @@ private:
   std::vector<dealii::Vector<double>> force_;
 };
 
-/** The integrals a(phi_j, phi_i) and f_i on the cells of a chunk. */
+/** The integrals a(φ_j, φ_i) and f_i on the cells of a chunk. */
 template <int dim>
 struct ChunkIntegrals
 {
@@ -359,7 +359,7 @@ Resultant<dim> add_loads(const DisplacementSpace<dim> &space,
   return resultant;
 }
 
-/** Subtracts a(k, phi_i)/unit, where k are the prescribed values. Only cells on sides contribute.
+/** Subtracts a(k, φ_i)/unit, where k are the prescribed values. Only cells on sides contribute.
  */
 template <int dim>
 void subtract_prescribed(const DisplacementSpace<dim> &space,

@@ -73,7 +73,7 @@ void refuse_unstable_patches(const Parameters &parameters, const ContactSurface<
                      "has at least two faces per patch.");
 }
 
-/** Makes Gamma_c, face by face, with Gauss points enough for a trace, a multiplier and a component
+/** Makes Γ_c, face by face, with Gauss points enough for a trace, a multiplier and a component
  * of the normal of a curved face; for collocation with the nodes. */
 ContactSurface<2> make_surface(const DisplacementSpace<2> &space,
                                const Scene<2> &scene,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Gamma_c in 2-D: faces, patches and pieces are intervals of arc length.
+// Γ_c in 2-D: faces, patches and pieces are intervals of arc length.
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/mesh/contact_surface.h>
@@ -243,7 +243,7 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece,
   return rule;
 }
 
-// Gamma_c in 3-D: patches are squares of faces of a rectangular side.
+// Γ_c in 3-D: patches are squares of faces of a rectangular side.
 
 namespace
 {

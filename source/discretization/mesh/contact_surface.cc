@@ -76,7 +76,7 @@ std::vector<PatchGrid> patch_grids(const std::vector<Patch<3>> &patches)
   return grids;
 }
 
-// Gamma_c: its faces, and the points of its pieces on the mesh.
+// Γ_c: its faces, and the points of its pieces on the mesh.
 
 namespace
 {

@@ -205,7 +205,7 @@ dealii::Vector<double> MultiplierSpace<dim>::integrals() const
 template <int dim>
 dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) const
 {
-  // int psi_j psi_k = delta_jk int psi_k: Gauss' rule integrates the product exactly. At nodes of
+  // ∫ psi_j ψ_k = delta_jk ∫ ψ_k: Gauss' rule integrates the product exactly. At nodes of
   // Lobatto this is the projection by their rule.
   Vector coefficients = moments;
   const Vector squares = integrals();

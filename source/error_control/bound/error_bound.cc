@@ -55,8 +55,8 @@ std::vector<double> roots(const Numbers &squares)
 }
 
 /** Returns the terms of -J*(tau) besides those of StressBound::complementary_energy, where J*(tau)
- * = 1/2 ‖tau‖² - int_{Gamma_D} tau n.u_D - int_{Gamma_c} tau_n g. With u_D - c and g - c_n in place
- * of u_D and g, c a translation, there remains c.(int_{Gamma_D} tau n + int_{Gamma_c} tau_n n),
+ * = 1/2 ‖tau‖² - ∫_{Γ_D} tau n.u_D - ∫_{Γ_c} tau_n g. With u_D - c and g - c_n in place
+ * of u_D and g, c a translation, there remains c.(∫_{Γ_D} tau n + ∫_{Γ_c} tau_n n),
  * which is the loads' part. So rounding of large translations does not enter. */
 double work_of_contact(const StressBound &stress,
                        const BoundData &data,
@@ -84,7 +84,7 @@ double ratio(const double value, const double scale)
   return scale > 0. ? value / scale : std::numeric_limits<double>::infinity();
 }
 
-/** Returns tau_n on contact faces, with the bubbles of pi^{2h} u_h if @p of_patches. */
+/** Returns tau_n on contact faces, with the bubbles of π^{2h} u_h if @p of_patches. */
 std::vector<FaceField> fields_of(const EquilibratedStress &stress, const bool of_patches)
 {
   std::vector<FaceField> fields;
@@ -115,7 +115,7 @@ double total(const double stress_square, const double lift, const ContactBound &
   return lift + std::sqrt(stress_square + std::max(0., contact.square()));
 }
 
-/** The bounds of the energy and of the stress that follow from the bounds of u_h and pi^{2h} u_h.
+/** The bounds of the energy and of the stress that follow from the bounds of u_h and π^{2h} u_h.
  */
 struct Consequences
 {
@@ -134,7 +134,7 @@ struct Consequences
 
   Bracket J_star;
   Bracket energy = {0., std::numeric_limits<double>::infinity()};
-  /** The bound of ‖sigma(u) - tau‖. */
+  /** The bound of ‖σ(u) - tau‖. */
   double stress_error = std::numeric_limits<double>::infinity();
 };
 
@@ -142,7 +142,7 @@ struct Consequences
  * Returns whether the bracket and J(u_h) contradict each other. With d = u_{h,n} - g, and eta, s
  * and T as in energy_bracket.h,
  *
- *     J(u_h) - eta²/2 - int tau_n d <= J(u) <= J(u_h) + s |||w||| - int tau_n d + T,
+ *     J(u_h) - eta²/2 - ∫ tau_n d ≤ J(u) ≤ J(u_h) + s |||w||| - ∫ tau_n d + T,
  *
  * which uses neither J*(tau) nor the gap's work. The tolerance allows for the different quadrature
  * of loads.
@@ -164,7 +164,7 @@ bool contradicts(const Consequences &known,
 }
 
 /**
- * Adds the results for straight sides only: the bound for pi^{2h} u_h, the bracket of the energy
+ * Adds the results for straight sides only: the bound for π^{2h} u_h, the bracket of the energy
  * and the bound of the contact force.
  * @return whether the bracket agrees with J(u_h).
  */

@@ -51,7 +51,7 @@ public:
       for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
         parts.push_back(on(b, lack, breaks[i], breaks[i + 1]));
     }
-    // b = 0 there and e >= 0, up to rounding.
+    // b = 0 there and e ≥ 0, up to rounding.
     parts.front().first = 0.;
     parts.back().last = 0.;
     return EdgeFunction(std::move(parts));
@@ -70,7 +70,7 @@ private:
   /** Adds the zeros inside of a part, not too close to its ends. */
   static void add_roots(const EdgeFunction::Part &part, std::vector<double> &breaks)
   {
-    // first + slope tau - 4 bulge tau^2, in the form that does not cancel.
+    // first + slope tau - 4 bulge tau², in the form that does not cancel.
     const double slope = part.last - part.first + 4. * part.bulge;
     const double square = slope * slope + 16. * part.bulge * part.first;
     if (square < 0.)
@@ -117,7 +117,7 @@ std::string describe(const std::string &reason, const SidePlace &place, const Sc
   return text.str();
 }
 
-/** Returns int_F tau_n (d - w_n). */
+/** Returns ∫_F tau_n (d - w_n). */
 double contact_term(const ContactTrace &trace, const LiftField &lift, const unsigned int face)
 {
   static const dealii::QGauss<1> gauss(4);
@@ -227,7 +227,7 @@ std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
   return std::sqrt(dealii::Utilities::MPI::sum(local, space.mesh().communicator()));
 }
 
-// The part of the stress that the bound of pi^{2h} u_h needs.
+// The part of the stress that the bound of π^{2h} u_h needs.
 
 void EquilibratedStress::integrate_patches(const CellState &state, CellIntegrals &result) const
 {
@@ -267,7 +267,7 @@ void EquilibratedStress::integrate_patches(const CellState &state, CellIntegrals
       add_dual(point, of_bubbles, dual);
       if (!holds_back)
         continue;
-      // u_D - pi^{2h} u_h = (u_D - u_h) - b.
+      // u_D - π^{2h} u_h = (u_D - u_h) - b.
       const Components z =
         difference(lift_.strain(cell, point), strain_of(gradients, bubbles_->held_back(cell)));
       energy.add(point, contraction(z, law.stress(z)));

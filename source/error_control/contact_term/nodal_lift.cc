@@ -203,7 +203,7 @@ std::vector<std::vector<unsigned int>> conditions_by_node(const Coupling &E)
   return nodes;
 }
 
-/** Returns l with lacking - G l = 0 (or, with only_raise, <= 0) for two conditions with G = (a c; c
+/** Returns l with lacking - G l = 0 (or, with only_raise, ≤ 0) for two conditions with G = (a c; c
  * b), and |E l| as small as possible. */
 std::array<double, 2> shortest_way(const double a,
                                    const double b,
@@ -338,7 +338,7 @@ NodalVector interpolate_layers(const DisplacementSpace<2> &space,
   return w;
 }
 
-/** Returns E^T A^{-1} D P: the last column of [E, D P]^T A^{-1} [E, D P], which a trailing factor
+/** Returns Eᵀ A⁻¹ D P: the last column of [E, D P]^T A⁻¹ [E, D P], which a trailing factor
  * gives without a solve. */
 Vector pushed_by(const Vector &P,
                  const Coupling &condensed_D,

@@ -37,7 +37,7 @@ Vector2 g2_of(const CellShape &shape)
   return 0.5 * (shape.corners[3] - shape.corners[0]);
 }
 
-/** Returns int (x - x_K)(x - x_K)^T over the cell: per triangle A/12 times the sum over its
+/** Returns ∫ (x - x_K)(x - x_K)ᵀ over the cell: per triangle A/12 times the sum over its
  * vertices, about its own centre. */
 Matrix2 second_moments(const CellShape &shape)
 {

@@ -118,7 +118,7 @@ private:
   std::array<Vector2, 4> normals_;
 };
 
-/** Returns F s F^T for F = (a1, a2). */
+/** Returns F s Fᵀ for F = (a1, a2). */
 Components push_forward(const Components &s, const Vector2 &a1, const Vector2 &a2)
 {
   Components result;
@@ -185,7 +185,7 @@ CompositeCell::CompositeCell(const CellShape &shape)
   }
   const Vector2 a1 = shape.corners[0] - shape.crossing, a2 = shape.corners[1] - shape.crossing;
   const double J = cross(a1, a2);
-  // Pairs of columns belong to vectors: b' = F^{-1} b / det F and d' = F^{-1} d.
+  // Pairs of columns belong to vectors: b' = F⁻¹ b / det F and d' = F⁻¹ d.
   for (unsigned int j = 0; j < n_moments + n_loads; j += 2)
   {
     const double scale = j < n_moments ? 1. / (J * J) : 1. / J;

@@ -37,7 +37,7 @@ double korn_constant(const CellShape &shape)
   return std::sqrt(1. + 2. / (beta * beta));
 }
 
-/** Returns the constant in ‖v‖_e <= constant ‖grad v‖_T on the triangle of an edge from a to b and
+/** Returns the constant in ‖v‖_e ≤ constant ‖grad v‖_T on the triangle of an edge from a to b and
  * a point P. */
 double trace_constant(const dealii::Point<2> &a,
                       const dealii::Point<2> &b,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The square of the misfit of pi^{2h} u_h, cell by cell.
+// The square of the misfit of π^{2h} u_h, cell by cell.
 
 #include <signorini/error_control/loads/cell_rule.h>
 #include <signorini/error_control/stress/bubbles.h>
@@ -101,7 +101,7 @@ const BubbleForm *BubbleForms::of(const unsigned int cell) const
   return shape < forms_.size() ? forms_[shape].get() : nullptr;
 }
 
-// The difference between pi^{2h} u_h and u_h.
+// The difference between π^{2h} u_h and u_h.
 
 namespace
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// pi^{2h} of (30), and interpolations of higher degree on larger patches.
+// π^{2h} of (30), and interpolations of higher degree on larger patches.
 
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 
@@ -254,7 +254,7 @@ const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const NodalVector &U,
     }
   if (!done)
     sum_up(table(rule, is_usual, place), rule.size());
-  // du_i/dx_j = sum_k du_i/dxi_k dxi_k/dx_j
+  // du_i/dx_j = Σ_k du_i/dxi_k dxi_k/dx_j
   for (unsigned int q = 0; q < rule.size(); ++q)
     result_.gradients[q] =
       result_.gradients[q] * dealii::Tensor<2, dim>(fe_values.inverse_jacobian(q));

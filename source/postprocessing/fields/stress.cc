@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The mean of tr eps(u_h), which does not alternate from cell to cell.
+// The mean of tr ε(u_h), which does not alternate from cell to cell.
 
 #include <signorini/postprocessing/fields/stress.h>
 
@@ -53,7 +53,7 @@ template std::vector<double> mean_dilatations(const DisplacementSpace<3> &, cons
 
 namespace
 {
-/** Returns sum_k row[k] v[k * stride]. */
+/** Returns Σ_k row[k] v[k * stride]. */
 dealii::Tensor<1, 3> along(const double *const row,
                            const unsigned int n,
                            const dealii::Tensor<1, 3> *const v,

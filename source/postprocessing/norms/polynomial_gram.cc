@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// |||.|||_{-1/2,Gamma_c} of polynomials on patches of all lengths, by its kernel.
+// |||.|||_{-1/2,Γ_c} of polynomials on patches of all lengths, by its kernel.
 
 #include <signorini/postprocessing/norms/polynomial_gram.h>
 #include <signorini/postprocessing/norms/spectral_norm.h>
@@ -37,7 +37,7 @@ const dealii::QGauss<1> &rule_of_degree(const unsigned int degree)
   return rules.at(degree / 2);
 }
 
-/** The integrals int int psi_i(s) psi_j(t) kappa(s -+ t) over two patches of a side. */
+/** The integrals ∫∫ psi_i(s) psi_j(t) kappa(s -+ t) over two patches of a side. */
 class PairIntegrals
 {
 public:
@@ -93,7 +93,7 @@ private:
     return {{place.lower[0], place.upper[0]}};
   }
 
-  /** Adds int kappa(x) A(x) dx between two points; halves the interval until the next singularity
+  /** Adds ∫ kappa(x) A(x) dx between two points; halves the interval until the next singularity
    * is as far away as its ends are from one another. */
   void integrate(const double from, const double to, const unsigned int n_halvings)
   {

@@ -83,7 +83,7 @@ double edge_tail(const double a, const double K)
   return 1. / (K * (std::sqrt(1. + a * a + K * K) + K));
 }
 
-/** Returns the integral of k_1^-2 k_2^-2 |k|^{-1} over k_1 > A, k_2 > B. */
+/** Returns the integral of k_1^-2 k_2^-2 |k|⁻¹ over k_1 > A, k_2 > B. */
 double corner_tail(const double A, const double B)
 {
   const double c = std::pow(A * A + B * B, 1.5) - A * A * A - B * B * B;
@@ -130,7 +130,7 @@ double common_divisor(double a, double b, const double rounding)
   return a;
 }
 
-/** Returns A B C^T. */
+/** Returns A B Cᵀ. */
 dealii::FullMatrix<double> transform(const dealii::FullMatrix<double> &A,
                                      const dealii::FullMatrix<double> &B,
                                      const dealii::FullMatrix<double> &C)

@@ -20,7 +20,7 @@ namespace Signorini
 namespace
 {
 /**
- * Returns the number of points of a Gauss rule for the Gram matrix. grad phi_i . grad phi_j on a
+ * Returns the number of points of a Gauss rule for the Gram matrix. grad φ_i . grad φ_j on a
  * cell is a polynomial divided by the determinant of the cell's map. A determinant that falls
  * linearly by the factor @p r along an edge vanishes outside of it, where the ellipse around the
  * edge on which Gauss' rule with n points converges like rho^{-2n} has rho = (sqrt(r) + 1)/(sqrt(r)
@@ -137,7 +137,7 @@ assemble_h1_gram_matrix(const DisplacementSpace<2> &);
 template dealii::TrilinosWrappers::SparseMatrix
 assemble_h1_gram_matrix(const DisplacementSpace<3> &);
 
-// |||.|||_{-1/2,Gamma_c} by cosine or Fourier series, side by side.
+// |||.|||_{-1/2,Γ_c} by cosine or Fourier series, side by side.
 
 namespace
 {
@@ -288,8 +288,8 @@ SpectralNorm::Vector SpectralNorm::coefficients(const std::vector<double> &arc_l
 SpectralNorm::Vector SpectralNorm::coefficients_of_constants(const std::vector<double> &ends,
                                                              const Vector &values) const
 {
-  // int q cos(k omega s) = -sum of jumps times sin / (k omega): on an open side the sines vanish at
-  // both ends. int q sin = +sum of jumps times cos / (k omega).
+  // ∫ q cos(k omega s) = -sum of jumps times sin / (k omega): on an open side the sines vanish at
+  // both ends. ∫ q sin = +sum of jumps times cos / (k omega).
   Vector sums(1 + (closed_ ? 2 : 1) * n_modes_);
   Harmonics<true> sines(n_modes_);
   Harmonics<false> cosines(n_modes_);

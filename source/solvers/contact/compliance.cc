@@ -211,11 +211,11 @@ bool SolvedCompliance::is_explicit() const
   return false;
 }
 
-// C = D^T A^{-1} D: read from the factors, or by columns.
+// C = Dᵀ A⁻¹ D: read from the factors, or by columns.
 
 namespace
 {
-/** Returns C = D^T S^{-1} D = W^T W with S = L L^T and W = L^{-1} D. */
+/** Returns C = Dᵀ S⁻¹ D = Wᵀ W with S = L Lᵀ and W = L⁻¹ D. */
 dealii::FullMatrix<double> compliance_from(TrailingFactor &factor, const Coupling &condensed_D)
 {
   // A moved LAPACK matrix loses its properties.

@@ -23,7 +23,7 @@ struct ContactStep
   /** The change d = Q - P and t Ĉ_1 d. */
   dealii::Vector<double> d, C_d;
 
-  /** Returns (z.V^{-1} z + d.t Ĉ_1 d)^{1/2}. */
+  /** Returns (z.V⁻¹ z + d.t Ĉ_1 d)^{1/2}. */
   double size() const;
 };
 
@@ -209,7 +209,7 @@ namespace
 {
 using Vector = dealii::Vector<double>;
 
-/** Returns D^T V D P. */
+/** Returns Dᵀ V D P. */
 Vector approximate_compliance_times(const ContactSystem &system, const Vector &P)
 {
   NodalVector b(system.A.size()), z(system.A.size());
@@ -334,7 +334,7 @@ double estimate_scale(const ContactSystem &system, const unsigned int n_steps)
 {
   constexpr double share_of_largest = 0.6;
   const unsigned int m = system.gap.size();
-  // v = C^ w; orthogonal in the product with C^^{-1}. The first one has all frequencies.
+  // v = Ĉ w; orthogonal in the product with Ĉ⁻¹. The first one has all frequencies.
   Vector v(m), v_before(m);
   for (unsigned int k = 0; k < m; ++k)
     v[k] = std::sin(1. + k * (k + 1.7));

@@ -27,7 +27,7 @@ Matrix orthonormal_cosines(const unsigned int n)
   return cosines;
 }
 
-/** Returns c_k/n cos(k pi a/n) for 0 <= a < 2 n. */
+/** Returns c_k/n cos(k pi a/n) for 0 ≤ a < 2 n. */
 Matrix differences(const unsigned int n)
 {
   Matrix cosines(2 * n, n);
@@ -44,7 +44,7 @@ struct Alias
   double square_of_frequency, share;
 };
 
-/** Returns the modes k + 2 n j of the series, with (sin x/x)^2 for x = omega h/2. */
+/** Returns the modes k + 2 n j of the series, with (sin x/x)² for x = omega h/2. */
 std::vector<Alias> aliases_of(const unsigned int k, const unsigned int n, const double length)
 {
   if (length <= 0.)
@@ -149,7 +149,7 @@ CosineGrid::Vector CosineGrid::apply_inverse(const Vector &P) const
   return transform(P, inverse_eigenvalues_);
 }
 
-// C^ on sides that are grids of equal patches.
+// Ĉ on sides that are grids of equal patches.
 
 namespace
 {

@@ -194,7 +194,7 @@ using Vector = dealii::Vector<double>;
 using Indices = ComplianceOperator::Indices;
 using BlockVector = dealii::BlockVector<double>;
 
-/** The matrix (A, -D_S; -D_S^T, 0) and its preconditioner. */
+/** The matrix (A, -D_S; -D_Sᵀ, 0) and its preconditioner. */
 class SaddlePoint
 {
 public:
@@ -226,7 +226,7 @@ public:
     }
   }
 
-  /** The preconditioner diag(V, (t Ĉ_1)_SS^{-1}). */
+  /** The preconditioner diag(V, (t Ĉ_1)_SS⁻¹). */
   struct Preconditioner
   {
     const SaddlePoint &matrix;

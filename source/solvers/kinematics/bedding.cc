@@ -33,7 +33,7 @@ double energy_at(const SeenMotions &motions, const Vector &F, const Vector &c, c
   return energy;
 }
 
-/** Returns K + sum of B_i B_i^T/c_i, where springs that are open count only with the part @p open.
+/** Returns K + sum of B_i B_iᵀ/c_i, where springs that are open count only with the part @p open.
  */
 Matrix stiffness_at(const SeenMotions &motions, const Vector &c, const Vector &P, const double open)
 {
@@ -160,7 +160,7 @@ namespace
 using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 
-/** Returns P <= 0 with B^T P = -b on few patches; nothing if K resists, where every P will do. */
+/** Returns P ≤ 0 with Bᵀ P = -b on few patches; nothing if K resists, where every P will do. */
 std::optional<Vector> pressure_in_balance(const SeenMotions &motions, const unsigned int m)
 {
   Matrix directions(motions.size(), m);

@@ -38,7 +38,7 @@ struct MotionSearch
   /** The smallest residual so far, and its state. */
   double residual = std::numeric_limits<double>::max();
   MotionState best;
-  /** The stiffness B_A^T C_AA^{-1} B_A of the patches that press, n x n. */
+  /** The stiffness B_Aᵀ C_AA⁻¹ B_A of the patches that press, n x n. */
   Matrix stiffness;
   /** The result of the last inner problem; its iterations are those of all. */
   QPResult inner;
@@ -56,7 +56,7 @@ Vector row_norms(const Matrix &B)
 }
 
 /** Returns diag C; where columns are expensive, an estimate from one column: C_ii grows like the
- * square of the length of a patch, as |B_i|^2 does. */
+ * square of the length of a patch, as |B_i|² does. */
 Vector diagonal_guess(const ComplianceOperator &C, const Vector &F, const Vector &norms)
 {
   if (C.is_explicit())
@@ -199,7 +199,7 @@ DualSolverOptions inner_options(const MotionProblem &problem,
   return options;
 }
 
-/** Solves the dual problem with C + B (K + E)^{-1} B^T, and computes the motions that belong to its
+/** Solves the dual problem with C + B (K + E)⁻¹ Bᵀ, and computes the motions that belong to its
  * pressure. */
 void solve_inner(const MotionProblem &problem, MotionSearch &search)
 {
@@ -210,7 +210,7 @@ void solve_inner(const MotionProblem &problem, MotionSearch &search)
   Q.add(1., motions.K);
   const SmallCholesky solver(Q);
   MotionState next = search.state;
-  // z = z_old + Q^{-1}(b - K z_old + B^T P).
+  // z = z_old + Q⁻¹(b - K z_old + Bᵀ P).
   next.z += solver.solve(motions.imbalance(Vector(next.P.size()), next.z));
   Vector load = problem.F;
   load -= times(motions.B, next.z);
@@ -245,7 +245,7 @@ bool is_only_solution(const MotionProblem &problem, const MotionState &state)
   double size = 0.;
   for (unsigned int i = 0; i < C_TT.m(); ++i)
     size = std::max(size, C_TT(i, i));
-  // Two solutions differ by a P with C P = 0 and B^T P = 0.
+  // Two solutions differ by a P with C P = 0 and Bᵀ P = 0.
   for (unsigned int i = 0; i < C_TT.m(); ++i)
     for (unsigned int j = 0; j < C_TT.m(); ++j)
       for (unsigned int l = 0; l < n; ++l)
@@ -311,7 +311,7 @@ Matrix normalised(Matrix B)
   return B;
 }
 
-/** Returns the sum of |B_i|^2/C_ii; 1/C_ii where B is zero. */
+/** Returns the sum of |B_i|²/C_ii; 1/C_ii where B is zero. */
 double contact_stiffness(const Vector &norms, const Vector &diagonal)
 {
   double sum = 0.;

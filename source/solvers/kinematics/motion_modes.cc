@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Z = k - A^{-1} A k for the lifts k of free motions.
+// Z = k - A⁻¹ A k for the lifts k of free motions.
 
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/elasticity/traces.h>
@@ -67,7 +67,7 @@ struct WorkSum
   }
 };
 
-/** Returns k - A^{-1} A k. */
+/** Returns k - A⁻¹ A k. */
 NodalVector extend(const NodalVector &k,
                    const DisplacementSpace<2> &space,
                    const Scene<2> &scene,

@@ -164,7 +164,7 @@ bool factorise_nearly(Matrix C_AA, Factor &factor)
 }
 
 /** Refines the solution: solves for the remainders of both equations several times and adds the
- * result. X = C_AA^{-1} B_A. */
+ * result. X = C_AA⁻¹ B_A. */
 void refine(const ComplianceOperator &C,
             const Vector &F,
             const SeenMotions &motions,
@@ -214,7 +214,7 @@ std::optional<PressingSolution> solve_on_pressing(const ComplianceOperator &C,
   Factor C_AA;
   if (!factorise_nearly(submatrix(C, A), C_AA))
     return std::nullopt;
-  // Columns of C_AA^{-1} B_A.
+  // Columns of C_AA⁻¹ B_A.
   std::vector<Vector> X(n, Vector(A.size()));
   PressingSolution found{start, Matrix(n, n)};
   for (double &P_i : found.state.P)

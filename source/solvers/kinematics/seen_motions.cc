@@ -55,7 +55,7 @@ Matrix product(const Matrix &M, const Matrix &N)
   return result;
 }
 
-/** Returns M^T N. */
+/** Returns Mᵀ N. */
 Matrix transpose_product(const Matrix &M, const Matrix &N)
 {
   Matrix result(M.n(), N.n());
@@ -154,7 +154,7 @@ std::optional<Vector> find_escape(const Unitless &all, const Matrix &hidden, con
   const Vector b = transpose_times(seen, all.b);
   if (b.size() == 0 || b.l2_norm() <= all.noise)
     return std::nullopt;
-  // -P >= 0, so the cone is that of the rows of B.
+  // -P ≥ 0, so the cone is that of the rows of B.
   const Vector left = remainder_outside_cone(directions(product(all.B, seen)), b, 1e-13);
   if (left.l2_norm() <= all.noise)
     return std::nullopt;

@@ -58,7 +58,7 @@ SIGNORINI_INLINE void map_gradients(V (&g)[1 << dim][dim],
     }
 }
 
-/** Adds B^T C B times the weight of the point to K, for all cells of a batch; C are the moduli. */
+/** Adds Bᵀ C B times the weight of the point to K, for all cells of a batch; C are the moduli. */
 template <int dim, typename Number, int bytes>
 SIGNORINI_INLINE void add_point(Number *const K, const PointOfCells<dim, Number> &point)
 {

@@ -23,7 +23,7 @@ double parent_shape(const unsigned int child, const unsigned int v, const unsign
   return value;
 }
 
-/** Adds P^T K_child P to K for n lanes, [i][j][lane]. */
+/** Adds Pᵀ K_child P to K for n lanes, [i][j][lane]. */
 template <int dim, unsigned int n>
 void add_child(const unsigned int child, const std::vector<double> &K_child, std::vector<double> &K)
 {
@@ -32,7 +32,7 @@ void add_child(const unsigned int child, const std::vector<double> &K_child, std
     for (unsigned int j = 0; j < n_dofs * n; ++j)
       target[j] += weight * source[j];
   };
-  // Rows: half = P^T K_child, and by its transpose K = half P.
+  // Rows: half = Pᵀ K_child, and by its transpose K = half P.
   std::vector<double> half(n_dofs * n_dofs * n, 0.);
   for (unsigned int V = 0; V < n_vertices; ++V)
     for (unsigned int v = 0; v < n_vertices; ++v)

@@ -90,7 +90,7 @@ public:
                   const CellMatrices<dim, double> &matrices,
                   const NodeConditions<dim> &conditions);
 
-  /** Computes x = A^{-1} b, with the projections of both. */
+  /** Computes x = A⁻¹ b, with the projections of both. */
   void apply(LevelVector<dim, float> &x, LevelVector<dim, float> &b) const;
 
 private:
@@ -110,7 +110,7 @@ void prolongate(LevelVector<dim, float> &x,
                 const BlockGrid<dim> &fine,
                 const BlockGrid<dim> &coarse);
 
-/** Computes b_H = P^T (b - y). */
+/** Computes b_H = Pᵀ (b - y). */
 template <int dim>
 void restrict_residual(LevelVector<dim, float> &b_H,
                        const LevelVector<dim, float> &b,

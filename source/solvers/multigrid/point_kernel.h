@@ -100,7 +100,7 @@ SIGNORINI_INLINE void reference_gradients(V (&D)[dim][dim],
     }
 }
 
-/** Computes S = weight E:eps(G), which is symmetric. */
+/** Computes S = weight E:ε(G), which is symmetric. */
 template <int dim, typename Number, typename V>
 SIGNORINI_INLINE void
 stress(V (&S)[dim][dim], const V (&G)[dim][dim], const Number *const moduli, const V &weight)
@@ -125,7 +125,7 @@ stress(V (&S)[dim][dim], const V (&G)[dim][dim], const Number *const moduli, con
     }
 }
 
-/** Computes y = sum over points of B^T E B x, with the positions of the vertices of a batch. */
+/** Computes y = sum over points of Bᵀ E B x, with the positions of the vertices of a batch. */
 template <int dim, typename Number, int width>
 SIGNORINI_INLINE void multiply_integrated(BatchValues<dim, Number> &y,
                                           const PointRule<dim, Number> &rule,

@@ -83,7 +83,7 @@ public:
     return result;
   }
 
-  /** Computes y = T^T K T x. */
+  /** Computes y = Tᵀ K T x. */
   void apply(Vector &y, const Vector &x)
   {
     copy_free_values(x_, x, 1.);
@@ -281,7 +281,7 @@ template class StiffnessMultigrid<3>;
 namespace
 {
 constexpr unsigned int most_cycles = 500;
-/** The rounding error of products with A, relative to a smooth load: 1e-16 / h^2. */
+/** The rounding error of products with A, relative to a smooth load: 1e-16 / h². */
 constexpr double refine_solves_above = 1e-8;
 /** The tolerance above which solves are not refined. */
 constexpr double loose_goal = 1e-10;

@@ -27,10 +27,10 @@ struct Rows
 };
 
 /**
- * The unknowns G inside cells of high degree, eliminated by dense matrices: with A_GG = L L^T and
- * W = L^{-1} A_GR for each cell,
+ * The unknowns G inside cells of high degree, eliminated by dense matrices: with A_GG = L Lᵀ and
+ * W = L⁻¹ A_GR for each cell,
  *
- *     A_RR - sum W^T W
+ *     A_RR - sum Wᵀ W
  *
  * is left for the other unknowns R. These dense blocks are nearly all of the entries of A, of which
  * a sparse factorisation makes several copies before it computes anything.
@@ -45,7 +45,7 @@ public:
    */
   CellInteriors(const Rows &A, const std::vector<bool> &kept);
 
-  /** Returns A_RR - sum W^T W. */
+  /** Returns A_RR - sum Wᵀ W. */
   const Rows &rest() const
   {
     return rest_;
@@ -55,12 +55,12 @@ public:
   {
     return unknowns_;
   }
-  /** Returns the smallest L_jj^2 / A_jj of the eliminated unknowns, at most 1. */
+  /** Returns the smallest L_jj² / A_jj of the eliminated unknowns, at most 1. */
   double smallest_pivot() const
   {
     return smallest_pivot_;
   }
-  /** Computes the right-hand side of rest() from that of A; @p b keeps L^{-1} b_G in its place. */
+  /** Computes the right-hand side of rest() from that of A; @p b keeps L⁻¹ b_G in its place. */
   void reduce(double *b, double *rest) const;
   /** Computes the solution for A from that for rest(), and from the values that reduce() left in @p
    * x. */

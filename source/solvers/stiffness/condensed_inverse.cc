@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A = L L^T by CHOLMOD, the insides of cells first, chosen unknowns last.
+// A = L Lᵀ by CHOLMOD, the insides of cells first, chosen unknowns last.
 
 #include <signorini/base/errors.h>
 #include <signorini/solvers/stiffness/condensed_inverse.h>
@@ -198,7 +198,7 @@ public:
   Factor(const Factor &) = delete;
   Factor &operator=(const Factor &) = delete;
 
-  /** Calls @p visit(i, j, L_ij) for every i >= j of the columns from @p first_column on. */
+  /** Calls @p visit(i, j, L_ij) for every i ≥ j of the columns from @p first_column on. */
   template <typename Visitor>
   void for_each_entry(const Long first_column, const Visitor &visit) const
   {
@@ -231,7 +231,7 @@ public:
     return n_ - n_last_;
   }
 
-  /** Returns the smallest L_jj^2 / A_jj: the part of a diagonal entry that is left when it is
+  /** Returns the smallest L_jj² / A_jj: the part of a diagonal entry that is left when it is
    * eliminated. */
   double smallest_pivot(const dealii::TrilinosWrappers::SparseMatrix &A) const
   {
@@ -249,7 +249,7 @@ public:
     return smallest;
   }
 
-  /** Computes X = A^{-1} X for n right-hand sides, one column after another. */
+  /** Computes X = A⁻¹ X for n right-hand sides, one column after another. */
   void solve(std::vector<double> &X, const Long n)
   {
     const std::size_t n_rows = X.size() / n;

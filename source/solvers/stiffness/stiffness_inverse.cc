@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A^{-1} by the sparse direct solvers of Trilinos (Amesos), and the choice of a solver.
+// A⁻¹ by the sparse direct solvers of Trilinos (Amesos), and the choice of a solver.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/parallel.h>

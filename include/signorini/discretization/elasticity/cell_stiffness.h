@@ -11,7 +11,7 @@
 namespace Signorini
 {
 /**
- * Integrates a(phi_j, phi_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
+ * Integrates a(φ_j, φ_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
  *
  * For elements of degree p, p + 1 Gauss points per direction are exact for a constant tensor on a
  * parallelogram or parallelepiped; p + 3 are taken otherwise. With a constant tensor, similar
@@ -71,7 +71,7 @@ private:
   std::vector<Sample> samples_;
 };
 
-/** Returns the unit in which a(phi_j, phi_i) is computed: E_0 l^{dim-2}, with the material's
+/** Returns the unit in which a(φ_j, φ_i) is computed: E_0 l^{dim-2}, with the material's
  * modulus E_0 and the body's size l. Matrices are those of a body of size one and modulus one, so
  * that neither units nor sizes of numbers matter (force/length per thickness, in 2-D: force/area).
  */
@@ -85,7 +85,7 @@ double stiffness_unit(const DisplacementSpace<dim> &space, const Material<dim> &
 template <int dim>
 struct InternalForces
 {
-  /** The forces (a(phi_j, phi_i))_ij U for all i, constrained or not (force per thickness). */
+  /** The forces (a(φ_j, φ_i))_ij U for all i, constrained or not (force per thickness). */
   DistributedVector forces;
   /** The sums |A| |U|, cell by cell. Times the unit roundoff they bound the rounding errors of the
    * forces. */

@@ -23,10 +23,10 @@ using NodalVector = dealii::Vector<double>;
 /** The operator by which a(.,.) takes the strain of a function of V^h. */
 enum class StrainOperator
 {
-  /** The strain eps(v) = (grad v + grad v^T)/2: the conforming element, which locks as Poisson's
+  /** The strain ε(v) = (grad v + grad vᵀ)/2: the conforming element, which locks as Poisson's
    * ratio tends to 1/2. */
   symmetric_gradient,
-  /** The B-bar strain eps(v) + (m - tr eps(v))/dim I, where m is the mean of tr eps(v) over the
+  /** The B-bar strain ε(v) + (m - tr ε(v))/dim I, where m is the mean of tr ε(v) over the
    * cell. It keeps the order of V^h for all Poisson's ratios. (Hughes, Int. J. Numer. Methods Eng.
    * 15 (1980) 1413-1418, with the 2-D dilatation.) */
   mean_dilatation
@@ -155,8 +155,8 @@ public:
   {
     return pins_.empty() ? constraints_ : constraints_without_pins_;
   }
-  /** Returns the functional restricted to V^h: T^T r, where v = T v_free for v in V^h. r_j =
-   * r(phi_j) for all j; the result is zero at constrained degrees of freedom, whatever is
+  /** Returns the functional restricted to V^h: Tᵀ r, where v = T v_free for v in V^h. r_j =
+   * r(φ_j) for all j; the result is zero at constrained degrees of freedom, whatever is
    * prescribed there. */
   NodalVector condense(const NodalVector &functional) const;
   /** Adds r_j of degrees of freedom that only keep u_h continuous to those of their masters: the

@@ -40,7 +40,7 @@ public:
 private:
   bool has_constraints(const Indices &indices) const;
   void add_to_rows(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
-  /** Computes T^T K T and T^T (b - K k) of a cell with constraints, U = T U_free + k, in condensed_
+  /** Computes Tᵀ K T and Tᵀ (b - K k) of a cell with constraints, U = T U_free + k, in condensed_
    * and condensed_vector_, for the indices in masters_. */
   void condense(const dealii::FullMatrix<double> &cell_matrix,
                 const dealii::Vector<double> &cell_vector,
@@ -78,14 +78,14 @@ struct LinearSystem
   /** The right-hand side f_j, reduced by the contribution of the prescribed displacements; zero in
    * constrained rows. */
   DistributedVector f;
-  /** The loads f_j = int f.phi_j + int t.phi_j for all j, nothing eliminated (force). */
+  /** The loads f_j = ∫ f.φ_j + ∫ t.φ_j for all j, nothing eliminated (force). */
   DistributedVector loads;
   /** The resultant of the loads, by quadrature of f and t. */
   Resultant<dim> applied;
 };
 
 /**
- * Assembles A_ij = a(phi_j, phi_i) and f_i = int f.phi_i + int_{Gamma_F} t.phi_i with @p n_points
+ * Assembles A_ij = a(φ_j, φ_i) and f_i = ∫ f.φ_i + ∫_{Γ_F} t.φ_i with @p n_points
  * Gauss points per direction for the loads. Collective.
  * @throws InputError where the data has no value.
  */

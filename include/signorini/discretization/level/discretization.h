@@ -8,7 +8,7 @@
 
 namespace Signorini
 {
-/** The mesh T^h, the spaces V^h and Q^H, Gamma_c^H, D and G of one level. */
+/** The mesh T^h, the spaces V^h and Q^H, Γ_c^H, D and G of one level. */
 template <int dim>
 struct Discretization
 {

@@ -19,7 +19,7 @@ struct ContactFace
   unsigned int side;
 };
 
-/** A patch tau, an element of Gamma_c^H: an interval of arc length in 2-D, a group of faces in 3-D.
+/** A patch tau, an element of Γ_c^H: an interval of arc length in 2-D, a group of faces in 3-D.
  */
 template <int dim>
 struct Patch
@@ -41,7 +41,7 @@ struct Patch
   }
 };
 
-/** The points on a piece of Gamma_c, with the data for integrals over it. */
+/** The points on a piece of Γ_c, with the data for integrals over it. */
 template <int dim>
 struct SurfaceRule
 {
@@ -77,7 +77,7 @@ struct Piece
   SurfaceRule<dim> on_mesh;
 };
 
-/** The rule by which Gamma_c^H is made. */
+/** The rule by which Γ_c^H is made. */
 struct Partition
 {
   /** The ratio H/h: faces per patch and direction. Where it does not divide the faces of a side,
@@ -105,8 +105,8 @@ enum class Grading
 };
 
 /**
- * The discrete Gamma_c: the contact faces of the mesh, the patches of Gamma_c^H and the pieces face
- * ∩ patch with their points. Integrals over Gamma_c are sums over pieces and need nothing else of
+ * The discrete Γ_c: the contact faces of the mesh, the patches of Γ_c^H and the pieces face
+ * ∩ patch with their points. Integrals over Γ_c are sums over pieces and need nothing else of
  * the geometry.
  *
  * The order is side after side; in 2-D each side in the order of arc length.

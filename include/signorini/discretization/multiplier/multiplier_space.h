@@ -16,14 +16,14 @@ namespace Signorini
  * The space Q^H of functions that are polynomials on every patch; on most meshes constants.
  *
  * With n unknowns a patch has polynomials of degree n - 1 in the coordinate of its side, and the
- * Lagrange basis psi_k at the n Gauss points of the patch: p_H = sum P_k psi_k. For n = 1 that is
+ * Lagrange basis ψ_k at the n Gauss points of the patch: p_H = sum P_k ψ_k. For n = 1 that is
  * psi = 1. With n - 1 = p - 2 on the faces of elements of degree p the pair is inf-sup stable. The
  * basis is orthogonal in L2, and P_k is the value of p_H at a Gauss point, where N^H restricts its
  * sign.
  *
  * On the nodes of the trace of V^h (Nodes::lobatto) p_H is continuous: neighbouring patches share
  * the node between them. With the rules of Gauss and Lobatto on the faces D and G are then those of
- * collocation, u_n <= g at the nodes. All unknowns, signs, values and integrals of multipliers come
+ * collocation, u_n ≤ g at the nodes. All unknowns, signs, values and integrals of multipliers come
  * from this space, so that another basis changes only this file.
  */
 template <int dim>
@@ -68,7 +68,7 @@ public:
   {
     return patch_of_.size();
   }
-  /** Returns the set of admissible P: pressures, P <= 0. */
+  /** Returns the set of admissible P: pressures, P ≤ 0. */
   AdmissibleSet admissible_set() const
   {
     return AdmissibleSet::nonpositive(n_multipliers());
@@ -108,16 +108,16 @@ public:
   /** Returns the point of the side at which the unknown is the value of p_H. */
   dealii::Point<dim - 1> node(unsigned int unknown) const;
 
-  /** Returns psi_k at the point @p s of the side, on the patch to which the unknown belongs. */
+  /** Returns ψ_k at the point @p s of the side, on the patch to which the unknown belongs. */
   double shape_value(unsigned int unknown, const dealii::Point<dim - 1> &s) const;
   /** Returns p_H at a point of a patch. */
   double value(const Vector &P, unsigned int patch, const dealii::Point<dim - 1> &s) const;
 
-  /** Returns the largest P_k that N^H allows: p_H <= 0 at every node. */
+  /** Returns the largest P_k that N^H allows: p_H ≤ 0 at every node. */
   Vector upper_bounds() const;
-  /** Returns int psi_k for all k (length^{dim-1}). */
+  /** Returns ∫ ψ_k for all k (length^{dim-1}). */
   Vector integrals() const;
-  /** Returns R^H q, the L2-projection of a function q, from its moments b_k = int q psi_k. */
+  /** Returns R^H q, the L2-projection of a function q, from its moments b_k = ∫ q ψ_k. */
   Vector project(const Vector &moments) const;
 
 private:
@@ -139,7 +139,7 @@ private:
 };
 
 /**
- * Returns int q psi_k for all k, where @p values_on (piece, rule) is a function q at the points of
+ * Returns ∫ q ψ_k for all k, where @p values_on (piece, rule) is a function q at the points of
  * a rule on a piece.
  * @param n_points per direction, for constants; one more per degree.
  */
@@ -169,7 +169,7 @@ dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> 
 }
 
 /**
- * Returns G_k = int g psi_k (length^dim), with @p n_points Gauss points per direction and part of a
+ * Returns G_k = ∫ g ψ_k (length^dim), with @p n_points Gauss points per direction and part of a
  * piece for constants; @p grading of the rules. @p boundary holds the gap of every side.
  * @throws InputError where g has no value.
  */
@@ -207,9 +207,9 @@ public:
   }
   /** Adds D P to the locally owned rows of @p vector. The caller compresses. */
   void add_product(const dealii::Vector<double> &P, DistributedVector &vector) const;
-  /** Returns D^T U. */
+  /** Returns Dᵀ U. */
   dealii::Vector<double> transpose_product(const NodalVector &U) const;
-  /** Returns D^T U from the locally owned rows of a distributed U; summed over the ranks it is D^T
+  /** Returns Dᵀ U from the locally owned rows of a distributed U; summed over the ranks it is Dᵀ
    * U. */
   dealii::Vector<double> local_transpose_product(const DistributedVector &U) const;
 
@@ -217,11 +217,11 @@ private:
   std::vector<Column> columns_;
 };
 
-/** Assembles D_jk = int_{Gamma_c} phi_j.n psi_k, integrated exactly on the pieces face ∩ patch. */
+/** Assembles D_jk = ∫_{Γ_c} φ_j.n ψ_k, integrated exactly on the pieces face ∩ patch. */
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,
                            const MultiplierSpace<dim> &multipliers);
 
-/** Returns T^T D: the coupling of the unconstrained degrees of freedom. */
+/** Returns Tᵀ D: the coupling of the unconstrained degrees of freedom. */
 Coupling condense(const Coupling &D, const dealii::AffineConstraints<double> &constraints);
 } // namespace Signorini

@@ -16,13 +16,13 @@ namespace Signorini
  * A guaranteed bound of the error of u_h in the energy norm |||v||| = a(v,v)^{1/2}, from a stress
  * tau in equilibrium (EquilibratedStress) and a lift w of what penetrates (ContactLift):
  *
- *     |||u - u_h|||² <= sum_K (‖sigma(u_h) - tau‖_{E^{-1},K} + osc_K)² + |||w|||²
- *                       + 2 int_{Gamma_c} p_H (u_{h,n} - g - w_n).
+ *     |||u - u_h|||² ≤ Σ_K (‖σ(u_h) - tau‖_{E⁻¹,K} + osc_K)² + |||w|||²
+ *                       + 2 ∫_{Γ_c} p_H (u_{h,n} - g - w_n).
  *
  * Where u_h only interpolates prescribed displacements, |||z|||_K is added to osc_K and |||z||| to
  * the bound (PrescribedLift).
  *
- * The same tau and another w bound the error of pi^{2h} u_h. There tau_n, a linear function on
+ * The same tau and another w bound the error of π^{2h} u_h. There tau_n, a linear function on
  * edges that press, takes the place of p_H.
  *
  * E is Hooke's tensor. Norms are roots of energies (force x length per thickness).
@@ -37,7 +37,7 @@ struct ErrorBound
   /** The bound divided by |||u_h|||, or by what rounding makes of it where that is larger; infinite
    * where u_h vanishes. */
   std::optional<double> relative;
-  /** The bound of |||u - pi^{2h} u_h|||, and the same divided like relative. There is none where
+  /** The bound of |||u - π^{2h} u_h|||, and the same divided like relative. There is none where
    * cells have no parents and on curved sides. */
   std::optional<double> post_absolute, post_relative;
   /** The parts of the bound for u_h: the first sum without oscillation, the oscillation of loads
@@ -77,14 +77,14 @@ struct ErrorBound
  * The parts of the bound by cell and contact face (roots of energies); all are empty where there is
  * no bound:
  *
- *     sum_K ((mesh_K + oscillation_K)² + lift_K²) + sum_F contact_F² = (absolute - |||z|||)².
+ *     Σ_K ((mesh_K + oscillation_K)² + lift_K²) + Σ_F contact_F² = (absolute - |||z|||)².
  */
 struct BoundFields
 {
-  /** The norms ‖sigma(u_h) - tau‖_{E^{-1},K}, osc_K and |||w|||_K by active cell; the last is zero
+  /** The norms ‖σ(u_h) - tau‖_{E⁻¹,K}, osc_K and |||w|||_K by active cell; the last is zero
    * on cells of other ranks. */
   std::vector<double> mesh, oscillation, lift;
-  /** The roots (2 int_F p_H (u_{h,n} - g - w_n))^{1/2}, in the order of ContactSurface::faces(). */
+  /** The roots (2 ∫_F p_H (u_{h,n} - g - w_n))^{1/2}, in the order of ContactSurface::faces(). */
   std::vector<double> contact;
 };
 

@@ -27,10 +27,10 @@ struct ContactBound
 {
   /** The energy |||w|||² (force x length per thickness). */
   double lift_energy = 0.;
-  /** The integral int_{Gamma_c} tau_n (ũ_n - g - w_n). It is not negative, up to rounding. */
+  /** The integral ∫_{Γ_c} tau_n (ũ_n - g - w_n). It is not negative, up to rounding. */
   double contact_term = 0.;
   LiftMethod method = LiftMethod::layer;
-  /** The terms 2 int_F tau_n (ũ_n - g - w_n) of the faces, in the order of ContactSurface::faces().
+  /** The terms 2 ∫_F tau_n (ũ_n - g - w_n) of the faces, in the order of ContactSurface::faces().
    */
   std::vector<double> face_terms;
   /** The part of |||w|||² of every active cell; zero for cells of other ranks. */
@@ -39,7 +39,7 @@ struct ContactBound
    */
   SidePlace largest_part;
 
-  /** Returns c² = |||w|||² + 2 int tau_n (ũ_n - g - w_n). */
+  /** Returns c² = |||w|||² + 2 ∫ tau_n (ũ_n - g - w_n). */
   double square() const
   {
     return lift_energy + 2. * contact_term;
@@ -47,22 +47,22 @@ struct ContactBound
 };
 
 /**
- * The contact part of the guaranteed bound of the energy error |||u - ũ|||, ũ = u_h or pi^{2h} u_h,
+ * The contact part of the guaranteed bound of the energy error |||u - ũ|||, ũ = u_h or π^{2h} u_h,
  *
- *     c² = |||w|||² + 2 int_{Gamma_c} tau_n (ũ_n - g - w_n)
+ *     c² = |||w|||² + 2 ∫_{Γ_c} tau_n (ũ_n - g - w_n)
  *
- * for a w in V (zero on clamped and prescribed sides, w_n = 0 on rollers) with w_n >= d := ũ_n - g
- * on Gamma_c. The body is two-dimensional with straight sides.
+ * for a w in V (zero on clamped and prescribed sides, w_n = 0 on rollers) with w_n ≥ d := ũ_n - g
+ * on Γ_c. The body is two-dimensional with straight sides.
  *
- * w = w_h + sum_F r_F psi_F n, see LiftField. w_h in V^h satisfies w_{h,n} >= d at contact nodes.
- * On a face, d is replaced by a piecewise quadratic q >= d (EdgeFunction); with its chord Iq, b = q
- * - Iq and the linear function e = w_{h,n} - Iq >= 0,
+ * w = w_h + Σ_F r_F psi_F n, see LiftField. w_h in V^h satisfies w_{h,n} ≥ d at contact nodes.
+ * On a face, d is replaced by a piecewise quadratic q ≥ d (EdgeFunction); with its chord Iq, b = q
+ * - Iq and the linear function e = w_{h,n} - Iq ≥ 0,
  *
- *     r_F >= b - e,   r_F = 0 at both ends.
+ *     r_F ≥ b - e,   r_F = 0 at both ends.
  *
  * Where the face presses, r_F = max(b - e, min(b, 0)): w_n = q where w_h touches at both ends,
  * since -2 tau_n (w_n - d) counts; elsewhere r_F = max(b - e, 0). Both are piecewise quadratic,
- * with breaks at the zeros of b and b - e as well. Hence w_n = Iq + e + r_F >= q >= d, and c² >= 0.
+ * with breaks at the zeros of b and b - e as well. Hence w_n = Iq + e + r_F ≥ q ≥ d, and c² ≥ 0.
  *
  * The bound is exact up to rounding, the sampling of g (see interpolate_from_above()) and, with
  * moduli that vary or cells that are no parallelograms, the quadrature of |||w|||².
@@ -72,12 +72,12 @@ struct ContactBound
  *
  * There is none where a held node needs w_n > 0: where contact reaches a clamped side with g < 0,
  * or is pushed into the foundation there. A gap that jumps costs energy but does no harm, since w_n
- * >= d may be smooth.
+ * ≥ d may be smooth.
  */
 class ContactLift
 {
 public:
-  /** The data of the dual problem: A^{-1} and D. */
+  /** The data of the dual problem: A⁻¹ and D. */
   struct DualData
   {
     const StiffnessInverse &inverse;
@@ -111,7 +111,7 @@ public:
   {
     return no_bound_;
   }
-  /** Returns d along Gamma_c, with its largest value and its place. Needs straight sides and degree
+  /** Returns d along Γ_c, with its largest value and its place. Needs straight sides and degree
    * one. */
   const ContactTrace &trace() const
   {
@@ -135,7 +135,7 @@ private:
   std::optional<ContactBound> bound_;
 };
 
-/** Returns |||z||| of a z in V^h that is zero on essential boundaries and has z_n = 1 on Gamma_c;
+/** Returns |||z||| of a z in V^h that is zero on essential boundaries and has z_n = 1 on Γ_c;
  * none where contact meets a side that holds the body. contact_force_bound() bounds the error of
  * the contact force with it. Collective. */
 std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,

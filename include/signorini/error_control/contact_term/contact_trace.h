@@ -90,7 +90,7 @@ struct PenetrationFace
   }
 };
 
-/** The condition w_n >= required at a contact node, for w in V^h with homogeneous essential
+/** The condition w_n ≥ required at a contact node, for w in V^h with homogeneous essential
  * conditions. */
 struct NodeCondition
 {
@@ -103,8 +103,8 @@ struct NodeCondition
   bool held = false;
 };
 
-/** The penetration d = ũ_n - g on Gamma_c, face by face, with ũ = u_h or pi^{2h} u_h. It also holds
- * the conditions that a w in V^h with w_n >= d at contact nodes satisfies: one per contact node and
+/** The penetration d = ũ_n - g on Γ_c, face by face, with ũ = u_h or π^{2h} u_h. It also holds
+ * the conditions that a w in V^h with w_n ≥ d at contact nodes satisfies: one per contact node and
  * direction of the normal. A corner of two contact sides has two. */
 class ContactTrace
 {
@@ -141,7 +141,7 @@ public:
   }
   /** Returns d itself at t, up to the evaluation of g. */
   double penetration(const PenetrationFace &face, double t) const;
-  /** The integrals of tau_n - p_H, of (tau_n - p_H) n and of (tau_n - p_H)(g - c_n) over Gamma_c,
+  /** The integrals of tau_n - p_H, of (tau_n - p_H) n and of (tau_n - p_H)(g - c_n) over Γ_c,
    * with four Gauss points on every part of d. */
   struct TractionChange
   {
@@ -154,7 +154,7 @@ public:
    * @param c a translation.
    */
   TractionChange traction_change(const dealii::Tensor<1, 2> &c) const;
-  /** Returns int tau_n d over Gamma_c, by the same points. */
+  /** Returns ∫ tau_n d over Γ_c, by the same points. */
   double work_of_penetration() const;
   /** Returns max (d)_+ over all samples; place_of_largest() returns its place. */
   double largest_penetration() const

@@ -14,7 +14,7 @@
 namespace Signorini
 {
 /**
- * The lift w = w_h + sum_F r_F(t) psi_F n: a function of V^h with homogeneous essential conditions,
+ * The lift w = w_h + Σ_F r_F(t) psi_F n: a function of V^h with homogeneous essential conditions,
  * and for each contact face F what it lacks inside the face.
  *
  * F is the end of a column of cells, each entered through one edge and left through the opposite
@@ -22,9 +22,9 @@ namespace Signorini
  * column; psi_F is 1 on F, piecewise linear along the column, and 0 where it ends. So w is
  * continuous and vanishes on essential boundaries like w_h, whatever the shapes of the cells.
  *
- * The depth of a column is D = (3 C_nn int r² / (C_nt int r'²))^{1/2}, C_nn and C_nt the moduli of
+ * The depth of a column is D = (3 C_nn ∫ r² / (C_nt ∫ r'²))^{1/2}, C_nn and C_nt the moduli of
  * stretch along n and of shear at F: for r(t) (1 - y/D) n on a strip the energy is at most 1/2
- * (C_nn int r²/D + C_nt D/3 int r'²) + mixed terms, least for this D. Any D is right; it is cut
+ * (C_nn ∫ r²/D + C_nt D/3 ∫ r'²) + mixed terms, least for this D. Any D is right; it is cut
  * where the column meets the boundary or cells of another size.
  */
 class LiftField
@@ -54,7 +54,7 @@ public:
   dealii::Tensor<1, 2> value(const CellIterator &cell, const dealii::Point<2> &reference) const;
 
   /**
-   * Returns int_K eps(w):E:eps(w) for every active cell K (force x length per thickness), and zero
+   * Returns ∫_K ε(w):E:ε(w) for every active cell K (force x length per thickness), and zero
    * for cells of other ranks.
    *
    * It is integrated by Gauss' formula on the parts of a cell on which w is a polynomial of degree

@@ -13,7 +13,7 @@
 
 namespace Signorini
 {
-/** The matrix C = E^T A^{-1} E with the columns E of those conditions at contact nodes that A^{-1}
+/** The matrix C = Eᵀ A⁻¹ E with the columns E of those conditions at contact nodes that A⁻¹
  * lets move, and two problems with it. Where the factors hold C, these problems are solved with the
  * matrix. Otherwise the kernel of the half-space takes its place and is improved by products with
  * C, each of which costs a solve. The number of solves does not grow with that of contact nodes. */
@@ -37,7 +37,7 @@ public:
   {
     return E_;
   }
-  /** Returns Q <= 0 with C Q - F <= 0 and Q.(C Q - F) = 0. */
+  /** Returns Q ≤ 0 with C Q - F ≤ 0 and Q.(C Q - F) = 0. */
   dealii::Vector<double> press(const dealii::Vector<double> &F,
                                const dealii::Vector<double> &start);
   /** Returns Q with C Q = F. */
@@ -63,12 +63,12 @@ private:
 };
 
 /**
- * Returns a w_h in V^h, zero on essential boundaries, with w_{h,n} >= required at all conditions of
+ * Returns a w_h in V^h, zero on essential boundaries, with w_{h,n} ≥ required at all conditions of
  * the trace: it has the nodal values of the layer omega(s) (1 - y/D)_+ n below each contact side, y
  * the distance from the side. omega is linear between contact nodes: it takes the required value at
  * nodes next to pressing faces, and its positive part elsewhere.
  *
- * On a strip with constant moduli, a layer of the depth D = (3 C_nn int omega² / (C_nt int
+ * On a strip with constant moduli, a layer of the depth D = (3 C_nn ∫ omega² / (C_nt int
  * omega'²))^{1/2} has the least bound of the energy; D is at most the shortest extent of the body.
  * At contact nodes themselves the conditions decide (a corner has two). There is no solve.
  */
@@ -86,11 +86,11 @@ dealii::Vector<double> required_values(const ContactTrace &trace);
 std::optional<dealii::Vector<double>> raised_values(const ContactTrace &trace);
 
 /**
- * Returns the w_h in V^h that minimises 1/2 a(w_h, w_h) - int p_H w_{h,n} over w_{h,n} >= required:
- * with the matrix E of the conditions (w_n = E^T w) and multipliers Q,
+ * Returns the w_h in V^h that minimises 1/2 a(w_h, w_h) - ∫ p_H w_{h,n} over w_{h,n} ≥ required:
+ * with the matrix E of the conditions (w_n = Eᵀ w) and multipliers Q,
  *
- *     A w = D P - E Q,   Q <= 0,
- *     V = E^T A^{-1} E Q - (E^T A^{-1} D P - required) <= 0,   Q^T V = 0,
+ *     A w = D P - E Q,   Q ≤ 0,
+ *     V = Eᵀ A⁻¹ E Q - (Eᵀ A⁻¹ D P - required) ≤ 0,   Qᵀ V = 0,
  *
  * solved like the dual problem of the scene. It takes one solve with a trailing factor, otherwise
  * two and one per contact node that is needed. Collective.
@@ -103,7 +103,7 @@ NodalVector dual_lift(const DisplacementSpace<2> &space,
                       const dealii::Vector<double> &required);
 
 /** Returns a z in V^h of small energy that is zero on essential boundaries and has z_n = 1 on
- * Gamma_c; none where a contact node is held. Collective. */
+ * Γ_c; none where a contact node is held. Collective. */
 std::optional<NodalVector> lift_of_one(const DisplacementSpace<2> &space,
                                        const ContactTrace &trace,
                                        const StiffnessInverse &inverse);

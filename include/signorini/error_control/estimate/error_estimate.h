@@ -21,7 +21,7 @@ struct PressureCorrection
   double energy_norm = 0.;
 };
 
-/** Returns P of the dual problem with C = D^T A^{-1} D, for a D, its condensed form, F and a start;
+/** Returns P of the dual problem with C = Dᵀ A⁻¹ D, for a D, its condensed form, F and a start;
  * nothing where the solver fails. */
 using DualProblem =
   std::function<std::optional<dealii::Vector<double>>(const Coupling &D,
@@ -36,7 +36,7 @@ struct PressureData
   const DisplacementSpace<dim> &space;
   const Scene<dim> &scene;
   const MultiplierSpace<dim> &multipliers;
-  /** The complete nodal values U_0 = A^{-1} f. */
+  /** The complete nodal values U_0 = A⁻¹ f. */
   const NodalVector &U_free;
   const dealii::Vector<double> &P;
   const Coupling &condensed_D;
@@ -48,7 +48,7 @@ struct PressureData
   DualProblem solve_dual;
 };
 
-/** Returns b_j = int_{Gamma_c} p v_n for v = phi_j, condensed, as a coupling with a single column.
+/** Returns b_j = ∫_{Γ_c} p v_n for v = φ_j, condensed, as a coupling with a single column.
  * p is the recovered pressure of @p P, shifted to the means of @p P and cut off at zero. */
 template <int dim>
 Coupling recovered_load(const DisplacementSpace<dim> &space,
@@ -56,7 +56,7 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
                         const dealii::Vector<double> &P);
 
 /**
- * Returns z_h = A^{-1}(b - D P) with b_j = int p v_n: with p = sigma_n(u), u_h + z_h would be the
+ * Returns z_h = A⁻¹(b - D P) with b_j = ∫ p v_n: with p = σ_n(u), u_h + z_h would be the
  * best approximation of u in V^h. p is the RecoveredPressure of p_H with the means of p_H, see
  * recovered_load(). Where patches are longer than two faces, V^h resolves more of the pressure than
  * p_H does. Then p is recovered from the solution on patches of two faces per direction, which
@@ -70,7 +70,7 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
 template <int dim>
 PressureCorrection correct_pressure(const PressureData<dim> &data);
 
-/** The parts of an error that neither pi^{2h} nor a recovered pressure shows (energy norms). */
+/** The parts of an error that neither π^{2h} nor a recovered pressure shows (energy norms). */
 struct OtherErrors
 {
   /** The error that the contact solver leaves, see algebraic_error(). */
@@ -86,20 +86,20 @@ struct OtherErrors
  *
  *     |||u - u_h|||² = |||u - (u_h + z_h)|||² + |||z_h|||².
  *
- * The first part is estimated by the distance to pi^{2h}. What u_h and p_H lack of the solution on
+ * The first part is estimated by the distance to π^{2h}. What u_h and p_H lack of the solution on
  * this mesh, and what no recovered pressure shows, comes on top (OtherErrors). Energy norms are
  * roots of force x length^{dim-1}. An estimate that comes from elsewhere has no parts.
  */
 struct ErrorEstimate
 {
-  /** The distance ‖pi^{2h} u_h - u_h‖_{1,Omega}, which estimates ‖u - u_h‖_1. It is asymptotically
-   * exact where pi^{2h} u_h superconverges and |||z_h||| is small. */
+  /** The distance ‖π^{2h} u_h - u_h‖_{1,Ω}, which estimates ‖u - u_h‖_1. It is asymptotically
+   * exact where π^{2h} u_h superconverges and |||z_h||| is small. */
   std::optional<double> h1;
   /** The estimate of |||u - u_h|||: the root of the sum of the squares of all parts. */
   double energy = 0.;
   /** The estimate divided by energy_scale(): it depends neither on units nor on translations. */
   double relative = 0.;
-  /** The part of the mesh, |||pi^{2h} v - v||| for v = u_h + z_h. */
+  /** The part of the mesh, |||π^{2h} v - v||| for v = u_h + z_h. */
   std::optional<double> mesh;
   /** The part of the pressure, |||z_h|||. */
   std::optional<double> pressure;
@@ -120,8 +120,8 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
                              const OtherErrors &others = {});
 
 /** Returns the number of generations with which PatchInterpolation comes closest to u: 2 (degree
- * four) where it changes pi^{2h} u_h by less than 2/3 of what pi^{2h} changes u_h, else 1 (degree
- * two, pi^{2h} itself); 0 (u_h) where there is no T^{2h}. On meshes that are too coarse for the
+ * four) where it changes π^{2h} u_h by less than 2/3 of what π^{2h} changes u_h, else 1 (degree
+ * two, π^{2h} itself); 0 (u_h) where there is no T^{2h}. On meshes that are too coarse for the
  * solution the quartic oscillates more than that. Collective. */
 template <int dim>
 unsigned int best_interpolation(const DisplacementSpace<dim> &space, const NodalVector &U);

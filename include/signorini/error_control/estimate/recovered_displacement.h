@@ -6,7 +6,7 @@
 namespace Signorini
 {
 /**
- * The patch interpolation of u_h that comes closest to u, pi^{2h} u_h or the one of degree four
+ * The patch interpolation of u_h that comes closest to u, π^{2h} u_h or the one of degree four
  * (best_interpolation()), as a function of degree two per direction on T^h. Stresses come from it.
  */
 template <int dim>

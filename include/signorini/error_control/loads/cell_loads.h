@@ -10,7 +10,7 @@ namespace Signorini
 /** The body force of a cell: its nodal forces, and the part f_h that stresses balance exactly. */
 struct CellLoad
 {
-  /** The nodal forces int f phi_i at the four corners, with the quadrature of the system. */
+  /** The nodal forces ∫ f φ_i at the four corners, with the quadrature of the system. */
   std::array<dealii::Tensor<1, 2>, 4> nodal;
   /** The loads d_k, the part of f_h that is constant on triangle k. */
   CompositeCell::Loads constant{};

@@ -18,7 +18,7 @@ struct Law
   Components strain(const Components &stress) const;
 
   std::array<Components, 3> stiffness, compliance;
-  /** The smallest c with e:E:e >= c e:e. */
+  /** The smallest c with e:E:e ≥ c e:e. */
   double smallest_eigenvalue;
 };
 
@@ -158,7 +158,7 @@ inline Components sum(const Components &a, const Components &b)
   return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
 }
 
-/** Adds weight psi e to @p dual: the contribution of the strain e at a point to int psi e, by
+/** Adds weight psi e to @p dual: the contribution of the strain e at a point to ∫ psi e, by
  * triangle and vertex. */
 inline void add_dual(const StressPoint &point, const Components &e, CompositeCell::Stresses &dual)
 {

@@ -61,7 +61,7 @@ struct CellShape
  * opposite vertex m of (x_k, x_{k+1}, z).
  *
  * The equations are solved on the affine image of the cell whose crossing is the origin and whose
- * corners 0 and 1 are the unit points. With F the matrix of the map and tau = F tau' F^T, moments
+ * corners 0 and 1 are the unit points. With F the matrix of the map and tau = F tau' Fᵀ, moments
  * are det(F) F b' and loads F d'. So thin cells are as good as squares, and all parallelograms have
  * the same equations.
  */

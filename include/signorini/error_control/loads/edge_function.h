@@ -47,7 +47,7 @@ public:
   bool is_zero() const;
   /** Returns the largest value. */
   double largest() const;
-  /** square_integral() returns int_0^1 r² dt, slope_integral() int_0^1 r'² dt. Both are exact. */
+  /** square_integral() returns ∫_0^1 r² dt, slope_integral() ∫_0^1 r'² dt. Both are exact. */
   double square_integral() const;
   double slope_integral() const;
 
@@ -57,7 +57,7 @@ private:
   std::vector<Part> parts_;
 };
 
-/** A function q >= f on an edge, with the largest sampled value of f and its position. */
+/** A function q ≥ f on an edge, with the largest sampled value of f and its position. */
 struct UpperInterpolant
 {
   EdgeFunction function;
@@ -73,12 +73,12 @@ struct Pinned
 };
 
 /**
- * Returns an EdgeFunction q close to f with q >= f at all points where f was sampled.
+ * Returns an EdgeFunction q close to f with q ≥ f at all points where f was sampled.
  *
  * Between consecutive @p breaks (0, places where f jumps or has a kink, 1) f is sampled on four
  * equal intervals, each at its ends, its middle and its quarters. q is the parabola through the
  * first three, raised by a piecewise linear function where f exceeds the parabola: for smooth f by
- * O(interval^3), since the excess over a parabola is f'''/6 tau (tau - 1/2) (tau - 1) interval^3,
+ * O(interval³), since the excess over a parabola is f'''/6 tau (tau - 1/2) (tau - 1) interval³,
  * of which the quarters show 97 %; it is raised by 5/4 of what they show. Intervals where the
  * quarters differ by more than 1/100 of the range of f - (its chord) are halved, up to six times;
  * where that is not enough, f has a kink or jumps, and q is linear there and not below any sample.

@@ -102,7 +102,7 @@ struct Star
  * polygon of its vertices; the cells store their bulges.
  *
  * The traction on an edge is a linear function t along it, that on the first of its cells. It is
- * stored by its moments int_e t phi_i with the hat functions of the two end points i, two
+ * stored by its moments ∫_e t φ_i with the hat functions of the two end points i, two
  * components each: entries 4 e + 2 end + component of a vector of moments. Every rank stores all of
  * them.
  */

@@ -38,7 +38,7 @@ public:
   std::vector<KinkLine<2>> lines(unsigned int cell, const EdgeCell &place) const;
   /** Returns the strain (e11, e22, 2 e12) of z at a point of a cell. */
   Components strain(unsigned int cell, const StressPoint &point) const;
-  /** Returns int_e t.r over the prescribed edges of a cell, for the linear t with the given
+  /** Returns ∫_e t.r over the prescribed edges of a cell, for the linear t with the given
    * moments. */
   double work(unsigned int cell, const CellMoments &moments) const;
 

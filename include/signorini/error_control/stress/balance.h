@@ -32,7 +32,7 @@ bool balance_cells(const EdgeMesh &mesh,
  * conjugate gradients with StarSolver, which need many steps where a body or its cells are long and
  * thin.
  *
- * Where edges that may carry tractions leave rigid motions to the body, B^T vanishes on them: l is
+ * Where edges that may carry tractions leave rigid motions to the body, Bᵀ vanishes on them: l is
  * taken without them in the first cell, which changes nothing of b.
  *
  * Returns nothing if the factorisation fails, or leaves more than rounding.

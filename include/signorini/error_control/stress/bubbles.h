@@ -12,17 +12,17 @@
 namespace Signorini
 {
 /**
- * The difference b = pi^{2h} u_h - u_h on the cells of T^h, in the reference coordinates of each
+ * The difference b = π^{2h} u_h - u_h on the cells of T^h, in the reference coordinates of each
  * cell.
  *
  * b vanishes at nodes and is of degree two per direction. So it is
  *
- *     sum_k m_k 4 s_k (1 - s_k) (1 - d_k) + c 16 s_0 (1 - s_0) s_1 (1 - s_1),
+ *     Σ_k m_k 4 s_k (1 - s_k) (1 - d_k) + c 16 s_0 (1 - s_0) s_1 (1 - s_1),
  *
  * with s_k the position along edge k and d_k the depth behind it, both in [0,1]; m_k is the value
  * of b in the middle of the edge, the same from both of its cells.
  *
- * On edges with prescribed displacements m_k is held back: there pi^{2h} u_h is not u_D, either,
+ * On edges with prescribed displacements m_k is held back: there π^{2h} u_h is not u_D, either,
  * and PrescribedLift makes up for u_D - u_h.
  */
 class PatchBubbles
@@ -69,7 +69,7 @@ BubbleGradients bubble_gradients(const StressPoint &point);
 Components strain_of(const BubbleGradients &gradients,
                      const PatchBubbles::Coefficients &coefficients);
 
-/** The data that determine sigma(u_h) - tau on a parallelogram with a constant law. */
+/** The data that determine σ(u_h) - tau on a parallelogram with a constant law. */
 struct CellMisfit
 {
   /** The values of u_h at the corners, relative to one of them. */
@@ -79,7 +79,7 @@ struct CellMisfit
   std::array<double, 4> slope;
 };
 
-/** The form ‖sigma(u_h + b) - tau‖² - ‖sigma(u_h) - tau‖² = 2 int eps(b):(sigma(u_h) - tau) +
+/** The form ‖σ(u_h + b) - tau‖² - ‖σ(u_h) - tau‖² = 2 ∫ ε(b):(σ(u_h) - tau) +
  * |||b|||² on a parallelogram with a constant law, in the ten components of b. It is exact: the
  * products have the degree six, the rule ten. */
 class BubbleForm
@@ -88,7 +88,7 @@ public:
   BubbleForm(const CellShape &shape, const Law &law);
 
   double change(const PatchBubbles::Coefficients &b, const CellMisfit &misfit) const;
-  /** Returns int eps(b) psi, which is minus half of the derivative of change() with respect to the
+  /** Returns ∫ ε(b) psi, which is minus half of the derivative of change() with respect to the
    * stresses. */
   CompositeCell::Stresses dual(const PatchBubbles::Coefficients &b) const;
 

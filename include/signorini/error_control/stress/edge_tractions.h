@@ -43,7 +43,7 @@ void give_to_contact(const EdgeMesh &mesh,
  * left. The free number per component, where there is one, brings the moments as close to the guess
  * as can be, in least squares.
  *
- * The equations can be solved if sum_K R_K^i is balanced by given tractions: the Galerkin rows. The
+ * The equations can be solved if Σ_K R_K^i is balanced by given tractions: the Galerkin rows. The
  * rest that rounding or an iterative solver leaves is divided among the cells of the vertex.
  */
 class EdgeMoments

@@ -26,7 +26,7 @@ class StarSolver;
  * (force x length per thickness) or roots of energies. */
 struct StressBound
 {
-  /** The misfit ‖sigma(u_h + z) - tau‖_{E^{-1},K} of every cell, in the order of active cells. E is
+  /** The misfit ‖σ(u_h + z) - tau‖_{E⁻¹,K} of every cell, in the order of active cells. E is
    * Hooke's tensor. */
   std::vector<double> misfit;
   /** The oscillation osc_K: a stress of at most this norm balances, together with tau, the loads
@@ -43,20 +43,20 @@ struct StressBound
    * not linear along edges and is zero elsewhere. The bound is for u_h + z; that for u_h is larger
    * by |||z|||. */
   double lift = 0.;
-  /** The same sums for pi^{2h} u_h. */
+  /** The same sums for π^{2h} u_h. */
   struct OfPatches
   {
-    /** The sum over K of (‖sigma(pi^{2h} u_h + z') - tau‖_{E^{-1},K} + osc_K)², and |||z'|||; z'
-     * makes up for u_D - pi^{2h} u_h. */
+    /** The sum over K of (‖σ(π^{2h} u_h + z') - tau‖_{E⁻¹,K} + osc_K)², and |||z'|||; z'
+     * makes up for u_D - π^{2h} u_h. */
     double square, lift;
   };
   std::optional<OfPatches> of_patches;
-  /** Bounds of 1/2 ‖tau‖² - int_{Gamma_D} tau n.(u_D - c) for the stress that balances the loads
-   * themselves, with c the translation below. The bounds are 1/2 sum_K (‖tau‖_{E^{-1},K} ± osc_K)²
+  /** Bounds of 1/2 ‖tau‖² - ∫_{Γ_D} tau n.(u_D - c) for the stress that balances the loads
+   * themselves, with c the translation below. The bounds are 1/2 Σ_K (‖tau‖_{E⁻¹,K} ± osc_K)²
    * minus that work. This is the part of J*(tau) that no large translation enters. */
   Bracket complementary_energy = {0., 0.};
   /** The translation c, which is the displacement of a corner of the body, and the force
-   * int_{Gamma_D} tau n. */
+   * ∫_{Γ_D} tau n. */
   dealii::Tensor<1, 2> translation, support_force;
   /** The largest force at a vertex that the linear solver left unbalanced, relative to the largest
    * force that a cell exerts on a vertex. */
@@ -74,7 +74,7 @@ struct ImprovementOptions
 {
   unsigned int most_steps = 50;
   /** The improvement stops when a step takes less than this share of the square of the misfit of
-   * u_h, and of pi^{2h} u_h where there is one. */
+   * u_h, and of π^{2h} u_h where there is one. */
   double least_share = 0.01, least_share_of_patches = 0.03;
   /** The number of cells up to which the best stress is computed (best_change()), and the number up
    * to which it is computed if the steps did not end. */
@@ -96,17 +96,17 @@ struct StressData
 
 /**
  * A stress tau with div tau + f_h = 0 on every cell, continuous tractions, tau n = t_h on traction
- * sides, tau n = p_h n on contact sides and without shear on rollers, close to sigma(u_h). The
+ * sides, tau n = p_h n on contact sides and without shear on rollers, close to σ(u_h). The
  * loads f_h, t_h and p_h are projections of f, t and p_H whose rest has neither force nor moment on
  * any cell or edge (CellLoad, GivenTractions).
  *
  * 1. The moments of tractions follow from the residuals of (u_h, p_H) around every vertex
  * (EdgeMoments).
  * 2. Inside of the cells the stress is that of composite quadrilaterals (CompositeCell).
- * 3. A few steps of conjugate gradients reduce ‖sigma(u_h) - tau‖_{E^{-1}} (StarSolver). All
+ * 3. A few steps of conjugate gradients reduce ‖σ(u_h) - tau‖_{E⁻¹} (StarSolver). All
  * iterates are in equilibrium.
  *
- * With exact balance, there is for every cell a tau_r with ‖tau_r‖_{E^{-1},K} <= osc_K such that
+ * With exact balance, there is for every cell a tau_r with ‖tau_r‖_{E⁻¹,K} ≤ osc_K such that
  * tau + tau_r balances f, t and p_H n themselves (OscillationConstants): then the inequality of
  * Prager and Synge holds with (misfit_K + osc_K)². This also covers patches that end inside a face.
  *
@@ -150,7 +150,7 @@ public:
   /** Returns tau_n at vertex 0 and vertex 1 for every face of the contact surface where tau_n is a
    * free linear function, none where it is p_h. */
   std::vector<std::optional<std::array<double, 2>>> free_tractions() const;
-  /** Returns the normal component of pi^{2h} u_h - u_h in the middle of a face of the contact
+  /** Returns the normal component of π^{2h} u_h - u_h in the middle of a face of the contact
    * surface. Needs StressBound::of_patches. */
   double normal_bubble(unsigned int contact_face) const;
 
@@ -162,14 +162,14 @@ private:
   /** Returns the displacement relative to corner 0: large translations have rounding errors, but no
    * strain. */
   CornerValues deformation(const EdgeCell &cell) const;
-  /** Returns R_K^i = int_K sigma_h:grad phi_i - int_K f phi_i, with the quadrature of the system;
+  /** Returns R_K^i = ∫_K σ_h:grad φ_i - ∫_K f φ_i, with the quadrature of the system;
    * sets energy_. */
   std::vector<EdgeMoments::CornerForces> residuals();
-  /** Returns the moments of the mean of sigma_h n from both sides of edges. */
+  /** Returns the moments of the mean of σ_h n from both sides of edges. */
   std::vector<double> mean_tractions() const;
   /** Returns the strain (e11, e22, 2 e12) of u_h + z. */
   Components strain(unsigned int cell, const StressPoint &point, const CornerValues &u) const;
-  /** The integrals over a cell: the squares of the misfits of u_h + z and of pi^{2h} u_h + z', the
+  /** The integrals over a cell: the squares of the misfits of u_h + z and of π^{2h} u_h + z', the
    * square of tau, and the energies of z and z'. */
   struct CellSquares
   {
@@ -206,7 +206,7 @@ private:
                           CellRoom &room,
                           bool from_above,
                           CellEnergies *energies = nullptr) const;
-  /** Adds the integrals for pi^{2h} u_h; needs those for u_h. */
+  /** Adds the integrals for π^{2h} u_h; needs those for u_h. */
   void integrate_patches(const CellState &state, CellIntegrals &result) const;
   /** Integrates over all cells, with all threads; sets @p energies. */
   std::vector<CellIntegrals> integrate_all(CellEnergies &energies) const;
@@ -222,7 +222,7 @@ private:
   double geometry(unsigned int cell, double smallest_eigenvalue) const;
   /** Returns osc_K. */
   double oscillation(unsigned int cell, double smallest_eigenvalue, OscillationTable &table) const;
-  /** Returns int_{Gamma_D} tau n.(u_D - c) on the edges of a cell; adds int_{Gamma_D} tau n to @p
+  /** Returns ∫_{Γ_D} tau n.(u_D - c) on the edges of a cell; adds ∫_{Γ_D} tau n to @p
    * force. */
   double support_work(unsigned int cell,
                       const dealii::Tensor<1, 2> &c,
@@ -238,7 +238,7 @@ private:
   struct Residual
   {
     std::vector<double> r;
-    /** The squares of the misfits of u_h and of pi^{2h} u_h; the last one is infinite where there
+    /** The squares of the misfits of u_h and of π^{2h} u_h; the last one is infinite where there
      * is none. */
     double square = 0., square_of_patches = 0.;
     /** The square of the norm of tau. */

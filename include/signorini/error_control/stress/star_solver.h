@@ -64,11 +64,11 @@ public:
   /** Solves the star of a vertex anew after its edges have changed their freedom. */
   void renew(unsigned int vertex, const CellEnergies &energies);
 
-  /** Sets z = sum_i Z_i (Z_iᵀ S Z_i)^{-1} Z_iᵀ r. */
+  /** Sets z = Σ_i Z_i (Z_iᵀ S Z_i)⁻¹ Z_iᵀ r. */
   void apply(const std::vector<double> &r, std::vector<double> &z) const;
 
 private:
-  /** Returns Z (ZᵀSZ)^{-1} Zᵀ of a star row by row, in the order spoke, end (centre first),
+  /** Returns Z (ZᵀSZ)⁻¹ Zᵀ of a star row by row, in the order spoke, end (centre first),
    * component. */
   std::vector<double> solve_star(const Star &star, const CellEnergies &energies) const;
   /** Returns a key that is equal for stars with equal matrices; empty if that is not known. */

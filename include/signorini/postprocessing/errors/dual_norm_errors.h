@@ -12,7 +12,7 @@
 
 namespace Signorini
 {
-/** The errors of the contact pressure in |||.|||_{-1/2,Gamma_c}, the root of the sum of squares
+/** The errors of the contact pressure in |||.|||_{-1/2,Γ_c}, the root of the sum of squares
  * over the contact sides. */
 struct DualNormErrors
 {

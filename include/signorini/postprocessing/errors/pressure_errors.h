@@ -11,7 +11,7 @@ namespace Signorini
 /** The distances of the discrete from the exact contact pressure. */
 struct PressureErrors
 {
-  /** The error ‖p - p_H‖_{0,Gamma_c}. */
+  /** The error ‖p - p_H‖_{0,Γ_c}. */
   double l2;
   /** The error of the continuous pressure recovered from p_H. */
   double post_l2;

@@ -58,7 +58,7 @@ struct ContactSummary
   /** The total length of the patches that press, in 3-D their area, if multipliers are constants;
    * that of the pressed_intervals() if they are polynomials (length^{dim-1}). */
   double length = 0.;
-  /** The force -int p_H, positive in compression (force). */
+  /** The force -∫ p_H, positive in compression (force). */
   double normal_force = 0.;
   /** The maximum max(-P_k), positive in compression (force/area). */
   double max_pressure = 0.;

@@ -37,11 +37,11 @@ std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
  * They are integrals over cells; the assembled and factorised A is not used. */
 struct NodalForces
 {
-  /** The internal forces a(u_h, phi_j). */
+  /** The internal forces a(u_h, φ_j). */
   NodalVector internal;
-  /** The loads int f.phi_j + int_{Gamma_F} t.phi_j. */
+  /** The loads ∫ f.φ_j + ∫_{Γ_F} t.φ_j. */
   NodalVector loads;
-  /** The contact forces int_{Gamma_c} p_H phi_j.n. */
+  /** The contact forces ∫_{Γ_c} p_H φ_j.n. */
   NodalVector contact;
   /** The residual internal - loads - contact: zero on free, the reaction on constrained degrees of
    * freedom. */
@@ -79,7 +79,7 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
                          const NodalVector &U,
                          const dealii::Vector<double> &P);
 
-/** Returns int p_H n and int p_H x × n over a piece of Gamma_c. */
+/** Returns ∫ p_H n and ∫ p_H x × n over a piece of Γ_c. */
 template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
                                  const dealii::Vector<double> &P,

@@ -23,14 +23,14 @@ struct FieldValues
 
 /**
  * The interpolation of nodal values by one polynomial on all descendants of a cell. Without
- * generations it is u_h. With one and elements of degree one it is pi^{2h} of (30): the function of
+ * generations it is u_h. With one and elements of degree one it is π^{2h} of (30): the function of
  * degree two per direction on each cell of T^{2h} that takes the 3^dim nodal values of its
  * children. With k generations and elements of degree p it has the degree 2^k p on the cells of the
  * k-th mesh before T^h and takes the (2^k p + 1)^dim nodal values of their descendants. It is
  * evaluated cell by cell of T^h, without unknowns of its own. In 3-D it is evaluated at the points
  * of tensor product rules by sums over one direction after the other.
  *
- * Needs Mesh::n_nested_ancestors() >= k. Copies share nothing: every thread has its own.
+ * Needs Mesh::n_nested_ancestors() ≥ k. Copies share nothing: every thread has its own.
  */
 template <int dim>
 class PatchInterpolation

@@ -14,7 +14,7 @@
 
 namespace Signorini
 {
-/** Returns the mean of tr eps(u_h) over the parent of each active cell (over the cell itself where
+/** Returns the mean of tr ε(u_h) over the parent of each active cell (over the cell itself where
  * there is no T^{2h}), in the order of active cells. With StrainOperator::mean_dilatation, means
  * over cells may alternate between neighbours, as the pressure of Q1-P0 does. */
 template <int dim>
@@ -22,8 +22,8 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
 
 /** The evaluation of a 3-D polynomial at the points of a tensor product rule on one of the cells,
  * n_cells per direction, into which the unit cube is divided: sums over the nodes of one direction
- * after the other. With k + 1 nodes and q points per direction that takes about 4 (k+1)^3 q
- * operations where q < k, not 4 (k+1)^3 q^3. */
+ * after the other. With k + 1 nodes and q points per direction that takes about 4 (k+1)³ q
+ * operations where q < k, not 4 (k+1)³ q³. */
 class TensorEvaluation
 {
 public:
@@ -68,7 +68,7 @@ private:
 using SpatialStress = dealii::SymmetricTensor<2, 3>;
 
 /**
- * Returns sigma = E : eps at @p x. In 2-D sigma_xz = sigma_yz = 0, and sigma_zz is
+ * Returns sigma = E : eps at @p x. In 2-D σ_xz = σ_yz = 0, and σ_zz is
  * Material::out_of_plane_stress().
  * @throws InputError where the material's data has no value.
  */

@@ -49,16 +49,16 @@ struct CaseData
   const MotionModes<2> &modes;
   /** The number of Gauss points per direction for loads. */
   unsigned int n_points;
-  /** Returns G_k = int g psi_k for the gap of a scene. */
+  /** Returns G_k = ∫ g ψ_k for the gap of a scene. */
   std::function<dealii::Vector<double>(const Scene<2> &)> gap;
   DualSolverOptions options;
 };
 
 /**
  * Solves load cases with one factorisation. The displacement without contact is linear in the
- * loads: U_0 = sum_i a_i U_i with one U_i for forces, weight and travel each. So a case needs
+ * loads: U_0 = Σ_i a_i U_i with one U_i for forces, weight and travel each. So a case needs
  *
- *     F = G - sum_i a_i D^T U_i,   b = sum_i a_i b_i,
+ *     F = G - Σ_i a_i Dᵀ U_i,   b = Σ_i a_i b_i,
  *
  * the same C, B and K as all others, and one dual problem, which starts from the pressure of the
  * case before: O(m²) operations.
@@ -88,7 +88,7 @@ private:
   {
     LoadKind kind;
     NodalVector U;
-    /** The closing D^T U. */
+    /** The closing Dᵀ U. */
     dealii::Vector<double> closing;
     /** The work on the free motions. */
     MotionWork work;

@@ -13,8 +13,8 @@ namespace Signorini
 /**
  * The dual of the interpolation norm between L2 and H1 on a rectangle with the edges L_1 and L_2:
  *
- *     ‖q‖²_{-1/2} = sum_{i,j>=0} (1 + |k|²)^{-1/2} q_ij²,   k = pi (i/L_1, j/L_2),
- *     q_ij = c_i c_j int q cos(k_1 s_1) cos(k_2 s_2),   c_0 = L^{-1/2}, else (2/L)^{1/2}.
+ *     ‖q‖²_{-1/2} = Σ_{i,j>=0} (1 + |k|²)^{-1/2} q_ij²,   k = pi (i/L_1, j/L_2),
+ *     q_ij = c_i c_j ∫ q cos(k_1 s_1) cos(k_2 s_2),   c_0 = L^{-1/2}, else (2/L)^{1/2}.
  *
  * On n_1 x n_2 equal patches the functions cos(p pi (a + 1/2)/n_1) cos(q pi (b + 1/2)/n_2) of the
  * patches' numbers a, b are orthogonal in this norm: the modes whose numbers i are 2 n_1 r ± p
@@ -44,7 +44,7 @@ public:
   /** Returns ‖q_H‖. */
   double norm(const Matrix &values) const;
 
-  /** Returns lambda_pq: ‖q_H‖² = sum lambda_pq Q_pq² with Q_pq = sum_ab q_ab cos(p pi (a +
+  /** Returns lambda_pq: ‖q_H‖² = sum lambda_pq Q_pq² with Q_pq = Σ_ab q_ab cos(p pi (a +
    * 1/2)/n_1) cos(q pi (b + 1/2)/n_2), where q_ab is the value on a patch. */
   Matrix eigenvalues(const Counts &n_patches) const;
 

@@ -12,10 +12,10 @@ namespace Signorini
 /**
  * The paper's norm on one side of length L: the dual of
  *
- *     ‖v‖²_{1/2} = ‖v‖²_0 + int int (v(x) - v(y))² / (x - y)² dx dy,
+ *     ‖v‖²_{1/2} = ‖v‖²_0 + ∫∫ (v(x) - v(y))² / (x - y)² dx dy,
  *
- * taken over the piecewise linear v on a uniform grid of n_cells cells: ‖q‖² = b^T G^{-1} b,  b_j =
- * int q phi_j,  G the Gram matrix of ‖.‖_{1/2}. This is a lower bound that grows with the grid. It
+ * taken over the piecewise linear v on a uniform grid of n_cells cells: ‖q‖² = bᵀ G⁻¹ b,  b_j =
+ * ∫ q φ_j,  G the Gram matrix of ‖.‖_{1/2}. This is a lower bound that grows with the grid. It
  * costs n_cells³/3 operations.
  */
 class SlobodeckijNorm

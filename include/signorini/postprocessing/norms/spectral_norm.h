@@ -12,7 +12,7 @@
 
 namespace Signorini
 {
-/** Assembles (A_1)_ij = (phi_j, phi_i)_{1,Omega} = int phi_j.phi_i + grad phi_j : grad phi_i,
+/** Assembles (A_1)_ij = (φ_j, φ_i)_{1,Ω} = ∫ φ_j.φ_i + grad φ_j : grad φ_i,
  * condensed like A. Collective. */
 template <int dim>
 dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space);
@@ -20,8 +20,8 @@ dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const Displacemen
 /**
  * The dual of the interpolation norm between L2 and H1 on one side of length L:
  *
- *     ‖q‖²_{-1/2} = sum_{k>=0} (1 + (k pi/L)²)^{-1/2} q_k²,
- *     q_0 = L^{-1/2} int q,   q_k = (2/L)^{1/2} int q cos(k pi s/L).
+ *     ‖q‖²_{-1/2} = Σ_{k>=0} (1 + (k pi/L)²)^{-1/2} q_k²,
+ *     q_0 = L^{-1/2} ∫ q,   q_k = (2/L)^{1/2} ∫ q cos(k pi s/L).
  *
  * On a closed side the frequencies k pi/L become 2 k pi/L, and sines join the cosines.
  *

@@ -25,7 +25,7 @@ struct SideForce
   std::optional<AnswerVector> through;
 };
 
-/** Returns int p_H n over every contact side. The line of action is given by its point nearest to
+/** Returns ∫ p_H n over every contact side. The line of action is given by its point nearest to
  * the centre of pressure, which lies on a straight side. */
 template <int dim>
 std::vector<SideForce> contact_forces(const MultiplierSpace<dim> &multipliers,

@@ -33,7 +33,7 @@ struct VonMises : StressMaximum
 constexpr double large_strain = 0.1;
 
 /**
- * Returns the largest stress of pi^{2h} u_h, or of u_h on a mesh without T^{2h}, at the corners and
+ * Returns the largest stress of π^{2h} u_h, or of u_h on a mesh without T^{2h}, at the corners and
  * the middle of every cell. With mean dilatation the trace of the strain is mean_dilatations().
  * Points at which the material's data has no value are left out. Collective.
  * @param places away is taken outside of them.

@@ -19,9 +19,9 @@ using ColumnProgress = std::function<void(unsigned int)>;
 std::vector<dealii::types::global_dof_index> contact_unknowns(const Coupling &condensed_D);
 
 /**
- * Makes C = D^T A^{-1} D, m x m, with the condensed coupling; every rank stores it.
+ * Makes C = Dᵀ A⁻¹ D, m x m, with the condensed coupling; every rank stores it.
  *
- * Where the factors hold A^{-1} for the contact unknowns (StiffnessInverse::trailing_factor), C is
+ * Where the factors hold A⁻¹ for the contact unknowns (StiffnessInverse::trailing_factor), C is
  * read from them without a solve. Otherwise C is a ColumnCompliance. The inverse and D must outlive
  * the result. This function and all functions of the result are collective.
  *
@@ -32,7 +32,7 @@ std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse
                                                           double &seconds,
                                                           const ColumnProgress &progress = {});
 
-/** The compliance C = D^T A^{-1} D by columns C_k = D^T A^{-1} D_k. Each column costs one solve; it
+/** The compliance C = Dᵀ A⁻¹ D by columns C_k = Dᵀ A⁻¹ D_k. Each column costs one solve; it
  * is computed at its first use and kept. Columns are symmetrised among each other. */
 class ColumnCompliance final : public ComplianceOperator
 {
@@ -54,7 +54,7 @@ public:
 private:
   /** Computes the missing ones of the given columns. */
   void require(const Indices &numbers) const;
-  /** Returns D^T A^{-1} D_k for the given k, m x n. */
+  /** Returns Dᵀ A⁻¹ D_k for the given k, m x n. */
   Matrix solve_for(const Indices &numbers) const;
   Indices all() const;
 
@@ -68,7 +68,7 @@ private:
   mutable unsigned int n_known_ = 0;
 };
 
-/** The compliance C = D^T A^{-1} D by products, one solve each, for methods that need few products
+/** The compliance C = Dᵀ A⁻¹ D by products, one solve each, for methods that need few products
  * and no entries. Each column costs a solve, too, and is not kept. */
 class SolvedCompliance final : public ComplianceOperator
 {

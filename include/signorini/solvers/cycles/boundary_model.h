@@ -11,8 +11,8 @@
 namespace Signorini
 {
 /**
- * The model Ĉ of C = D^T A^{-1} D: an operator that is cheap and spectrally equivalent, c P^T Ĉ P
- * <= P^T C P <= t P^T Ĉ P with c and t that do not depend on h. It is symmetric positive definite,
+ * The model Ĉ of C = Dᵀ A⁻¹ D: an operator that is cheap and spectrally equivalent, c Pᵀ Ĉ P
+ * ≤ Pᵀ C P ≤ t Pᵀ Ĉ P with c and t that do not depend on h. It is symmetric positive definite,
  * in the units of C.
  *
  * It depends on the surface of the body, not on its inside: the supports of the body change c and
@@ -23,11 +23,11 @@ class BoundaryModel : public ComplianceOperator
 public:
   /** Returns Ĉ_ij. */
   virtual double entry(unsigned int i, unsigned int j) const = 0;
-  /** Returns Ĉ^{-1} P, or an approximation of it. */
+  /** Returns Ĉ⁻¹ P, or an approximation of it. */
   virtual Vector apply_inverse(const Vector &P) const = 0;
   /** Returns x with Ĉ_SS x = @p rhs for a set S of multipliers. Small sets are solved by Cholesky's
    * factorisation, which is kept for the next call with the same set; larger ones by conjugate
-   * gradients, with (Ĉ^{-1})_SS as preconditioner, to 1e-10 of the right-hand side. */
+   * gradients, with (Ĉ⁻¹)_SS as preconditioner, to 1e-10 of the right-hand side. */
   Vector solve(const Indices &set, const Vector &rhs) const;
 
   Vector diagonal() const override;
@@ -58,8 +58,8 @@ private:
  * Makes Ĉ for constants on the patches of a surface. Where every contact side is straight (flat)
  * and divided into a grid of equal patches, it has one CosineModel block for each side; elsewhere
  * it is the KernelModel of the half-space over all sides. Both take the moduli of the material at
- * the middle of each patch: with M = sigma_nn for eps = n n and mu the mean shear modulus on the
- * surface, E' = 4 mu (1 - mu/M), which is E/(1 - nu^2) (plane stress: E).
+ * the middle of each patch: with M = σ_nn for eps = n n and mu the mean shear modulus on the
+ * surface, E' = 4 mu (1 - mu/M), which is E/(1 - nu²) (plane stress: E).
  *
  * @throws ComputationError for other multipliers than constants, and where the kernel would need
  * more than 6000 patches.

@@ -17,18 +17,18 @@ struct ContactSystem
   const StiffnessOperator &A;
   /** The condensed f, reduced by the contribution of k (force). */
   const NodalVector &f;
-  /** The condensed coupling T^T D. */
+  /** The condensed coupling Tᵀ D. */
   const Coupling &condensed_D;
-  /** The gap G - D^T k (length^dim). */
+  /** The gap G - Dᵀ k (length^dim). */
   const dealii::Vector<double> &gap;
   /** The model Ĉ_1. */
   const BoundaryModel &model;
-  /** The norm |T^T loads|_2; f is far larger where large displacements are prescribed (force). */
+  /** The norm |Tᵀ loads|_2; f is far larger where large displacements are prescribed (force). */
   double loads = 0.;
 
   /** Returns r = f + D P - A U. */
   NodalVector residual(const NodalVector &U, const dealii::Vector<double> &P) const;
-  /** Returns W = D^T U - G. */
+  /** Returns W = Dᵀ U - G. */
   dealii::Vector<double> opening(const NodalVector &U) const;
 };
 
@@ -78,19 +78,19 @@ struct ContactIterationResult
 };
 
 /**
- * Returns the scale t of t Ĉ_1 for the iteration: 0.6 times the largest eigenvalue of Ĉ_1^{-1} D^T
- * V D by Lanczos' method, where V <= A^{-1} takes the place of A^{-1}. The iteration needs t >
- * lambda_max(Ĉ_1^{-1} C)/2.
+ * Returns the scale t of t Ĉ_1 for the iteration: 0.6 times the largest eigenvalue of Ĉ_1⁻¹ Dᵀ
+ * V D by Lanczos' method, where V ≤ A⁻¹ takes the place of A⁻¹. The iteration needs t >
+ * lambda_max(Ĉ_1⁻¹ C)/2.
  * @param n_steps of Lanczos' method; each is one V-cycle.
  */
 double estimate_scale(const ContactSystem &system, unsigned int n_steps);
 
 /**
- * Solves A U - D P = f, P <= 0, W = D^T U - G <= 0, P.W = 0 by V-cycles, each followed by a problem
+ * Solves A U - D P = f, P ≤ 0, W = Dᵀ U - G ≤ 0, P.W = 0 by V-cycles, each followed by a problem
  * on the boundary:
  *
  *     U <- U + V (f + D P - A U),
- *     P <- Q <= 0 with W + t Ĉ_1 (Q - P) <= 0, Q.(W + t Ĉ_1 (Q - P)) = 0,
+ *     P <- Q ≤ 0 with W + t Ĉ_1 (Q - P) ≤ 0, Q.(W + t Ĉ_1 (Q - P)) = 0,
  *
  * Anderson's acceleration is used while {P < 0} stays the same (two differences, 24 bytes per
  * degree of freedom).
@@ -99,7 +99,7 @@ double estimate_scale(const ContactSystem &system, unsigned int n_steps);
  * long, MINRES takes over (see solve_by_minres()), and ContactIterationResult::stalled has the
  * reason.
  *
- * @param U, P the start; U is zero in constrained rows, P <= 0.
+ * @param U, P the start; U is zero in constrained rows, P ≤ 0.
  */
 ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
                                                const NodalVector &U,

@@ -16,7 +16,7 @@ namespace Signorini
  * The Gram matrix of the characteristic functions of a grid of n_1 x n_2 equal patches on a
  * rectangle L_1 x L_2 in the norm
  *
- *     |q|^2 = sum_{k,l >= 0} (omega_0^2 + (k pi/L_1)^2 + (l pi/L_2)^2)^{-1/2} q_kl^2,
+ *     |q|² = Σ_{k,l ≥ 0} (omega_0^2 + (k pi/L_1)² + (l pi/L_2)²)^{-1/2} q_kl²,
  *
  * where q_kl are the coefficients in the orthonormal cosines. On the segment L_1 (n_2 = 1, L_2 = 0)
  * the sum is over k alone.
@@ -60,7 +60,7 @@ private:
   void sum_aliases(const std::array<double, 2> &lengths, double omega_0);
   /** Fills table_. */
   void tabulate_entries();
-  /** Returns Q_1 (factors .* (Q_1^T P Q_2)) Q_2^T. */
+  /** Returns Q_1 (factors .* (Q_1ᵀ P Q_2)) Q_2ᵀ. */
   Vector transform(const Vector &P, const Matrix &factors) const;
 
   std::array<unsigned int, 2> sizes_;
@@ -68,7 +68,7 @@ private:
   std::array<Matrix, 2> cosines_;
   /** The eigenvalues of the modes and their inverses, n_1 x n_2. */
   Matrix eigenvalues_, inverse_eigenvalues_;
-  /** The table T(a, b) for 0 <= a < 2 n_1, 0 <= b < 2 n_2: entries are means of T(i -+ i', j -+
+  /** The table T(a, b) for 0 ≤ a < 2 n_1, 0 ≤ b < 2 n_2: entries are means of T(i -+ i', j -+
    * j'). */
   Matrix table_;
 };

@@ -23,7 +23,7 @@ struct FlatPatch
 };
 
 /**
- * Returns the displacement of the half-space, without its factor 2/(pi E'): int k(x - y) dy over
+ * Returns the displacement of the half-space, without its factor 2/(pi E'): ∫ k(x - y) dy over
  * the patch, with k = -log(|x - y|/R) in 2-D and 1/(2 |x - y|) in 3-D. It is exact for segments and
  * rectangles.
  * @param radius R; it has no meaning in 3-D.
@@ -31,7 +31,7 @@ struct FlatPatch
 template <int dim>
 double patch_potential(const FlatPatch<dim> &patch, const dealii::Point<dim> &x, double radius);
 
-/** Returns int int k(x - y) over two patches. The inner integral is exact, the outer one by Gauss'
+/** Returns ∫∫ k(x - y) over two patches. The inner integral is exact, the outer one by Gauss'
  * rule with two points per direction, or with four where the patches are near. Far away it is the
  * product of the measures times k between the centres. The interaction is symmetric. */
 template <int dim>

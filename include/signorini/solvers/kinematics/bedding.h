@@ -14,7 +14,7 @@ namespace Signorini
  * Solves the dual problem with separate springs, C = diag(c): P_i = -(B_i z - F_i)_+/c_i, where z
  * minimises
  *
- * 1/2 sum_i (B_i z - F_i)_+^2/c_i + 1/2 z.K z - b.z
+ * 1/2 Σ_i (B_i z - F_i)_+^2/c_i + 1/2 z.K z - b.z
  *
  * (Winkler's bedding), by Newton's method with a line search. The solution is a start for the true
  * compliance. It carries the load b, so its pressing patches can carry b, too.
@@ -23,7 +23,7 @@ MotionState solve_on_bedding(const SeenMotions &motions,
                              const dealii::Vector<double> &F,
                              const dealii::Vector<double> &c);
 
-/** The compliance C + B Q^{-1} B^T of a body that also moves by B z against a stiffness Q, n x n,
+/** The compliance C + B Q⁻¹ Bᵀ of a body that also moves by B z against a stiffness Q, n x n,
  * positive definite. It needs the same columns of C as its caller needs of it. */
 class StiffenedCompliance final : public ComplianceOperator
 {
@@ -40,11 +40,11 @@ public:
   bool is_explicit() const override;
 
 private:
-  /** Returns entry (i, j) of B Q^{-1} B^T. */
+  /** Returns entry (i, j) of B Q⁻¹ Bᵀ. */
   double by_motion(unsigned int i, unsigned int j) const;
 
   std::shared_ptr<const ComplianceOperator> C_;
-  /** The factor V in V V^T = B Q^{-1} B^T, m x n. */
+  /** The factor V in V Vᵀ = B Q⁻¹ Bᵀ, m x n. */
   Matrix V_;
   /** The dense matrix, empty until its first use. */
   mutable Matrix dense_;
@@ -58,7 +58,7 @@ private:
  * The method begins with a pressure in balance, on as few patches as there are motions, and solves
  * exactly on the patches that press (solve_on_pressing()). Where a patch would pull, the step ends
  * at the first zero, and the patch leaves. Where the exact solution presses everywhere, the patch
- * with the largest penetration joins. The energy 1/2 P^T C P - P^T F falls in every step, so no set
+ * with the largest penetration joins. The energy 1/2 Pᵀ C P - Pᵀ F falls in every step, so no set
  * comes back (J. Nocedal, S. Wright: Numerical Optimization, 2006, section 16.5).
  *
  * @param most_solves the limit of the number of solves.

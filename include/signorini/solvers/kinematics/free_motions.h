@@ -37,7 +37,7 @@ struct MotionResult
   /** The k motions; one of several solutions where pressing patches leave a motion free (tipping
    * about an edge). */
   dealii::Vector<double> q;
-  /** A motion v with K v = 0, B v <= 0 (it opens or slides everywhere) and b.v > 0, if there is no
+  /** A motion v with K v = 0, B v ≤ 0 (it opens or slides everywhere) and b.v > 0, if there is no
    * solution. Its largest part is one in units in which the columns of B have norm one. */
   std::optional<dealii::Vector<double>> escape;
   /** The motions v with K v = 0, B v = 0 and b.v = 0: nothing determines them, and q has no part of
@@ -52,24 +52,24 @@ struct MotionResult
 /**
  * Solves the dual problem with free motions: P and q with
  *
- * W = C P + B q - F <= 0,   P <= 0,   P.W = 0,   K q - B^T P = b.
+ * W = C P + B q - F ≤ 0,   P ≤ 0,   P.W = 0,   K q - Bᵀ P = b.
  *
  * Existence is decided first (SeenMotions::escape). Then follows proximal iteration: with a small
  * matrix E,
  *
- * (K + E) q_new = b + B^T P + E q_old,
+ * (K + E) q_new = b + Bᵀ P + E q_old,
  *
- * is inserted into W. This leaves a dual problem in P with the compliance C + B (K + E)^{-1} B^T,
+ * is inserted into W. This leaves a dual problem in P with the compliance C + B (K + E)⁻¹ Bᵀ,
  * which the chosen method solves (with columns on demand where they are expensive). E is 1e-4
- * (projected SOR: 0.3) of the stiffness B_A^T C_AA^{-1} B_A of the contact, so the error of q falls
+ * (projected SOR: 0.3) of the stiffness B_Aᵀ C_AA⁻¹ B_A of the contact, so the error of q falls
  * by that factor. After each step, and for the start, P and q are computed exactly on the patches
  * that press (solve_on_pressing); the state with the smaller residual is kept. (R. T. Rockafellar,
  * Math. Oper. Res. 1 (1976) 97-116: convergence of proximal iteration for every E.)
  *
  * The KKT residual is that of BoundConstrainedQP with W as above, and with the imbalance r = b +
- * B^T P - K q as further entries:
+ * Bᵀ P - K q as further entries:
  *
- * (|P - min(0, P - W/diag C)|^2 + |r|^2)^{1/2} / max(|P|, |F/diag C|, |b|),
+ * (|P - min(0, P - W/diag C)|² + |r|²)^{1/2} / max(|P|, |F/diag C|, |b|),
  *
  * 0 if all vanish; r and b are divided by the norms of the columns of B, which gives them the unit
  * of P. F/diag C counts on patches that press or penetrate only: gaps far away are irrelevant.

@@ -23,7 +23,7 @@ struct MotionWork
   dealii::Vector<double> magnitude;
 };
 
-/** The displacements Z that free motions of plates and bodies cause. u = u_0 + sum_j q_j z_j, where
+/** The displacements Z that free motions of plates and bodies cause. u = u_0 + Σ_j q_j z_j, where
  * u_0 vanishes on pins and moves plates by the given part of their motion. z_j moves the plates and
  * pins as free motion j does, and a(z_j, v) = 0 for all v in V^h that vanish there. A rigid motion
  * is its own z_j (on curved cells up to the part of a rotation that V^h lacks). */
@@ -33,7 +33,7 @@ struct MotionModes
   std::vector<FreeMotion> motions;
   /** The complete nodal values z_j. */
   std::vector<NodalVector> Z;
-  /** The forces (a(z_j, phi_i))_i; empty where they vanish: for rigid motions that V^h contains. */
+  /** The forces (a(z_j, φ_i))_i; empty where they vanish: for rigid motions that V^h contains. */
   std::vector<NodalVector> forces;
   /** The stiffness K_ij = a(z_i, z_j). */
   dealii::FullMatrix<double> K;
@@ -49,7 +49,7 @@ struct MotionModes
   {
     return motions.size();
   }
-  /** Returns B = D^T Z, m x k. */
+  /** Returns B = Dᵀ Z, m x k. */
   dealii::FullMatrix<double> couple(const Coupling &D) const;
   /**
    * Returns the work on z_j of the forces and moments on plates, and of the loads f_i (not
@@ -64,7 +64,7 @@ struct MotionModes
    * balance. */
   std::optional<unsigned int> driven_unseen(const std::vector<Plate> &plates,
                                             const NodalVector &loads) const;
-  /** Adds sum_j q_j z_j to U. */
+  /** Adds Σ_j q_j z_j to U. */
   void add_to(NodalVector &U, const dealii::Vector<double> &q) const;
   /** Returns the motions of the plates with q, without the given part. */
   std::vector<PlateMotion> plate_motions(const std::vector<Plate> &plates,

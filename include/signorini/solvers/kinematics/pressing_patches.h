@@ -12,7 +12,7 @@
 
 namespace Signorini
 {
-/** The projection A y of b onto a cone, for the y >= 0 with the smallest |b - A y|. */
+/** The projection A y of b onto a cone, for the y ≥ 0 with the smallest |b - A y|. */
 struct ConeProjection
 {
   /** The columns with y > 0, and the values of y there. */
@@ -28,9 +28,9 @@ ConeProjection project_on_cone(const dealii::FullMatrix<double> &A,
                                double rounding);
 
 /**
- * Returns b - A y for the y >= 0 with the smallest |b - A y|: the remainder of b outside of the
+ * Returns b - A y for the y ≥ 0 with the smallest |b - A y|: the remainder of b outside of the
  * cone of the columns of A, n x m with small n. Columns have norm one. The remainder r satisfies
- * A^T r <= 0 and r.b = |r|^2. (C. L. Lawson, R. J. Hanson: Solving Least Squares Problems, 1974,
+ * Aᵀ r ≤ 0 and r.b = |r|². (C. L. Lawson, R. J. Hanson: Solving Least Squares Problems, 1974,
  * chapter 23.)
  *
  * @param rounding relative to |b|: a column joins only if it lessens the residual by more.
@@ -54,16 +54,16 @@ struct PressingSolution
 {
   /** The pressure and the motions. P may be positive. */
   MotionState state;
-  /** The stiffness B_A^T C_AA^{-1} B_A, n x n, of the unit 1/C. */
+  /** The stiffness B_Aᵀ C_AA⁻¹ B_A, n x n, of the unit 1/C. */
   dealii::FullMatrix<double> stiffness;
 };
 
 /**
  * Solves exactly with the patches A that press in @p start:
  *
- * C_AA P_A + B_A z = F_A,   K z - B_A^T P_A = b,   P = 0 elsewhere.
+ * C_AA P_A + B_A z = F_A,   K z - B_Aᵀ P_A = b,   P = 0 elsewhere.
  *
- * C_AA is factorised, and z follows from (K + B_A^T C_AA^{-1} B_A + delta) dz = imbalance; the
+ * C_AA is factorised, and z follows from (K + B_Aᵀ C_AA⁻¹ B_A + delta) dz = imbalance; the
  * remainders of both equations are then solved for again. delta, 1e-9 of the stiffness, leaves
  * motions unchanged that the patches of A do not resist (a body that tips about one edge). Where
  * C_AA is singular within rounding, its diagonal grows by 1e-8, and parts of P in the kernel of C

@@ -10,7 +10,7 @@ namespace Signorini
 {
 /** The free motions in coordinates z without units: q = T z. Columns of B have norm one before they
  * are combined. Motions without any resistance (K v = 0, B v = 0) are left out. W = C P + B z - F
- * and K z - B^T P = b hold with the matrices of this class; z has the unit of W, b that of P. */
+ * and K z - Bᵀ P = b hold with the matrices of this class; z has the unit of W, b that of P. */
 class SeenMotions
 {
 public:
@@ -19,20 +19,20 @@ public:
 
   /**
    * Reduces the motions.
-   * @param stiffness a typical 1/C_ii, that is, the sum over all patches of |B_i|^2/C_ii. K is zero
+   * @param stiffness a typical 1/C_ii, that is, the sum over all patches of |B_i|²/C_ii. K is zero
    * where it is below 1e-12 of it.
    * @throws std::invalid_argument if sizes do not fit or K is not symmetric.
    */
   SeenMotions(const FreeMotions &motions, unsigned int m, double stiffness);
 
-  /** Returns the number n <= k of the reduced motions. */
+  /** Returns the number n ≤ k of the reduced motions. */
   unsigned int size() const
   {
     return b.size();
   }
   /** Returns q = T z. */
   Vector original(const Vector &z) const;
-  /** Returns b + B^T P - K z, the imbalance. */
+  /** Returns b + Bᵀ P - K z, the imbalance. */
   Vector imbalance(const Vector &P, const Vector &z) const;
 
   /** The coupling B, m x n. */
@@ -42,7 +42,7 @@ public:
   Vector b;
   /** The motions without resistance, see MotionResult. */
   std::vector<Vector> unseen;
-  /** The motion that escapes, if there is one. b has to lie in the cone {-B^T P : P <= 0} as far as
+  /** The motion that escapes, if there is one. b has to lie in the cone {-Bᵀ P : P ≤ 0} as far as
    * K does not resist. Nonnegative least squares with rows of B of norm one decide this (a cone
    * depends on directions only): the remainder of b is the motion that escapes. Remainders below
    * 1e-9 of b are rounding: a load just above the edge of a body does not tip it. */

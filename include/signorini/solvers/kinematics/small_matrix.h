@@ -8,7 +8,7 @@
 
 namespace Signorini
 {
-/** The Cholesky factorisation Q = L L^T for the few unknowns of free motions. */
+/** The Cholesky factorisation Q = L Lᵀ for the few unknowns of free motions. */
 class SmallCholesky
 {
 public:
@@ -18,9 +18,9 @@ public:
    */
   explicit SmallCholesky(const dealii::FullMatrix<double> &Q);
 
-  /** Returns Q^{-1} x. */
+  /** Returns Q⁻¹ x. */
   dealii::Vector<double> solve(const dealii::Vector<double> &x) const;
-  /** Returns L^{-1} x. */
+  /** Returns L⁻¹ x. */
   dealii::Vector<double> forward(const dealii::Vector<double> &x) const;
 
 private:
@@ -33,11 +33,11 @@ struct Splitting
   std::vector<dealii::Vector<double>> null, rest;
 };
 
-/** Splits the space by singular values: |M v| <= threshold for unit vectors v in `null`; M is n x
+/** Splits the space by singular values: |M v| ≤ threshold for unit vectors v in `null`; M is n x
  * k, k small. */
 Splitting split_by_size(const dealii::FullMatrix<double> &M, double threshold);
 
-/** times() returns M x, transpose_times() M^T y, also for matrices without rows or columns. */
+/** times() returns M x, transpose_times() Mᵀ y, also for matrices without rows or columns. */
 dealii::Vector<double> times(const dealii::FullMatrix<double> &M, const dealii::Vector<double> &x);
 dealii::Vector<double> transpose_times(const dealii::FullMatrix<double> &M,
                                        const dealii::Vector<double> &y);

@@ -14,7 +14,7 @@ namespace Signorini
 template <int dim>
 using NodePlaces = LevelVector<dim, double>;
 
-/** Integrates int_K eps(phi_i):E:eps(phi_j) for many cells with straight edges at a time. The
+/** Integrates ∫_K ε(φ_i):E:ε(φ_j) for many cells with straight edges at a time. The
  * matrices are those of CellStiffness, with p + 3 = 4 Gauss points per direction. */
 template <int dim>
 class CellIntegration

@@ -40,7 +40,7 @@ class CellMatrices
 {
 public:
   static constexpr unsigned int n_dofs = dim << dim;
-  /** The number of entries of a symmetric matrix: i >= j at i (i + 1)/2 + j. */
+  /** The number of entries of a symmetric matrix: i ≥ j at i (i + 1)/2 + j. */
   static constexpr unsigned int n_entries = n_dofs * (n_dofs + 1) / 2;
   /** The number of entries of one batch with matrices of its own. */
   static constexpr std::size_t batch_size = static_cast<std::size_t>(n_entries) * n_lanes;
@@ -114,7 +114,7 @@ std::shared_ptr<const PointRule<dim, Number>> coarsen(const PointRule<dim, Numbe
                                                       const BlockGrid<dim> &coarse_grid);
 
 /** Returns the matrices of the next coarser level: the energy of functions that are linear along
- * the edges of its cells, the sum over the children of P^T K P. It is computed in double precision:
+ * the edges of its cells, the sum over the children of Pᵀ K P. It is computed in double precision:
  * a slender body bends with less energy than rounding to single precision gives to rigid motions of
  * its cells. */
 template <int dim>

@@ -17,7 +17,7 @@ namespace Signorini
  * Cells of the coarse mesh are blocks of cells of the fine one. Cells that are congruent share a
  * matrix; others have one each. Products with A are computed in double precision and agree with the
  * assembled matrix up to rounding. The V-cycle computes in single precision: matrices of coarse
- * cells are sums over their children, A_H = P^T A P, Chebyshev's iteration with diagonal blocks of
+ * cells are sums over their children, A_H = Pᵀ A P, Chebyshev's iteration with diagonal blocks of
  * nodes smooths, and the coarsest level is solved directly.
  */
 template <int dim>
@@ -51,7 +51,7 @@ private:
 /** The tolerance of solves whose error must be negligible. */
 constexpr double goal_of_solves = 1e-12;
 
-/** The inverse A^{-1} by conjugate gradients, each step with one V-cycle and one product with A.
+/** The inverse A⁻¹ by conjugate gradients, each step with one V-cycle and one product with A.
  * They end when the energy norm of the error, as the V-cycle measures it, has fallen to a given
  * part. */
 class MultigridInverse final : public StiffnessInverse

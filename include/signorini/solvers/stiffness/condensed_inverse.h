@@ -7,7 +7,7 @@
 
 namespace Signorini
 {
-/** The inverse of A = L L^T by CHOLMOD's supernodal Cholesky factorisation, serial, with chosen
+/** The inverse of A = L Lᵀ by CHOLMOD's supernodal Cholesky factorisation, serial, with chosen
  * unknowns eliminated last. */
 class CondensedInverse final : public MatrixInverse
 {

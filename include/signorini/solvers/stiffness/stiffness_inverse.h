@@ -19,7 +19,7 @@ namespace Signorini
  * The stiffness A without its entries, and one step of a solver for it; serial.
  *
  * Vectors have an entry for every degree of freedom of V^h in its numbering, in the user's units.
- * The essential conditions are eliminated from A, T^T A T: entries of arguments in constrained rows
+ * The essential conditions are eliminated from A, Tᵀ A T: entries of arguments in constrained rows
  * are not read, those of results are zero.
  */
 class StiffnessOperator
@@ -33,7 +33,7 @@ public:
   virtual unsigned int size() const = 0;
   /** Computes y = A x. */
   virtual void apply(Vector &y, const Vector &x) const = 0;
-  /** Computes z = V r with a fixed V = V^T, positive definite, close to A^{-1}: one V-cycle. */
+  /** Computes z = V r with a fixed V = Vᵀ, positive definite, close to A⁻¹: one V-cycle. */
   virtual void precondition(Vector &z, const Vector &r) const = 0;
 };
 
@@ -41,10 +41,10 @@ public:
  * The part of factors that belongs to unknowns eliminated last. Written in blocks, 2 those
  * unknowns,
  *
- *     A = (A_11 A_21^T)   S = A_22 - A_21 A_11^{-1} A_21^T = L L^T,
+ *     A = (A_11 A_21ᵀ)   S = A_22 - A_21 A_11⁻¹ A_21ᵀ = L Lᵀ,
  *         (A_21 A_22  ),
  *
- * (A^{-1})_22 = S^{-1} follows without a single solve.
+ * (A⁻¹)_22 = S⁻¹ follows without a single solve.
  */
 struct TrailingFactor
 {
@@ -66,7 +66,7 @@ struct SolveAccuracy
 };
 
 /**
- * The inverse A^{-1}, for A = unit × matrix. The solution for a right-hand side does not depend on
+ * The inverse A⁻¹, for A = unit × matrix. The solution for a right-hand side does not depend on
  * earlier solves.
  *
  * A new solver derives from this class and implements apply(): by factors, or by iterations, which
@@ -81,13 +81,13 @@ public:
   virtual ~StiffnessInverse() = default;
 
   /**
-   * Computes x = A^{-1} b for every pair. The residual of every solve is computed. Where it is not
+   * Computes x = A⁻¹ b for every pair. The residual of every solve is computed. Where it is not
    * small, up to three steps of iterative refinement are taken, with residuals in extended
    * precision; the size of the first one shows how many digits of x rounding takes. Collective.
    * @throws ComputationError if too few digits are left, see SolveAccuracy.
    */
   void solve(std::vector<Vector> &x, const std::vector<Vector> &b) const;
-  /** Computes x = A^{-1} b for one right-hand side. */
+  /** Computes x = A⁻¹ b for one right-hand side. */
   void solve(Vector &x, const Vector &b) const;
 
   /** Returns the factor of the given unknowns; nothing if they were not eliminated last. */
@@ -116,7 +116,7 @@ public:
   {
     return n_solves_;
   }
-  /** Returns the largest |b - A x| / |b| so far, in the norm |r|^2 = sum r_i^2 / A_ii. */
+  /** Returns the largest |b - A x| / |b| so far, in the norm |r|² = sum r_i² / A_ii. */
   double largest_residual() const
   {
     return largest_residual_;
@@ -156,7 +156,7 @@ private:
     double rounding_error = 0.;
   };
 
-  /** Computes x = matrix^{-1} b by the factors (or iterations) alone, for every pair. */
+  /** Computes x = matrix⁻¹ b by the factors (or iterations) alone, for every pair. */
   virtual void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const = 0;
   /** Computes r = b - matrix x. With @p accurate, sums are in extended precision where there are
    * any, so that differences of large terms keep their digits. */
@@ -168,11 +168,11 @@ private:
    */
   Check improve(Vector &x, const Vector &b) const;
   /**
-   * Adds matrix^{-1} r to x.
+   * Adds matrix⁻¹ r to x.
    * @return the size of that correction relative to x.
    */
   double refine(Vector &x, const Vector &r) const;
-  /** Returns (sum r_i^2 / A_ii)^{1/2}: rows of stiff and of soft parts of a body have equal weight.
+  /** Returns (sum r_i² / A_ii)^{1/2}: rows of stiff and of soft parts of a body have equal weight.
    */
   double scaled_norm(const Vector &r) const;
 
@@ -186,7 +186,7 @@ private:
   mutable double rounding_error_ = 0.;
 };
 
-/** The inverse A^{-1} of an assembled matrix. */
+/** The inverse A⁻¹ of an assembled matrix. */
 class MatrixInverse : public StiffnessInverse
 {
 protected:
