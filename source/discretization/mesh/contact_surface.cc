@@ -144,7 +144,7 @@ ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
   , faces_(find_contact_faces(mesh, scene))
 {
   divide(partition);
-  // phi.n dS has degree one per direction on a flat face, and degree two on a parabola.
+  // φ.n dS has degree one per direction on a flat face, and degree two on a parabola.
   place_points(std::vector<unsigned int>(mesh.triangulation().n_active_cells(), 2),
                FaceRule::gauss);
 }

@@ -205,7 +205,7 @@ dealii::Vector<double> MultiplierSpace<dim>::integrals() const
 template <int dim>
 dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) const
 {
-  // ∫ psi_j ψ_k = delta_jk ∫ ψ_k: Gauss' rule integrates the product exactly. At nodes of
+  // ∫ ψ_j ψ_k = δ_jk ∫ ψ_k: Gauss' rule integrates the product exactly. At nodes of
   // Lobatto this is the projection by their rule.
   Vector coefficients = moments;
   const Vector squares = integrals();

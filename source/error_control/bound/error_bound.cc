@@ -54,9 +54,9 @@ std::vector<double> roots(const Numbers &squares)
   return result;
 }
 
-/** Returns the terms of -J*(tau) besides those of StressBound::complementary_energy, where J*(tau)
- * = 1/2 ‖tau‖² - ∫_{Γ_D} tau n.u_D - ∫_{Γ_c} tau_n g. With u_D - c and g - c_n in place
- * of u_D and g, c a translation, there remains c.(∫_{Γ_D} tau n + ∫_{Γ_c} tau_n n),
+/** Returns the terms of -J*(τ) besides those of StressBound::complementary_energy, where J*(τ)
+ * = 1/2 ‖τ‖² - ∫_{Γ_D} τ n.u_D - ∫_{Γ_c} τ_n g. With u_D - c and g - c_n in place
+ * of u_D and g, c a translation, there remains c.(∫_{Γ_D} τ n + ∫_{Γ_c} τ_n n),
  * which is the loads' part. So rounding of large translations does not enter. */
 double work_of_contact(const StressBound &stress,
                        const BoundData &data,
@@ -84,7 +84,7 @@ double ratio(const double value, const double scale)
   return scale > 0. ? value / scale : std::numeric_limits<double>::infinity();
 }
 
-/** Returns tau_n on contact faces, with the bubbles of π^{2h} u_h if @p of_patches. */
+/** Returns τ_n on contact faces, with the bubbles of π^{2h} u_h if @p of_patches. */
 std::vector<FaceField> fields_of(const EquilibratedStress &stress, const bool of_patches)
 {
   std::vector<FaceField> fields;
@@ -134,17 +134,17 @@ struct Consequences
 
   Bracket J_star;
   Bracket energy = {0., std::numeric_limits<double>::infinity()};
-  /** The bound of ‖σ(u) - tau‖. */
+  /** The bound of ‖σ(u) - τ‖. */
   double stress_error = std::numeric_limits<double>::infinity();
 };
 
 /**
- * Returns whether the bracket and J(u_h) contradict each other. With d = u_{h,n} - g, and eta, s
+ * Returns whether the bracket and J(u_h) contradict each other. With d = u_{h,n} - g, and η, s
  * and T as in energy_bracket.h,
  *
- *     J(u_h) - eta²/2 - ∫ tau_n d ≤ J(u) ≤ J(u_h) + s |||w||| - ∫ tau_n d + T,
+ *     J(u_h) - η²/2 - ∫ τ_n d ≤ J(u) ≤ J(u_h) + s |||w||| - ∫ τ_n d + T,
  *
- * which uses neither J*(tau) nor the gap's work. The tolerance allows for the different quadrature
+ * which uses neither J*(τ) nor the gap's work. The tolerance allows for the different quadrature
  * of loads.
  */
 bool contradicts(const Consequences &known,

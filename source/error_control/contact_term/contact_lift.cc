@@ -70,7 +70,7 @@ private:
   /** Adds the zeros inside of a part, not too close to its ends. */
   static void add_roots(const EdgeFunction::Part &part, std::vector<double> &breaks)
   {
-    // first + slope tau - 4 bulge tau², in the form that does not cancel.
+    // first + slope τ - 4 bulge τ², in the form that does not cancel.
     const double slope = part.last - part.first + 4. * part.bulge;
     const double square = slope * slope + 16. * part.bulge * part.first;
     if (square < 0.)
@@ -117,7 +117,7 @@ std::string describe(const std::string &reason, const SidePlace &place, const Sc
   return text.str();
 }
 
-/** Returns ∫_F tau_n (d - w_n). */
+/** Returns ∫_F τ_n (d - w_n). */
 double contact_term(const ContactTrace &trace, const LiftField &lift, const unsigned int face)
 {
   static const dealii::QGauss<1> gauss(4);

@@ -29,7 +29,7 @@ void add(std::vector<double> &a, const double factor, const std::vector<double> 
     a[i] += factor * b[i];
 }
 
-/** The share of the square of tau below which the misfit is rounding. */
+/** The share of the square of τ below which the misfit is rounding. */
 constexpr double rounding = 1e-20;
 
 std::vector<unsigned int> pulling(const EdgeMesh &mesh,
@@ -76,7 +76,7 @@ std::vector<double> EquilibratedStress::improve(const ImprovementOptions &option
   for (const unsigned int edge : free)
   {
     mesh_.set_freedom(edge, EdgeFreedom::normal);
-    // ∫_e b.delta tau n with delta tau n from its moments: what the residual of π^{2h} u_h has
+    // ∫_e b.δ τ n with δ τ n from its moments: what the residual of π^{2h} u_h has
     // more than that of u_h, for stresses without loads.
     for (unsigned int i = 0; i < 4; ++i)
       at_start.r[4 * edge + i] += 2. / 3. * bubbles_->on_edge(edge)[i % 2];

@@ -244,7 +244,7 @@ void impose(const Coupling &E, const Vector &targets, const bool only_raise, Nod
   }
 }
 
-/** The function omega below one side, linear between its contact nodes, with the depth of the
+/** The function ω below one side, linear between its contact nodes, with the depth of the
  * layer. */
 class Layer
 {
@@ -286,7 +286,7 @@ public:
   }
 
 private:
-  /** Returns omega at s, zero beyond the ends. */
+  /** Returns ω at s, zero beyond the ends. */
   double omega(const double s) const
   {
     const double tolerance = 1e-10 * depth_;

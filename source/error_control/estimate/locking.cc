@@ -14,7 +14,7 @@ namespace Signorini
 {
 namespace
 {
-/** Returns K/mu of Hooke's tensor. */
+/** Returns K/μ of Hooke's tensor. */
 double bulk_to_shear(const dealii::SymmetricTensor<4, 2> &E)
 {
   const double bulk = (E[0][0][0][0] + 2. * E[0][0][1][1] + E[1][1][1][1]) / 4.;
@@ -50,7 +50,7 @@ double bulk_to_shear(const dealii::SymmetricTensor<4, 3> &E)
   return (unit * (E * unit)) / 9. / (0.5 * eigenvalues[0]);
 }
 
-/** Returns the largest K/mu at one point of each cell of the level, or of a coarser one that is
+/** Returns the largest K/μ at one point of each cell of the level, or of a coarser one that is
  * fine enough to show how E varies. */
 template <int dim>
 double largest_bulk_to_shear(const Mesh<dim> &mesh, const Material<dim> &material)

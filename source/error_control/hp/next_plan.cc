@@ -70,7 +70,7 @@ struct Goal
   double length;
 };
 
-/** Returns lambda as observed from the error at the place, which falls by 2^{-lambda} per layer. */
+/** Returns λ as observed from the error at the place, which falls by 2^{-λ} per layer. */
 double observed_exponent(const Singularity &known, const double error)
 {
   const double more_layers = known.layers - known.last_layers;

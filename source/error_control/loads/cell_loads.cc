@@ -186,8 +186,8 @@ Components CellLoad::stress(const CellShape &shape, const dealii::Point<2> &refe
 
 CellMoments CellLoad::moments(const CellShape &shape) const
 {
-  // The traction times |e| on edge 0 is -2 J slope[2] xi g_2, on edge 1 -2 J slope[1] eta g_1, with
-  // the opposite sign of xi and eta along the opposite edges.
+  // The traction times |e| on edge 0 is -2 J slope[2] ξ g_2, on edge 1 -2 J slope[1] η g_1, with
+  // the opposite sign of ξ and η along the opposite edges.
   const Vector2 g1 = g1_of(shape), g2 = g2_of(shape);
   const double J = cross(g1, g2);
   const Vector2 first = J * slope[2] / 3. * g2, second = J * slope[1] / 3. * g1;

@@ -26,13 +26,13 @@ Vector2 scaled_normal(const Vector2 &d)
  * The stresses on the quadrilateral (1,0), (0,1), (-p,0), (0,-q), whose diagonals are the axes,
  * without a system of equations:
  *
- * 1. Corner k lies on axis alpha = k mod 2; beta is the other one. The tractions at both sides of
- * the corner are known. tau_ab and tau_bb there are the same on the two triangles, as tractions
- * across the axis are continuous: the beta-components of both tractions determine them, the
- * alpha-components then tau_aa on either triangle.
- * 2. At the crossing tau_12 is the same on all triangles, and tau_bb on the two triangles at
- * half-axis j with the direction alpha. The difference of their two equations (div tau)_b + d_b = 0
- * determines tau_bb, any one of them tau_12: the mean of four such values is taken, which are equal
+ * 1. Corner k lies on axis α = k mod 2; β is the other one. The tractions at both sides of
+ * the corner are known. τ_ab and τ_bb there are the same on the two triangles, as tractions
+ * across the axis are continuous: the β-components of both tractions determine them, the
+ * α-components then τ_aa on either triangle.
+ * 2. At the crossing τ_12 is the same on all triangles, and τ_bb on the two triangles at
+ * half-axis j with the direction α. The difference of their two equations (div τ)_b + d_b = 0
+ * determines τ_bb, any one of them τ_12: the mean of four such values is taken, which are equal
  * if moments and loads are in balance.
  */
 class ReferenceStress
@@ -96,7 +96,7 @@ private:
   }
   /**
    * Does step 2 for half-axis j, on the triangles before and after it.
-   * @return tau_12 at the crossing.
+   * @return τ_12 at the crossing.
    */
   double solve_half_axis(const unsigned int j,
                          const Sides &sides,

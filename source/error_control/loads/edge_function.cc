@@ -23,7 +23,7 @@ double EdgeFunction::Part::slope(const double t) const
 
 double EdgeFunction::Part::largest() const
 {
-  // The derivative last - first + 4 bulge (1 - 2 tau) vanishes in the middle of a part if
+  // The derivative last - first + 4 bulge (1 - 2 τ) vanishes in the middle of a part if
   // |last - first| < 4 bulge.
   if (std::abs(last - first) >= 4. * bulge)
     return std::max(first, last);

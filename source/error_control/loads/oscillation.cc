@@ -16,7 +16,7 @@ namespace
 using dealii::numbers::PI;
 using Vector2 = dealii::Tensor<1, 2>;
 
-/** Returns rho/R for the discs about a point of the cell. */
+/** Returns ρ/R for the discs about a point of the cell. */
 double roundness(const CellShape &shape, const dealii::Point<2> &x)
 {
   double rho = std::numeric_limits<double>::max(), R = 0.;

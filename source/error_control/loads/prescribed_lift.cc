@@ -34,12 +34,12 @@ const std::vector<dealii::Polynomials::Polynomial<double>> &basis()
   return polynomials;
 }
 
-/** The coordinates xi and eta at the corners. */
+/** The coordinates ξ and η at the corners. */
 constexpr std::array<double, 4> corner_xi = {{-1., 1., 1., -1.}};
 constexpr std::array<double, 4> corner_eta = {{-1., -1., 1., 1.}};
 
-/** Returns the position along edge k and the depth behind it, or their gradients, from those of xi
- * and eta. */
+/** Returns the position along edge k and the depth behind it, or their gradients, from those of ξ
+ * and η. */
 template <typename Number>
 std::pair<Number, Number>
 along_and_behind(const unsigned int k, const Number &xi, const Number &eta, const Number &one)

@@ -131,7 +131,7 @@ public:
   }
 
 private:
-  /** Returns ‖u - v‖_1^2 on the cell. */
+  /** Returns ‖u - v‖_1² on the cell. */
   double distance(const FieldValues<dim> &v, const dealii::FEValues<dim> &values) const
   {
     double square = 0.;

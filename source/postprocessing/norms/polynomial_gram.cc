@@ -37,7 +37,7 @@ const dealii::QGauss<1> &rule_of_degree(const unsigned int degree)
   return rules.at(degree / 2);
 }
 
-/** The integrals ∫∫ psi_i(s) psi_j(t) kappa(s -+ t) over two patches of a side. */
+/** The integrals ∫∫ ψ_i(s) ψ_j(t) κ(s -+ t) over two patches of a side. */
 class PairIntegrals
 {
 public:
@@ -93,7 +93,7 @@ private:
     return {{place.lower[0], place.upper[0]}};
   }
 
-  /** Adds ∫ kappa(x) A(x) dx between two points; halves the interval until the next singularity
+  /** Adds ∫ κ(x) A(x) dx between two points; halves the interval until the next singularity
    * is as far away as its ends are from one another. */
   void integrate(const double from, const double to, const unsigned int n_halvings)
   {
@@ -108,8 +108,8 @@ private:
       integrate(middle, to, n_halvings + 1);
       return;
     }
-    // A has the degree degree_ + 1. The kernel is analytic on the ellipse with rho = 3 + 8^{1/2},
-    // and eight points more leave rho^-16 of it.
+    // A has the degree degree_ + 1. The kernel is analytic on the ellipse with ρ = 3 + 8^{1/2},
+    // and eight points more leave ρ^-16 of it.
     const dealii::QGauss<1> &rule = rule_of_degree(degree_ + 1 + 16);
     for (unsigned int q = 0; q < rule.size(); ++q)
     {
@@ -191,7 +191,7 @@ double DualKernel::operator()(const double x) const
       sum += bessel_K_0(image);
     return sum / PI;
   }
-  // The rest of the sum is below 1/(4 pi 4096²).
+  // The rest of the sum is below 1/(4 π 4096²).
   const double cosine = std::cos(omega_ * r);
   double before = 1., now = cosine;
   for (double frequency = omega_; frequency < 4096. + omega_; frequency += omega_)

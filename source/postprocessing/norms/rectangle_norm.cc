@@ -46,7 +46,7 @@ public:
     const unsigned int rest = i % (2 * n_);
     return rest <= n_ ? rest : 2 * n_ - rest;
   }
-  /** Returns the coefficient of mode i of the function with the value cos(p pi (a + 1/2)/n) on
+  /** Returns the coefficient of mode i of the function with the value cos(p π (a + 1/2)/n) on
    * interval a, divided by the sum of the squares of these cosines. */
   double amplitude(const unsigned int i) const
   {
@@ -90,7 +90,7 @@ double corner_tail(const double A, const double B)
   return c / (3. * A * A * A * B * B * B);
 }
 
-/** Returns cos(p pi (a + 1/2)/n), row p and column a. */
+/** Returns cos(p π (a + 1/2)/n), row p and column a. */
 dealii::FullMatrix<double> cosine_transform(const unsigned int n)
 {
   dealii::FullMatrix<double> cosines(n, n);

@@ -23,10 +23,10 @@ namespace
  * Returns the number of points of a Gauss rule for the Gram matrix. grad φ_i . grad φ_j on a
  * cell is a polynomial divided by the determinant of the cell's map. A determinant that falls
  * linearly by the factor @p r along an edge vanishes outside of it, where the ellipse around the
- * edge on which Gauss' rule with n points converges like rho^{-2n} has rho = (sqrt(r) + 1)/(sqrt(r)
+ * edge on which Gauss' rule with n points converges like ρ^{-2n} has ρ = (sqrt(r) + 1)/(sqrt(r)
  * - 1).
  *
- * @return n with rho^{-2n} below 1e-10, and as many points more for the polynomial as the element's
+ * @return n with ρ^{-2n} below 1e-10, and as many points more for the polynomial as the element's
  * degree; from degree + 2, which is enough for r = 1, to 39 + degree.
  */
 unsigned int points_for_ratio(const double r, const unsigned int degree)
@@ -144,11 +144,11 @@ namespace
 using dealii::numbers::PI;
 
 /**
- * Sums up amount * sin(k theta) (or cos) for k = 1..n_modes over many theta. With k = a + A b,
+ * Sums up amount * sin(k θ) (or cos) for k = 1..n_modes over many θ. With k = a + A b,
  *
- *     cos(k theta) = cos(a theta) cos(A b theta) - sin(a theta) sin(A b theta),
+ *     cos(k θ) = cos(a θ) cos(A b θ) - sin(a θ) sin(A b θ),
  *
- * and the sums over theta for all a and b are products of matrices.
+ * and the sums over θ for all a and b are products of matrices.
  */
 template <bool sine>
 class Harmonics
@@ -180,8 +180,8 @@ private:
   /** The number A. */
   static constexpr unsigned int block = 128;
 
-  /** Computes cos(i step theta) and sin(i step theta), row i. Unit vectors are rotated by step
-   * theta; their errors add up to 1e-16 per row only. */
+  /** Computes cos(i step θ) and sin(i step θ), row i. Unit vectors are rotated by step
+   * θ; their errors add up to 1e-16 per row only. */
   void tabulate(const unsigned int step,
                 dealii::FullMatrix<double> &cosines,
                 dealii::FullMatrix<double> &sines) const
@@ -288,8 +288,8 @@ SpectralNorm::Vector SpectralNorm::coefficients(const std::vector<double> &arc_l
 SpectralNorm::Vector SpectralNorm::coefficients_of_constants(const std::vector<double> &ends,
                                                              const Vector &values) const
 {
-  // ∫ q cos(k omega s) = -sum of jumps times sin / (k omega): on an open side the sines vanish at
-  // both ends. ∫ q sin = +sum of jumps times cos / (k omega).
+  // ∫ q cos(k ω s) = -sum of jumps times sin / (k ω): on an open side the sines vanish at
+  // both ends. ∫ q sin = +sum of jumps times cos / (k ω).
   Vector sums(1 + (closed_ ? 2 : 1) * n_modes_);
   Harmonics<true> sines(n_modes_);
   Harmonics<false> cosines(n_modes_);
@@ -322,7 +322,7 @@ double SpectralNorm::distance(const Vector &f,
   {
     const unsigned int k = mode(c);
     square += weight(k) * (f[c] - q_H[c]) * (f[c] - q_H[c]);
-    // q_k = (2/L)^{1/2} S_k/(k omega): the mean of S_k² gives the rest of the sum.
+    // q_k = (2/L)^{1/2} S_k/(k ω): the mean of S_k² gives the rest of the sum.
     if (k > n_modes_ - n_last)
       mean += std::pow(q_H[c] * k * omega_, 2) * length_ / 2. / n_last;
   }
@@ -340,7 +340,7 @@ double SpectralNorm::primal_norm(const Vector &f, const unsigned int n_pieces) c
     if (k > n_modes_ - n_last)
       mean += std::pow(k, 4) * f[c] * f[c] / n_last;
   }
-  // The sum of (k omega) k^-4 over k > K is about omega/(2 K²).
+  // The sum of (k ω) k^-4 over k > K is about ω/(2 K²).
   return std::sqrt(square + omega_ * mean / (2. * double(n_modes_) * (n_modes_ + 1.)));
 }
 

@@ -338,7 +338,7 @@ std::optional<PointOfPressure> largest_on(const unsigned int patch,
                                                                                            : best;
 }
 
-/** Returns -∫ p_H / |tau|. */
+/** Returns -∫ p_H / |τ|. */
 double mean_pressure(const unsigned int patch,
                      const MultiplierSpace<2> &multipliers,
                      const dealii::Vector<double> &P,

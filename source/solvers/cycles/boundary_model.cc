@@ -162,7 +162,7 @@ double relative_contact_modulus(const ContactSurface<dim> &surface, const Patch<
   const Side<dim> &side = surface.side(patch);
   const dealii::Tensor<1, dim> n = side.normal(patch.centre());
   const auto hooke = surface.scene().material->relative_hooke(side.point(patch.centre()));
-  // Σ_j H(n, e_j, n, e_j) is M and one mu for each direction on the surface.
+  // Σ_j H(n, e_j, n, e_j) is M and one μ for each direction on the surface.
   double M = 0., sum = 0.;
   for (unsigned int a = 0; a < dim; ++a)
     for (unsigned int b = 0; b < dim; ++b)
@@ -173,7 +173,7 @@ double relative_contact_modulus(const ContactSurface<dim> &surface, const Patch<
           M += n[a] * n[b] * n[j] * n[k] * hooke[a][j][b][k];
       }
   const double mu = (sum - M) / (dim - 1);
-  // Anisotropic bodies may have mu > M.
+  // Anisotropic bodies may have μ > M.
   return 4. * mu * (1. - std::min(mu / M, 0.75));
 }
 

@@ -17,7 +17,7 @@ using dealii::numbers::PI;
 
 constexpr int n_aliases = 8;
 
-/** Returns (c_k/n)^{1/2} cos(k pi (i + 1/2)/n), c_0 = 1, c_k = 2. */
+/** Returns (c_k/n)^{1/2} cos(k π (i + 1/2)/n), c_0 = 1, c_k = 2. */
 Matrix orthonormal_cosines(const unsigned int n)
 {
   Matrix cosines(n, n);
@@ -27,7 +27,7 @@ Matrix orthonormal_cosines(const unsigned int n)
   return cosines;
 }
 
-/** Returns c_k/n cos(k pi a/n) for 0 ≤ a < 2 n. */
+/** Returns c_k/n cos(k π a/n) for 0 ≤ a < 2 n. */
 Matrix differences(const unsigned int n)
 {
   Matrix cosines(2 * n, n);
@@ -44,7 +44,7 @@ struct Alias
   double square_of_frequency, share;
 };
 
-/** Returns the modes k + 2 n j of the series, with (sin x/x)² for x = omega h/2. */
+/** Returns the modes k + 2 n j of the series, with (sin x/x)² for x = ω h/2. */
 std::vector<Alias> aliases_of(const unsigned int k, const unsigned int n, const double length)
 {
   if (length <= 0.)
@@ -55,7 +55,7 @@ std::vector<Alias> aliases_of(const unsigned int k, const unsigned int n, const 
     const double x = 0.5 * PI * (k / double(n) + 2. * j);
     const double sinc = x == 0. ? 1. : std::sin(x) / x;
     const double frequency = 2. * x * n / length;
-    // The mode 0 meets itself only: sin(j pi) = 0.
+    // The mode 0 meets itself only: sin(j π) = 0.
     if (k > 0 || j == 0)
       aliases.push_back({frequency * frequency, sinc * sinc});
   }

@@ -19,7 +19,7 @@ struct ContactFace
   unsigned int side;
 };
 
-/** A patch tau, an element of Γ_c^H: an interval of arc length in 2-D, a group of faces in 3-D.
+/** A patch τ, an element of Γ_c^H: an interval of arc length in 2-D, a group of faces in 3-D.
  */
 template <int dim>
 struct Patch
@@ -28,7 +28,7 @@ struct Patch
   unsigned int side;
   /** The corners of the smallest box around the patch in the coordinates of the side (length). */
   dealii::Point<dim - 1> lower, upper;
-  /** The measure |tau| (length^{dim-1}). */
+  /** The measure |τ| (length^{dim-1}). */
   double measure;
 
   dealii::Point<dim - 1> centre() const
@@ -62,7 +62,7 @@ struct SurfaceRule
   }
 };
 
-/** A piece face ∩ tau: traces of V^h are polynomials on it, and so are multipliers. */
+/** A piece face ∩ τ: traces of V^h are polynomials on it, and so are multipliers. */
 template <int dim>
 struct Piece
 {

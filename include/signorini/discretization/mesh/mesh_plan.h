@@ -11,7 +11,7 @@
 
 namespace Signorini
 {
-/** A place on the boundary next to which u ~ r^lambda: a corner, a kink, or an end of contact. An
+/** A place on the boundary next to which u ~ r^λ: a corner, a kink, or an end of contact. An
  * end of contact lies between two points of a side. */
 struct Singularity
 {
@@ -26,7 +26,7 @@ struct Singularity
   Kind kind;
   /** The corner, the kink, or the middle of the bracket. */
   dealii::Point<2> point;
-  /** The exponent lambda, as far as it is known. */
+  /** The exponent λ, as far as it is known. */
   double exponent = 1.;
   /** The side of kinks and ends of contact, and the bracket in its arc length (length). */
   unsigned int side = 0;

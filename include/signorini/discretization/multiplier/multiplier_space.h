@@ -17,7 +17,7 @@ namespace Signorini
  *
  * With n unknowns a patch has polynomials of degree n - 1 in the coordinate of its side, and the
  * Lagrange basis ψ_k at the n Gauss points of the patch: p_H = sum P_k ψ_k. For n = 1 that is
- * psi = 1. With n - 1 = p - 2 on the faces of elements of degree p the pair is inf-sup stable. The
+ * ψ = 1. With n - 1 = p - 2 on the faces of elements of degree p the pair is inf-sup stable. The
  * basis is orthogonal in L2, and P_k is the value of p_H at a Gauss point, where N^H restricts its
  * sign.
  *

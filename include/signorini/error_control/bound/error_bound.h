@@ -14,15 +14,15 @@ namespace Signorini
 {
 /**
  * A guaranteed bound of the error of u_h in the energy norm |||v||| = a(v,v)^{1/2}, from a stress
- * tau in equilibrium (EquilibratedStress) and a lift w of what penetrates (ContactLift):
+ * τ in equilibrium (EquilibratedStress) and a lift w of what penetrates (ContactLift):
  *
- *     |||u - u_h|||² ≤ Σ_K (‖σ(u_h) - tau‖_{E⁻¹,K} + osc_K)² + |||w|||²
- *                       + 2 ∫_{Γ_c} p_H (u_{h,n} - g - w_n).
+ *     |||u - u_h|||² ≤ Σ_K (‖σ(u_h) - τ‖_{E⁻¹,K} + osc_K)² + |||w|||²
+ *                     + 2 ∫_{Γ_c} p_H (u_{h,n} - g - w_n).
  *
  * Where u_h only interpolates prescribed displacements, |||z|||_K is added to osc_K and |||z||| to
  * the bound (PrescribedLift).
  *
- * The same tau and another w bound the error of π^{2h} u_h. There tau_n, a linear function on
+ * The same τ and another w bound the error of π^{2h} u_h. There τ_n, a linear function on
  * edges that press, takes the place of p_H.
  *
  * E is Hooke's tensor. Norms are roots of energies (force x length per thickness).
@@ -81,7 +81,7 @@ struct ErrorBound
  */
 struct BoundFields
 {
-  /** The norms ‖σ(u_h) - tau‖_{E⁻¹,K}, osc_K and |||w|||_K by active cell; the last is zero
+  /** The norms ‖σ(u_h) - τ‖_{E⁻¹,K}, osc_K and |||w|||_K by active cell; the last is zero
    * on cells of other ranks. */
   std::vector<double> mesh, oscillation, lift;
   /** The roots (2 ∫_F p_H (u_{h,n} - g - w_n))^{1/2}, in the order of ContactSurface::faces(). */

@@ -27,10 +27,10 @@ struct ContactBound
 {
   /** The energy |||w|||² (force x length per thickness). */
   double lift_energy = 0.;
-  /** The integral ∫_{Γ_c} tau_n (ũ_n - g - w_n). It is not negative, up to rounding. */
+  /** The integral ∫_{Γ_c} τ_n (ũ_n - g - w_n). It is not negative, up to rounding. */
   double contact_term = 0.;
   LiftMethod method = LiftMethod::layer;
-  /** The terms 2 ∫_F tau_n (ũ_n - g - w_n) of the faces, in the order of ContactSurface::faces().
+  /** The terms 2 ∫_F τ_n (ũ_n - g - w_n) of the faces, in the order of ContactSurface::faces().
    */
   std::vector<double> face_terms;
   /** The part of |||w|||² of every active cell; zero for cells of other ranks. */
@@ -39,7 +39,7 @@ struct ContactBound
    */
   SidePlace largest_part;
 
-  /** Returns c² = |||w|||² + 2 ∫ tau_n (ũ_n - g - w_n). */
+  /** Returns c² = |||w|||² + 2 ∫ τ_n (ũ_n - g - w_n). */
   double square() const
   {
     return lift_energy + 2. * contact_term;
@@ -49,19 +49,19 @@ struct ContactBound
 /**
  * The contact part of the guaranteed bound of the energy error |||u - ũ|||, ũ = u_h or π^{2h} u_h,
  *
- *     c² = |||w|||² + 2 ∫_{Γ_c} tau_n (ũ_n - g - w_n)
+ *     c² = |||w|||² + 2 ∫_{Γ_c} τ_n (ũ_n - g - w_n)
  *
  * for a w in V (zero on clamped and prescribed sides, w_n = 0 on rollers) with w_n ≥ d := ũ_n - g
  * on Γ_c. The body is two-dimensional with straight sides.
  *
- * w = w_h + Σ_F r_F psi_F n, see LiftField. w_h in V^h satisfies w_{h,n} ≥ d at contact nodes.
+ * w = w_h + Σ_F r_F ψ_F n, see LiftField. w_h in V^h satisfies w_{h,n} ≥ d at contact nodes.
  * On a face, d is replaced by a piecewise quadratic q ≥ d (EdgeFunction); with its chord Iq, b = q
  * - Iq and the linear function e = w_{h,n} - Iq ≥ 0,
  *
  *     r_F ≥ b - e,   r_F = 0 at both ends.
  *
  * Where the face presses, r_F = max(b - e, min(b, 0)): w_n = q where w_h touches at both ends,
- * since -2 tau_n (w_n - d) counts; elsewhere r_F = max(b - e, 0). Both are piecewise quadratic,
+ * since -2 τ_n (w_n - d) counts; elsewhere r_F = max(b - e, 0). Both are piecewise quadratic,
  * with breaks at the zeros of b and b - e as well. Hence w_n = Iq + e + r_F ≥ q ≥ d, and c² ≥ 0.
  *
  * The bound is exact up to rounding, the sampling of g (see interpolate_from_above()) and, with

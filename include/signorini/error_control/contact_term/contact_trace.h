@@ -24,12 +24,12 @@ struct SidePlace
   double arc_length = 0.;
 };
 
-/** The fields ũ and tau on a contact face, as far as they differ from u_h and p_H. */
+/** The fields ũ and τ on a contact face, as far as they differ from u_h and p_H. */
 struct FaceField
 {
   /** The coefficient in ũ_n = u_{h,n} + 4 t (1 - t) bubble. */
   double bubble = 0.;
-  /** The traction tau_n at vertex 0 and vertex 1, linear between them. If it is empty, tau_n = p_H.
+  /** The traction τ_n at vertex 0 and vertex 1, linear between them. If it is empty, τ_n = p_H.
    */
   std::optional<std::array<double, 2>> traction;
 };
@@ -70,7 +70,7 @@ struct PenetrationFace
   {
     return start + t * (end - start) + 4. * t * (1. - t) * bulge;
   }
-  /** pressure() returns p_H at t, traction() tau_n. */
+  /** pressure() returns p_H at t, traction() τ_n. */
   double pressure(double t) const;
   double traction(const double t) const
   {
@@ -141,7 +141,7 @@ public:
   }
   /** Returns d itself at t, up to the evaluation of g. */
   double penetration(const PenetrationFace &face, double t) const;
-  /** The integrals of tau_n - p_H, of (tau_n - p_H) n and of (tau_n - p_H)(g - c_n) over Γ_c,
+  /** The integrals of τ_n - p_H, of (τ_n - p_H) n and of (τ_n - p_H)(g - c_n) over Γ_c,
    * with four Gauss points on every part of d. */
   struct TractionChange
   {
@@ -154,7 +154,7 @@ public:
    * @param c a translation.
    */
   TractionChange traction_change(const dealii::Tensor<1, 2> &c) const;
-  /** Returns ∫ tau_n d over Γ_c, by the same points. */
+  /** Returns ∫ τ_n d over Γ_c, by the same points. */
   double work_of_penetration() const;
   /** Returns max (d)_+ over all samples; place_of_largest() returns its place. */
   double largest_penetration() const
@@ -201,12 +201,12 @@ std::vector<unsigned int> pressing_edges(const EdgeMesh &mesh,
                                          const MultiplierSpace<2> &multipliers,
                                          const dealii::Vector<double> &P);
 
-/** Returns tau_n at both ends of an edge, in the order of Edge::vertices (force/area). */
+/** Returns τ_n at both ends of an edge, in the order of Edge::vertices (force/area). */
 std::array<double, 2> normal_tractions(const Edge &edge,
                                        unsigned int number,
                                        const std::vector<double> &moments);
 
-/** Returns whether tau_n pulls at an end of the edge. */
+/** Returns whether τ_n pulls at an end of the edge. */
 inline bool pulls(const std::array<double, 2> &tractions)
 {
   return tractions[0] > 0. || tractions[1] > 0.;

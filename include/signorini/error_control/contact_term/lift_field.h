@@ -14,12 +14,12 @@
 namespace Signorini
 {
 /**
- * The lift w = w_h + Σ_F r_F(t) psi_F n: a function of V^h with homogeneous essential conditions,
+ * The lift w = w_h + Σ_F r_F(t) ψ_F n: a function of V^h with homogeneous essential conditions,
  * and for each contact face F what it lacks inside the face.
  *
  * F is the end of a column of cells, each entered through one edge and left through the opposite
  * one, with t along these edges. r_F vanishes at both ends of F, and so on the flanks of the
- * column; psi_F is 1 on F, piecewise linear along the column, and 0 where it ends. So w is
+ * column; ψ_F is 1 on F, piecewise linear along the column, and 0 where it ends. So w is
  * continuous and vanishes on essential boundaries like w_h, whatever the shapes of the cells.
  *
  * The depth of a column is D = (3 C_nn ∫ r² / (C_nt ∫ r'²))^{1/2}, C_nn and C_nt the moduli of
@@ -73,7 +73,7 @@ private:
     /** The edge through which the column enters, and whether t runs against that edge. */
     unsigned int entry;
     bool flipped;
-    /** The coefficients of psi = (top - slope eta)_+, eta in [0,1] across the cell from the entry.
+    /** The coefficients of ψ = (top - slope η)_+, η in [0,1] across the cell from the entry.
      */
     double top, slope;
   };

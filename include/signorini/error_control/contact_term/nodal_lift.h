@@ -64,12 +64,12 @@ private:
 
 /**
  * Returns a w_h in V^h, zero on essential boundaries, with w_{h,n} ≥ required at all conditions of
- * the trace: it has the nodal values of the layer omega(s) (1 - y/D)_+ n below each contact side, y
- * the distance from the side. omega is linear between contact nodes: it takes the required value at
+ * the trace: it has the nodal values of the layer ω(s) (1 - y/D)_+ n below each contact side, y
+ * the distance from the side. ω is linear between contact nodes: it takes the required value at
  * nodes next to pressing faces, and its positive part elsewhere.
  *
- * On a strip with constant moduli, a layer of the depth D = (3 C_nn ∫ omega² / (C_nt int
- * omega'²))^{1/2} has the least bound of the energy; D is at most the shortest extent of the body.
+ * On a strip with constant moduli, a layer of the depth D = (3 C_nn ∫ ω² / (C_nt ∫
+ * ω'²))^{1/2} has the least bound of the energy; D is at most the shortest extent of the body.
  * At contact nodes themselves the conditions decide (a corner has two). There is no solve.
  */
 NodalVector layer_lift(const DisplacementSpace<2> &space,

@@ -11,7 +11,7 @@ namespace Signorini
  * positive, and no recovered pressure shows it. With d = (u_n - g)_+ on a patch of length H, w has
  * about the energy of a half-space with waves of the length 4 H,
  *
- *     |||w|||² = modulus pi/(2 H) ‖d‖_0².
+ *     |||w|||² = modulus π/(2 H) ‖d‖_0².
  *
  * The function is for 3-D only: in 2-D the guaranteed bound has the energy of a true w.
  * @throws InputError where g has no value. Collective.

@@ -14,9 +14,9 @@ namespace Signorini
  * the exact solution, but u_h fulfils it in the mean only. On a face of length h and degree p the
  * difference r has about p half-waves, and to press the body flat takes about the energy
  *
- *     modulus pi/2 p/h ‖r‖_0²,
+ *     modulus π/2 p/h ‖r‖_0²,
  *
- * that of a half-space with waves of the number pi p/h. @throws InputError where g has no value.
+ * that of a half-space with waves of the number π p/h. @throws InputError where g has no value.
  */
 void add_contact_misfit(const DisplacementSpace<2> &space,
                         const MultiplierSpace<2> &multipliers,

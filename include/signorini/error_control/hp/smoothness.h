@@ -68,8 +68,8 @@ struct CellIndicator
  *
  * On a cell of degree p let s_i be the part of the derivative of u_h along a reference coordinate
  * that has Legendre's degree i in that coordinate, i = 0, ..., p - 1, measured in the energy norm.
- * A line through the last log s_i gives the decay rho and the first part that is missing, s_p. The
- * missing parts amount to s_p (1 + rho² + rho⁴ + ...)^{1/2}. The indicator steers the mesh; it is
+ * A line through the last log s_i gives the decay ρ and the first part that is missing, s_p. The
+ * missing parts amount to s_p (1 + ρ² + rho⁴ + ...)^{1/2}. The indicator steers the mesh; it is
  * not a bound. (Decay of Legendre coefficients as a measure of smoothness: C. Mavriplis, Comput.
  * Methods Appl. Mech. Eng. 116 (1994) 77-86; P. Houston, E. Suli, ibid. 194 (2005) 229-243.)
  */

@@ -14,10 +14,10 @@ namespace Signorini
  *
  * The distance d_k between the solutions of steps k and k - 1 is about the error of step k - 1,
  * which is many times that of step k. Three numbers show by how much: the ratio of the indicators,
- * r = eta_k/eta_{k-1}; what the mesh was planned for, q; and how much the error fell in the step
+ * r = η_k/η_{k-1}; what the mesh was planned for, q; and how much the error fell in the step
  * before, d_k/d_{k-1}, as far as the indicators do not contradict:
  *
- *     estimate_k = 4/3 max(eta_k, d_k min(1, max(r, q, min(d_k/d_{k-1}, 4 r)))).
+ *     estimate_k = 4/3 max(η_k, d_k min(1, max(r, q, min(d_k/d_{k-1}, 4 r)))).
  *
  * It is reliable as long as the error falls in step k as the indicator says, or as planned.
  */
@@ -26,7 +26,7 @@ class ErrorHistory
 public:
   /**
    * Adds step k.
-   * @param indicator eta_k.
+   * @param indicator η_k.
    * @param difference d_k; empty for the first step.
    * @param planned q.
    * @return the estimate of the step.

@@ -15,8 +15,8 @@ struct CellLoad
   /** The loads d_k, the part of f_h that is constant on triangle k. */
   CompositeCell::Loads constant{};
   /** The linear part of f_h on parallelograms. With the half edges g_1 = (x_1 - x_0)/2 and g_2 =
-   * (x_3 - x_0)/2 and the coordinates xi, eta in [-1,1], it is g_1 (slope[0] xi + slope[1] eta) +
-   * g_2 (slope[2] xi + slope[3] eta). */
+   * (x_3 - x_0)/2 and the coordinates ξ, η in [-1,1], it is g_1 (slope[0] ξ + slope[1] η) +
+   * g_2 (slope[2] ξ + slope[3] η). */
   std::array<double, 4> slope{};
   /** The norm ‖f - f_h‖_{L2(K)}. f - f_h has neither force nor moment. */
   double rest = 0.;

@@ -25,7 +25,7 @@ struct Law
 /** A quadrature point of a cell. Its data do not depend on the position of the cell. */
 struct StressPoint
 {
-  /** The number of the triangle, and the functions psi at the point (see midpoint_functions()). */
+  /** The number of the triangle, and the functions ψ at the point (see midpoint_functions()). */
   unsigned int triangle;
   std::array<double, 3> psi;
   double weight;
@@ -158,7 +158,7 @@ inline Components sum(const Components &a, const Components &b)
   return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
 }
 
-/** Adds weight psi e to @p dual: the contribution of the strain e at a point to ∫ psi e, by
+/** Adds weight ψ e to @p dual: the contribution of the strain e at a point to ∫ ψ e, by
  * triangle and vertex. */
 inline void add_dual(const StressPoint &point, const Components &e, CompositeCell::Stresses &dual)
 {

@@ -56,12 +56,12 @@ struct CellShape
  * cell, with continuous tractions.
  *
  * Such a stress is determined by the moments of its tractions on the four edges and by the loads
- * d_k with div tau + d_k = 0 on triangle k, if they are in balance. It is stored as the components
+ * d_k with div τ + d_k = 0 on triangle k, if they are in balance. It is stored as the components
  * at the mid-points of the edges of the triangles: entry 9 k + 3 m + i is component i on triangle k
  * opposite vertex m of (x_k, x_{k+1}, z).
  *
  * The equations are solved on the affine image of the cell whose crossing is the origin and whose
- * corners 0 and 1 are the unit points. With F the matrix of the map and tau = F tau' Fᵀ, moments
+ * corners 0 and 1 are the unit points. With F the matrix of the map and τ = F τ' Fᵀ, moments
  * are det(F) F b' and loads F d'. So thin cells are as good as squares, and all parallelograms have
  * the same equations.
  */
@@ -92,14 +92,14 @@ private:
   std::array<Stresses, n_moments + n_loads> columns_;
 };
 
-/** Returns psi_m, m = 0, 1, 2, at a point with barycentric coordinates lambda. psi_m is the linear
+/** Returns ψ_m, m = 0, 1, 2, at a point with barycentric coordinates λ. ψ_m is the linear
  * function that is one at the mid-point opposite vertex m and zero at the others. */
 inline std::array<double, 3> midpoint_functions(const std::array<double, 3> &lambda)
 {
   return {{1. - 2. * lambda[0], 1. - 2. * lambda[1], 1. - 2. * lambda[2]}};
 }
 
-/** Returns the components of the stress on triangle k at a point with the values psi. */
+/** Returns the components of the stress on triangle k at a point with the values ψ. */
 inline Components stress_at(const CompositeCell::Stresses &stresses,
                             const unsigned int k,
                             const std::array<double, 3> &psi)

@@ -13,8 +13,8 @@ namespace Signorini
 class EdgeFunction
 {
 public:
-  /** A part on [start, end]. With tau = (t - start)/(end - start) the function is (1 - tau) first +
-   * tau last + 4 bulge tau (1 - tau). */
+  /** A part on [start, end]. With τ = (t - start)/(end - start) the function is (1 - τ) first +
+   * τ last + 4 bulge τ (1 - τ). */
   struct Part
   {
     double start, end;
@@ -78,7 +78,7 @@ struct Pinned
  * Between consecutive @p breaks (0, places where f jumps or has a kink, 1) f is sampled on four
  * equal intervals, each at its ends, its middle and its quarters. q is the parabola through the
  * first three, raised by a piecewise linear function where f exceeds the parabola: for smooth f by
- * O(interval³), since the excess over a parabola is f'''/6 tau (tau - 1/2) (tau - 1) interval³,
+ * O(interval³), since the excess over a parabola is f'''/6 τ (τ - 1/2) (τ - 1) interval³,
  * of which the quarters show 97 %; it is raised by 5/4 of what they show. Intervals where the
  * quarters differ by more than 1/100 of the range of f - (its chord) are halved, up to six times;
  * where that is not enough, f has a kink or jumps, and q is linear there and not below any sample.

@@ -69,17 +69,17 @@ BubbleGradients bubble_gradients(const StressPoint &point);
 Components strain_of(const BubbleGradients &gradients,
                      const PatchBubbles::Coefficients &coefficients);
 
-/** The data that determine σ(u_h) - tau on a parallelogram with a constant law. */
+/** The data that determine σ(u_h) - τ on a parallelogram with a constant law. */
 struct CellMisfit
 {
   /** The values of u_h at the corners, relative to one of them. */
   std::array<dealii::Tensor<1, 2>, 4> u;
-  /** The stress tau without the part of CellLoad::slope. */
+  /** The stress τ without the part of CellLoad::slope. */
   CompositeCell::Stresses stresses;
   std::array<double, 4> slope;
 };
 
-/** The form ‖σ(u_h + b) - tau‖² - ‖σ(u_h) - tau‖² = 2 ∫ ε(b):(σ(u_h) - tau) +
+/** The form ‖σ(u_h + b) - τ‖² - ‖σ(u_h) - τ‖² = 2 ∫ ε(b):(σ(u_h) - τ) +
  * |||b|||² on a parallelogram with a constant law, in the ten components of b. It is exact: the
  * products have the degree six, the rule ten. */
 class BubbleForm
@@ -88,7 +88,7 @@ public:
   BubbleForm(const CellShape &shape, const Law &law);
 
   double change(const PatchBubbles::Coefficients &b, const CellMisfit &misfit) const;
-  /** Returns ∫ ε(b) psi, which is minus half of the derivative of change() with respect to the
+  /** Returns ∫ ε(b) ψ, which is minus half of the derivative of change() with respect to the
    * stresses. */
   CompositeCell::Stresses dual(const PatchBubbles::Coefficients &b) const;
 

@@ -38,7 +38,7 @@ struct CellRoom
   std::vector<Law> laws;
 };
 
-/** The complementary energy of stresses without loads, bᵀ S b = ‖tau(b)‖², row by row. */
+/** The complementary energy of stresses without loads, bᵀ S b = ‖τ(b)‖², row by row. */
 using CellEnergy = std::array<double, CompositeCell::n_moments * CompositeCell::n_moments>;
 
 /** Makes CellData, once for congruent cells as long as there are few shapes, and Hooke's laws at

@@ -26,10 +26,10 @@ class StarSolver;
  * (force x length per thickness) or roots of energies. */
 struct StressBound
 {
-  /** The misfit ‖σ(u_h + z) - tau‖_{E⁻¹,K} of every cell, in the order of active cells. E is
+  /** The misfit ‖σ(u_h + z) - τ‖_{E⁻¹,K} of every cell, in the order of active cells. E is
    * Hooke's tensor. */
   std::vector<double> misfit;
-  /** The oscillation osc_K: a stress of at most this norm balances, together with tau, the loads
+  /** The oscillation osc_K: a stress of at most this norm balances, together with τ, the loads
    * themselves. */
   std::vector<double> oscillation;
   /** The sum over K of (misfit_K + osc_K)², with the part that curved sides add. */
@@ -46,17 +46,17 @@ struct StressBound
   /** The same sums for π^{2h} u_h. */
   struct OfPatches
   {
-    /** The sum over K of (‖σ(π^{2h} u_h + z') - tau‖_{E⁻¹,K} + osc_K)², and |||z'|||; z'
+    /** The sum over K of (‖σ(π^{2h} u_h + z') - τ‖_{E⁻¹,K} + osc_K)², and |||z'|||; z'
      * makes up for u_D - π^{2h} u_h. */
     double square, lift;
   };
   std::optional<OfPatches> of_patches;
-  /** Bounds of 1/2 ‖tau‖² - ∫_{Γ_D} tau n.(u_D - c) for the stress that balances the loads
-   * themselves, with c the translation below. The bounds are 1/2 Σ_K (‖tau‖_{E⁻¹,K} ± osc_K)²
-   * minus that work. This is the part of J*(tau) that no large translation enters. */
+  /** Bounds of 1/2 ‖τ‖² - ∫_{Γ_D} τ n.(u_D - c) for the stress that balances the loads
+   * themselves, with c the translation below. The bounds are 1/2 Σ_K (‖τ‖_{E⁻¹,K} ± osc_K)²
+   * minus that work. This is the part of J*(τ) that no large translation enters. */
   Bracket complementary_energy = {0., 0.};
   /** The translation c, which is the displacement of a corner of the body, and the force
-   * ∫_{Γ_D} tau n. */
+   * ∫_{Γ_D} τ n. */
   dealii::Tensor<1, 2> translation, support_force;
   /** The largest force at a vertex that the linear solver left unbalanced, relative to the largest
    * force that a cell exerts on a vertex. */
@@ -95,19 +95,19 @@ struct StressData
 };
 
 /**
- * A stress tau with div tau + f_h = 0 on every cell, continuous tractions, tau n = t_h on traction
- * sides, tau n = p_h n on contact sides and without shear on rollers, close to σ(u_h). The
+ * A stress τ with div τ + f_h = 0 on every cell, continuous tractions, τ n = t_h on traction
+ * sides, τ n = p_h n on contact sides and without shear on rollers, close to σ(u_h). The
  * loads f_h, t_h and p_h are projections of f, t and p_H whose rest has neither force nor moment on
  * any cell or edge (CellLoad, GivenTractions).
  *
  * 1. The moments of tractions follow from the residuals of (u_h, p_H) around every vertex
  * (EdgeMoments).
  * 2. Inside of the cells the stress is that of composite quadrilaterals (CompositeCell).
- * 3. A few steps of conjugate gradients reduce ‖σ(u_h) - tau‖_{E⁻¹} (StarSolver). All
+ * 3. A few steps of conjugate gradients reduce ‖σ(u_h) - τ‖_{E⁻¹} (StarSolver). All
  * iterates are in equilibrium.
  *
- * With exact balance, there is for every cell a tau_r with ‖tau_r‖_{E⁻¹,K} ≤ osc_K such that
- * tau + tau_r balances f, t and p_H n themselves (OscillationConstants): then the inequality of
+ * With exact balance, there is for every cell a τ_r with ‖τ_r‖_{E⁻¹,K} ≤ osc_K such that
+ * τ + τ_r balances f, t and p_H n themselves (OscillationConstants): then the inequality of
  * Prager and Synge holds with (misfit_K + osc_K)². This also covers patches that end inside a face.
  *
  * Hooke's tensor is sampled at quadrature points, and so are loads. All ranks compute the same
@@ -133,7 +133,7 @@ public:
   {
     return mesh_;
   }
-  /** Returns the moments of the tractions of tau on edges; see EdgeMesh. */
+  /** Returns the moments of the tractions of τ on edges; see EdgeMesh. */
   const std::vector<double> &moments() const
   {
     return moments_;
@@ -143,11 +143,11 @@ public:
   {
     return std::sqrt(std::max(0., energy_));
   }
-  /** Returns the components of tau at the points of a cell. */
+  /** Returns the components of τ at the points of a cell. */
   std::vector<Components> stress(unsigned int cell, const CellData &data) const;
   /** Returns f_h of a cell; zero without a body force. */
   CellLoad load(unsigned int cell) const;
-  /** Returns tau_n at vertex 0 and vertex 1 for every face of the contact surface where tau_n is a
+  /** Returns τ_n at vertex 0 and vertex 1 for every face of the contact surface where τ_n is a
    * free linear function, none where it is p_h. */
   std::vector<std::optional<std::array<double, 2>>> free_tractions() const;
   /** Returns the normal component of π^{2h} u_h - u_h in the middle of a face of the contact
@@ -170,7 +170,7 @@ private:
   /** Returns the strain (e11, e22, 2 e12) of u_h + z. */
   Components strain(unsigned int cell, const StressPoint &point, const CornerValues &u) const;
   /** The integrals over a cell: the squares of the misfits of u_h + z and of π^{2h} u_h + z', the
-   * square of tau, and the energies of z and z'. */
+   * square of τ, and the energies of z and z'. */
   struct CellSquares
   {
     double misfit = 0., of_patches = 0., stress = 0., lift = 0., lift_of_patches = 0.;
@@ -222,7 +222,7 @@ private:
   double geometry(unsigned int cell, double smallest_eigenvalue) const;
   /** Returns osc_K. */
   double oscillation(unsigned int cell, double smallest_eigenvalue, OscillationTable &table) const;
-  /** Returns ∫_{Γ_D} tau n.(u_D - c) on the edges of a cell; adds ∫_{Γ_D} tau n to @p
+  /** Returns ∫_{Γ_D} τ n.(u_D - c) on the edges of a cell; adds ∫_{Γ_D} τ n to @p
    * force. */
   double support_work(unsigned int cell,
                       const dealii::Tensor<1, 2> &c,
@@ -241,7 +241,7 @@ private:
     /** The squares of the misfits of u_h and of π^{2h} u_h; the last one is infinite where there
      * is none. */
     double square = 0., square_of_patches = 0.;
-    /** The square of the norm of tau. */
+    /** The square of the norm of τ. */
     double energy = 0.;
   };
   Residual residual(const std::vector<CellIntegrals> &integrals) const;

@@ -68,7 +68,7 @@ private:
 using SpatialStress = dealii::SymmetricTensor<2, 3>;
 
 /**
- * Returns sigma = E : eps at @p x. In 2-D σ_xz = σ_yz = 0, and σ_zz is
+ * Returns σ = E : ε at @p x. In 2-D σ_xz = σ_yz = 0, and σ_zz is
  * Material::out_of_plane_stress().
  * @throws InputError where the material's data has no value.
  */
@@ -77,9 +77,9 @@ SpatialStress stress_in_space(const Material<dim> &material,
                               const dealii::Point<dim> &x,
                               const dealii::SymmetricTensor<2, dim> &strain);
 
-/** Returns the von Mises stress sqrt(3/2 s:s), s = sigma - tr sigma/3 I. */
+/** Returns the von Mises stress sqrt(3/2 s:s), s = σ - tr σ/3 I. */
 double von_mises(const SpatialStress &stress);
 
-/** Returns the three eigenvalues of sigma, the largest (the most tensile) first. */
+/** Returns the three eigenvalues of σ, the largest (the most tensile) first. */
 std::array<double, 3> principal_stresses(const SpatialStress &stress);
 } // namespace Signorini

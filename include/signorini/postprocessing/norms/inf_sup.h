@@ -9,7 +9,7 @@ namespace Signorini
 /**
  * Returns the constant of Lemma 1,
  *
- *     beta² = min_q (qᵀ Dᵀ A_1⁻¹ D q) / (qᵀ S q),
+ *     β² = min_q (qᵀ Dᵀ A_1⁻¹ D q) / (qᵀ S q),
  *
  * where A_1 is the Gram matrix of V^h in (.,.)_{1,Ω}, and S that of Q^H in the cosine norm
  * |||.|||_{-1/2}. It takes one factorisation of its own and m solves. Collective.

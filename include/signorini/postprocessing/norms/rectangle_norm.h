@@ -13,12 +13,12 @@ namespace Signorini
 /**
  * The dual of the interpolation norm between L2 and H1 on a rectangle with the edges L_1 and L_2:
  *
- *     ‖q‖²_{-1/2} = Σ_{i,j>=0} (1 + |k|²)^{-1/2} q_ij²,   k = pi (i/L_1, j/L_2),
+ *     ‖q‖²_{-1/2} = Σ_{i,j≥0} (1 + |k|²)^{-1/2} q_ij²,   k = π (i/L_1, j/L_2),
  *     q_ij = c_i c_j ∫ q cos(k_1 s_1) cos(k_2 s_2),   c_0 = L^{-1/2}, else (2/L)^{1/2}.
  *
- * On n_1 x n_2 equal patches the functions cos(p pi (a + 1/2)/n_1) cos(q pi (b + 1/2)/n_2) of the
+ * On n_1 x n_2 equal patches the functions cos(p π (a + 1/2)/n_1) cos(q π (b + 1/2)/n_2) of the
  * patches' numbers a, b are orthogonal in this norm: the modes whose numbers i are 2 n_1 r ± p
- * equal mode p there, with q_i ~ sin(p pi/(2 n_1))/k_1. The sums over them take 16 periods 2 n in
+ * equal mode p there, with q_i ~ sin(p π/(2 n_1))/k_1. The sums over them take 16 periods 2 n in
  * each direction one by one and the rest as an integral, for a relative error below 1e-5
  * (measured).
  */
@@ -44,8 +44,8 @@ public:
   /** Returns ‖q_H‖. */
   double norm(const Matrix &values) const;
 
-  /** Returns lambda_pq: ‖q_H‖² = sum lambda_pq Q_pq² with Q_pq = Σ_ab q_ab cos(p pi (a +
-   * 1/2)/n_1) cos(q pi (b + 1/2)/n_2), where q_ab is the value on a patch. */
+  /** Returns λ_pq: ‖q_H‖² = sum λ_pq Q_pq² with Q_pq = Σ_ab q_ab cos(p π (a +
+   * 1/2)/n_1) cos(q π (b + 1/2)/n_2), where q_ab is the value on a patch. */
   Matrix eigenvalues(const Counts &n_patches) const;
 
   /**

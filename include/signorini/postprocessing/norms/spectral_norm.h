@@ -20,14 +20,14 @@ dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const Displacemen
 /**
  * The dual of the interpolation norm between L2 and H1 on one side of length L:
  *
- *     ‖q‖²_{-1/2} = Σ_{k>=0} (1 + (k pi/L)²)^{-1/2} q_k²,
- *     q_0 = L^{-1/2} ∫ q,   q_k = (2/L)^{1/2} ∫ q cos(k pi s/L).
+ *     ‖q‖²_{-1/2} = Σ_{k≥0} (1 + (k π/L)²)^{-1/2} q_k²,
+ *     q_0 = L^{-1/2} ∫ q,   q_k = (2/L)^{1/2} ∫ q cos(k π s/L).
  *
- * On a closed side the frequencies k pi/L become 2 k pi/L, and sines join the cosines.
+ * On a closed side the frequencies k π/L become 2 k π/L, and sines join the cosines.
  *
  * 8192 modes are summed; the remainder of piecewise constants is estimated by the mean over the
- * last modes, (2/L) omega^{-3} mean(S_k²)/(2 K²), where omega k is the frequency of mode k and S_k
- * the sum of jumps times sin(k omega s_i) (and of jumps times cos).
+ * last modes, (2/L) ω^{-3} mean(S_k²)/(2 K²), where ω k is the frequency of mode k and S_k
+ * the sum of jumps times sin(k ω s_i) (and of jumps times cos).
  */
 class SpectralNorm
 {
@@ -49,7 +49,7 @@ public:
    */
   double distance(const Vector &f, const std::vector<double> &ends, const Vector &values) const;
 
-  /** Returns the norm to which this one is dual, ‖f‖²_{1/2} = sum (1 + (k pi/L)²)^{1/2} f_k², of a
+  /** Returns the norm to which this one is dual, ‖f‖²_{1/2} = sum (1 + (k π/L)²)^{1/2} f_k², of a
    * continuous function with the coefficients @p f that is smooth on each of @p n_pieces intervals:
    * f_k ~ k^-2. The remainder beyond the modes is estimated by the mean of k⁴ f_k² over the last of
    * them. */
@@ -61,17 +61,17 @@ public:
 private:
   /** Returns the number k of the mode of a coefficient. */
   unsigned int mode(unsigned int coefficient) const;
-  /** Returns (1 + (k omega)²)^{-1/2}. */
+  /** Returns (1 + (k ω)²)^{-1/2}. */
   double weight(unsigned int k) const;
   /** Returns the number of the last modes that make a mean for m intervals. */
   unsigned int n_tail_modes(unsigned int m) const;
-  /** Returns the sum of weight(k) (2/L) (k omega)^{-2} over k > n_modes: times the mean of S_k² it
+  /** Returns the sum of weight(k) (2/L) (k ω)^{-2} over k > n_modes: times the mean of S_k² it
    * is the remainder of piecewise constants. */
   double tail() const;
 
   double length_;
   bool closed_;
-  /** The frequency pi/L, on a closed side 2 pi/L. */
+  /** The frequency π/L, on a closed side 2 π/L. */
   double omega_;
   unsigned int n_modes_;
 };

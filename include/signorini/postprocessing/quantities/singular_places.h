@@ -20,8 +20,8 @@ struct GrowthPlace
   double radius = 0.;
 };
 
-/** A corner of a 2-D body, or an edge of a box, at which stresses behave like r^{lambda - 1} with
- * lambda < 1 (corner_exponent()) in at least one state of contact. */
+/** A corner of a 2-D body, or an edge of a box, at which stresses behave like r^{λ - 1} with
+ * λ < 1 (corner_exponent()) in at least one state of contact. */
 template <int dim>
 struct SingularPlace
 {
@@ -52,7 +52,7 @@ template <int dim>
 bool any_contains(const std::vector<SingularPlace<dim>> &places, const dealii::Point<dim> &x);
 
 /** Returns the place where a value at @p x is part of unlimited growth: @p x lies next to it, and
- * the state of contact there makes lambda < 1. The result is empty if there is none. */
+ * the state of contact there makes λ < 1. The result is empty if there is none. */
 template <int dim>
 std::optional<GrowthPlace> growth_at(const dealii::Point<dim> &x,
                                      const std::vector<SingularPlace<dim>> &places,

@@ -13,7 +13,7 @@ namespace Signorini
 struct DualSolverOptions
 {
   ContactSolver method = ContactSolver::active_set;
-  /** The factor omega of projected SOR, 0 < omega < 2. */
+  /** The factor ω of projected SOR, 0 < ω < 2. */
   double relaxation = 1.1;
   /** The tolerance of the KKT residual. */
   double tolerance = 1e-10;

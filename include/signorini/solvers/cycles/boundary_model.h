@@ -58,8 +58,8 @@ private:
  * Makes Ĉ for constants on the patches of a surface. Where every contact side is straight (flat)
  * and divided into a grid of equal patches, it has one CosineModel block for each side; elsewhere
  * it is the KernelModel of the half-space over all sides. Both take the moduli of the material at
- * the middle of each patch: with M = σ_nn for eps = n n and mu the mean shear modulus on the
- * surface, E' = 4 mu (1 - mu/M), which is E/(1 - nu²) (plane stress: E).
+ * the middle of each patch: with M = σ_nn for ε = n n and μ the mean shear modulus on the
+ * surface, E' = 4 μ (1 - μ/M), which is E/(1 - ν²) (plane stress: E).
  *
  * @throws ComputationError for other multipliers than constants, and where the kernel would need
  * more than 6000 patches.

@@ -16,12 +16,12 @@ namespace Signorini
  * The Gram matrix of the characteristic functions of a grid of n_1 x n_2 equal patches on a
  * rectangle L_1 x L_2 in the norm
  *
- *     |q|² = Σ_{k,l ≥ 0} (omega_0^2 + (k pi/L_1)² + (l pi/L_2)²)^{-1/2} q_kl²,
+ *     |q|² = Σ_{k,l ≥ 0} (ω_0² + (k π/L_1)² + (l π/L_2)²)^{-1/2} q_kl²,
  *
  * where q_kl are the coefficients in the orthonormal cosines. On the segment L_1 (n_2 = 1, L_2 = 0)
  * the sum is over k alone.
  *
- * A mode of the grid, cos(k pi (i + 1/2)/n), couples with the modes k + 2 n j of the series only,
+ * A mode of the grid, cos(k π (i + 1/2)/n), couples with the modes k + 2 n j of the series only,
  * so that discrete cosines diagonalise the matrix. Aliases up to |j| = 8 are summed, the rest is
  * below 1e-4 of the entry. (Only equivalence is needed.)
  *

@@ -23,7 +23,7 @@ struct FlatPatch
 };
 
 /**
- * Returns the displacement of the half-space, without its factor 2/(pi E'): ∫ k(x - y) dy over
+ * Returns the displacement of the half-space, without its factor 2/(π E'): ∫ k(x - y) dy over
  * the patch, with k = -log(|x - y|/R) in 2-D and 1/(2 |x - y|) in 3-D. It is exact for segments and
  * rectangles.
  * @param radius R; it has no meaning in 3-D.

@@ -22,7 +22,7 @@ dealii::Vector<double> solve_boundary_problem(const BoundaryModel &model,
  * set S MINRES solves
  *
  *     ( A     -D_S) (U  )   (f   )
- *     (-D_Sᵀ   0 ) (P_S) = (-G_S),    P = 0 elsewhere,
+ *     (-D_Sᵀ    0 ) (P_S) = (-G_S),    P = 0 elsewhere,
  *
  * with the preconditioner diag(V, (t Ĉ_1)_SS⁻¹), to a hundredth of the residual or to the
  * tolerance. Then S is {P < 0} within S and {W > 0} outside.

@@ -63,8 +63,8 @@ struct PressingSolution
  *
  * C_AA P_A + B_A z = F_A,   K z - B_Aᵀ P_A = b,   P = 0 elsewhere.
  *
- * C_AA is factorised, and z follows from (K + B_Aᵀ C_AA⁻¹ B_A + delta) dz = imbalance; the
- * remainders of both equations are then solved for again. delta, 1e-9 of the stiffness, leaves
+ * C_AA is factorised, and z follows from (K + B_Aᵀ C_AA⁻¹ B_A + δ) dz = imbalance; the
+ * remainders of both equations are then solved for again. δ, 1e-9 of the stiffness, leaves
  * motions unchanged that the patches of A do not resist (a body that tips about one edge). Where
  * C_AA is singular within rounding, its diagonal grows by 1e-8, and parts of P in the kernel of C
  * stay those of the start.

@@ -29,7 +29,7 @@ void multiply(LevelVector<dim, Number> &y,
               const CellMatrices<dim, Number> &matrices,
               Instructions instructions);
 
-/** The step d = alpha d + gamma B (b - y); x += d. Without y and d (null) it is d = gamma B b, x =
+/** The step d = α d + γ B (b - y); x += d. Without y and d (null) it is d = γ B b, x =
  * d. */
 template <int dim>
 struct SmootherStep

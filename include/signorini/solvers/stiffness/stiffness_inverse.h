@@ -42,7 +42,7 @@ public:
  * unknowns,
  *
  *     A = (A_11 A_21ᵀ)   S = A_22 - A_21 A_11⁻¹ A_21ᵀ = L Lᵀ,
- *         (A_21 A_22  ),
+ *         (A_21 A_22 ),
  *
  * (A⁻¹)_22 = S⁻¹ follows without a single solve.
  */
