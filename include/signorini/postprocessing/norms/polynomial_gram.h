@@ -11,8 +11,8 @@ namespace Signorini
  * The kernel of the cosine norm, as a function of the distance of two points on a line that is
  * repeated with the period P:
  *
- *     κ(x) = (1/P) Σ_k (1 + (k ω)²)^{-1/2} e^{i k ω x},   ω = 2 π/P,
- *          = (1/π) Σ_m K_0(|x + m P|),   all integers k and m.
+ *     κ(x) = (1/P) Σ_k (1 + (k ω)²)^{-1/2} e^{i k ω x}
+ *          = (1/π) Σ_m K_0(|x + m P|),   ω = 2 π/P, all integers k and m.
  *
  * The second line is the first one by Poisson's summation. For short periods, where it needs many
  * terms, ln sin takes its singularity:
