@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// a(u,v) = int E_ijkl u_{k,l} v_{i,j}, cell by cell.
+// a(u,v) = ∫ E_ijkl u_{k,l} v_{i,j}, cell by cell.
 
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 
@@ -13,7 +13,8 @@ namespace
 const dealii::UpdateFlags stiffness_flags =
   dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values;
 
-/** Edges from the first vertex: they tell congruent cells, up to translation. */
+/** Returns the edges from the first vertex. They are equal for congruent cells, up to translation.
+ */
 template <int dim>
 std::vector<dealii::Tensor<1, dim>>
 shape_of(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
@@ -24,7 +25,7 @@ shape_of(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
   return shape;
 }
 
-/** int_K div phi_i / |K| for all i. */
+/** Returns ∫_K div φ_i / |K| for all i. */
 template <int dim>
 std::vector<double> mean_divergences(const dealii::FEValues<dim> &values)
 {
@@ -42,8 +43,8 @@ std::vector<double> mean_divergences(const dealii::FEValues<dim> &values)
   return means;
 }
 
-/** Whether every vertex is the sum of the edges along its coordinates: a parallelogram, in space a
- * parallelepiped. */
+/** Returns whether every vertex is the sum of the edges along its coordinates: a parallelogram, in
+ * 3-D a parallelepiped. */
 template <int dim>
 bool is_affine(const std::vector<dealii::Tensor<1, dim>> &shape, const double tolerance)
 {
@@ -59,15 +60,15 @@ bool is_affine(const std::vector<dealii::Tensor<1, dim>> &shape, const double to
   return true;
 }
 
-/** Relative to the size of a cell: the coordinates of small cells far from the origin know their
- * shape less accurately. */
+/** Returns the tolerance relative to the size of a cell: the coordinates of small cells far from
+ * the origin determine their shape less accurately. */
 double tolerance_of_shapes(const double distance_from_origin, const double size)
 {
   return std::max(1e-12,
                   16. * std::numeric_limits<double>::epsilon() * distance_from_origin / size);
 }
 
-/** magnitudes_i = sum_j |K_ij x_j|. */
+/** Computes magnitudes_i = Σ_j |K_ij x_j|. */
 void multiply_magnitudes(const dealii::FullMatrix<double> &K,
                          const dealii::Vector<double> &x,
                          dealii::Vector<double> &magnitudes)

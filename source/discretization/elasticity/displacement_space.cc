@@ -17,7 +17,7 @@ namespace Signorini
 {
 namespace
 {
-/** What clamped, prescribed and roller sides say about u_h. */
+/** Returns the conditions of clamped, prescribed and roller sides for u_h. */
 template <int dim>
 dealii::AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh,
                                                        const dealii::DoFHandler<dim> &dofs,
@@ -46,7 +46,8 @@ dealii::AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh,
   return conditions;
 }
 
-/** Vertices of the coarse mesh that do not hang: off the contact sides, as far as there are any. */
+/** Returns vertices of the coarse mesh that do not hang: off the contact sides, as far as there are
+ * any. */
 std::vector<DisplacementSpace<2>::Pin>
 pin_candidates(const dealii::DoFHandler<2> &dofs,
                const Scene<2> &scene,
@@ -81,8 +82,8 @@ pin_candidates(const dealii::DoFHandler<2> &dofs,
   return candidates;
 }
 
-/** As many pins as there are motions, chosen one after the other where the motions that are left
- * are largest. */
+/** Returns as many pins as there are motions, chosen one after the other where the motions that are
+ * left are largest. */
 std::vector<DisplacementSpace<2>::Pin>
 choose_pins(const dealii::DoFHandler<2> &dofs,
             const Scene<2> &scene,
@@ -116,7 +117,7 @@ choose_pins(const dealii::DoFHandler<2> &dofs,
   return pins;
 }
 
-/** Constrained degrees of freedom and those that they follow: on an oblique roller both components
+/** Returns constrained degrees of freedom and their masters: on an oblique roller both components
  * of a node carry the reaction. */
 dealii::IndexSet held_dofs(const dealii::AffineConstraints<double> &conditions,
                            const dealii::types::global_dof_index n_dofs)
@@ -132,7 +133,8 @@ dealii::IndexSet held_dofs(const dealii::AffineConstraints<double> &conditions,
   return held;
 }
 
-/** What keeps u_h continuous at hanging nodes and between different degrees. */
+/** Returns the constraints that keep u_h continuous at hanging nodes and between different degrees.
+ */
 template <int dim>
 dealii::AffineConstraints<double> continuity_conditions(const dealii::DoFHandler<dim> &dofs)
 {
@@ -143,7 +145,7 @@ dealii::AffineConstraints<double> continuity_conditions(const dealii::DoFHandler
   return conditions;
 }
 
-/** Constrained values of w = T w_free. */
+/** Sets the constrained values of w = T w_free. */
 void set_constrained(const dealii::AffineConstraints<double> &constraints, NodalVector &w)
 {
   for (const auto &line : constraints.get_lines())
@@ -154,7 +156,8 @@ void set_constrained(const dealii::AffineConstraints<double> &constraints, Nodal
   }
 }
 
-/** Both; where a degree of freedom has both, the essential condition. */
+/** Returns both sets of constraints; where a degree of freedom has both, the essential condition.
+ */
 dealii::AffineConstraints<double> merge(dealii::AffineConstraints<double> essential,
                                         const dealii::AffineConstraints<double> &continuity)
 {

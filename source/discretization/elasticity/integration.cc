@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// |||u_h||| without what a rigid translation would add by rounding, and whether it is anything
-// else.
+// The energy norm |||u_h||| without the rounding errors of a rigid translation, and whether the
+// body only moves as a whole.
 
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/elasticity/integration.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Cell matrices into A.
+// The assembly of cell matrices into A.
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
@@ -82,7 +82,7 @@ void MatrixScatter<dim>::condense(const dealii::FullMatrix<double> &cell_matrix,
                                   const Indices &indices)
 {
   const unsigned int n = indices.size();
-  // The degrees of freedom that each one follows: number in masters_ and weight.
+  // followed[i] are the masters of each degree of freedom: number in masters_ and weight.
   std::vector<std::vector<std::pair<unsigned int, double>>> followed(n);
   masters_.clear();
   const auto number_of = [&](const dealii::types::global_dof_index index) {
@@ -189,7 +189,7 @@ template class MatrixScatter<3>;
 
 namespace
 {
-/** f_i of one cell: body force and tractions. */
+/** Integrates f_i of one cell: body force and tractions. */
 template <int dim>
 class CellLoads
 {
@@ -203,7 +203,7 @@ public:
   {
   }
 
-  /** Adds to @p vector and to @p resultant. */
+  /** Adds the loads of a cell to @p vector and to @p resultant. */
   void add(const typename FaceValues<dim>::CellIterator &cell,
            dealii::Vector<double> &vector,
            Resultant<dim> &resultant)
@@ -229,7 +229,7 @@ private:
     return dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values;
   }
 
-  /** vector_i += sum_q force(x_q).phi_i(x_q) JxW_q. */
+  /** Adds Σ_q force(x_q).φ_i(x_q) JxW_q to vector_i. */
   void add_force(const dealii::FEValuesBase<dim> &values,
                  const dealii::Function<dim> &force,
                  const char *name,
@@ -271,11 +271,11 @@ private:
   const Scene<dim> &scene_;
   CellValues<dim> cell_values_;
   FaceValues<dim> face_values_;
-  /** At the quadrature points. */
+  /** The force at the quadrature points. */
   std::vector<dealii::Vector<double>> force_;
 };
 
-/** a(phi_j, phi_i) and f_i on the cells of a chunk. */
+/** The integrals a(φ_j, φ_i) and f_i on the cells of a chunk. */
 template <int dim>
 struct ChunkIntegrals
 {
@@ -333,7 +333,10 @@ void add_cells(const DisplacementSpace<dim> &space,
     });
 }
 
-/** Adds f_i of all owned cells. @return the resultant of this rank. */
+/**
+ * Adds f_i of all owned cells.
+ * @return the resultant of this rank.
+ */
 template <int dim>
 Resultant<dim> add_loads(const DisplacementSpace<dim> &space,
                          const Scene<dim> &scene,
@@ -356,7 +359,8 @@ Resultant<dim> add_loads(const DisplacementSpace<dim> &space,
   return resultant;
 }
 
-/** Subtracts a(k, phi_i)/unit, where k is what is prescribed. Only cells on sides see k. */
+/** Subtracts a(k, φ_i)/unit, where k are the prescribed values. Only cells on sides contribute.
+ */
 template <int dim>
 void subtract_prescribed(const DisplacementSpace<dim> &space,
                          const Scene<dim> &scene,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// B: the normal trace of V^h on Gamma_c.
+// B: the normal trace of V^h on Γ_c.
 
 #include <signorini/discretization/elasticity/traces.h>
 

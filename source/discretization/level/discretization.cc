@@ -12,7 +12,8 @@ namespace Signorini
 {
 namespace
 {
-/** On coarse meshes the data varies much from cell to cell, and accurate integrals cost little. */
+/** Returns the number of additional points: on coarse meshes the data varies much from cell to
+ * cell, and accurate integrals cost little. */
 unsigned int additional_points(const unsigned int n_cells)
 {
   return n_cells <= 64 ? 6 : n_cells <= 1024 ? 3 : n_cells <= 16384 ? 1 : 0;
@@ -29,8 +30,8 @@ unsigned int degree_of(const Element element)
   return element == Element::q2 ? 2 : 1;
 }
 
-/** C is singular anyway where patches are finer than faces; those that are far finer even on the
- * finest level only cost time. */
+/** The maximal number of patches per face. C is singular anyway where patches are finer than faces;
+ * those that are far finer even on the finest level only cost time. */
 constexpr unsigned int most_patches_per_face = 4;
 
 template <int dim>
@@ -48,7 +49,7 @@ void refuse_needless_patches(const Parameters &parameters,
                      std::to_string(most_patches_per_face) + " per face.");
 }
 
-/** A patch without a free node next to it cannot feel or do anything. */
+/** Throws if a patch has no free node next to it: such a patch has no effect. */
 void refuse_blind_patches(const Parameters &parameters, const Coupling &condensed_D)
 {
   for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
@@ -78,8 +79,8 @@ void refuse_unstable_patches(const Parameters &parameters,
                      "has at least two faces per patch.");
 }
 
-/** Gamma_c, face by face. With Gauss points enough for a trace, a multiplier and a component of the
- * normal of a curved face; for collocation with the nodes. */
+/** Makes Γ_c, face by face, with Gauss points enough for a trace, a multiplier and a component
+ * of the normal of a curved face; for collocation with the nodes. */
 ContactSurface<2> make_surface(const DisplacementSpace<2> &space,
                                const Scene<2> &scene,
                                const HpMultipliers multipliers)
@@ -100,8 +101,8 @@ double largest_entry(const Coupling::Column &column)
   return largest;
 }
 
-/** P_{p-2} on every face of degree p; for collocation one unknown for every node whose normal
- * displacement is not prescribed. */
+/** Makes the multipliers: P_{p-2} on every face of degree p; for collocation one unknown for every
+ * node whose normal displacement is not prescribed. */
 MultiplierSpace<2> make_multipliers(const DisplacementSpace<2> &space,
                                     const ContactSurface<2> &surface,
                                     const HpMultipliers multipliers)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Gamma_c in the plane: faces, patches and pieces are intervals of arc length.
+// Γ_c in 2-D: faces, patches and pieces are intervals of arc length.
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/mesh/contact_surface.h>
@@ -25,7 +25,8 @@ struct FaceInterval
   /** Whether the face's own parameter runs against the arc length. */
   bool reversed;
 
-  /** The face's own parameter of the point at arc length @p s; exactly 0 and 1 at the ends. */
+  /** Returns the face's own parameter of the point at arc length @p s; exactly 0 and 1 at the ends.
+   */
   dealii::Point<1> parameter(const double s) const
   {
     const double t = s == start ? 0. : s == end ? 1. : (s - start) / (end - start);
@@ -33,7 +34,7 @@ struct FaceInterval
   }
 };
 
-/** Where a closed side ends, its length stands for 0. */
+/** Returns the interval of a face. At the end of a closed side its length replaces 0. */
 FaceInterval interval_of(const ContactFace<2> &face, const Side<2> &side)
 {
   const auto mesh_face = face.cell->face(face.face_no);
@@ -54,7 +55,8 @@ Patch<2> make_patch(const unsigned int side, const double start, const double en
   return {side, dealii::Point<1>(start), dealii::Point<1>(end), end - start};
 }
 
-/** The patches of a side that has the given faces; groups of faces end at corners of the side. */
+/** Returns the patches of a side that has the given faces; groups of faces end at corners of the
+ * side. */
 std::vector<Patch<2>> divide_side(const std::vector<FaceInterval> &faces,
                                   const std::size_t first,
                                   const std::size_t last,
@@ -85,7 +87,8 @@ std::vector<Patch<2>> divide_side(const std::vector<FaceInterval> &faces,
   return patches;
 }
 
-/** All non-empty intersections of faces and patches; both are sorted by side and arc length. */
+/** Returns all non-empty intersections of faces and patches; both are sorted by side and arc
+ * length. */
 std::vector<Piece<2>> intersect(const std::vector<FaceInterval> &faces,
                                 const std::vector<Patch<2>> &patches)
 {
@@ -121,11 +124,12 @@ std::vector<Piece<2>> intersect(const std::vector<FaceInterval> &faces,
   return pieces;
 }
 
-/** With fewer, a square root between two graded positions is not integrated to 1e-8. */
+/** The smallest number of points on graded parts: with fewer, a square root between two graded
+ * positions is not integrated to 1e-8. */
 constexpr unsigned int fewest_graded_points = 8;
 
-/** In lengths of a piece: closer to a singular point, three points do not integrate a function like
- * r^{1/2} to 1e-10. */
+/** The reach of a singularity in lengths of a piece: closer to it, three points do not integrate a
+ * function like r^{1/2} to 1e-10. */
 constexpr double reach_of_singularity = 16.;
 
 /** Inserts positions that approach both ends of every interval by factors of four. */
@@ -144,7 +148,7 @@ std::vector<double> grade(const std::vector<double> &cuts)
   return graded;
 }
 
-/** The points of a piece with the given arc lengths, without weights. */
+/** Returns the points of a piece with the given arc lengths, without weights. */
 SurfaceRule<2> points_at(const Piece<2> &piece,
                          const Side<2> &side,
                          const std::vector<dealii::Point<1>> &arc_lengths)
@@ -228,7 +232,7 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece,
            (scene_.kinks.touch(side, start, end) ||
             scene_.kinks.cut(side, start - distance, end + distance).size() > 2);
   };
-  // A singularity less than a length away is as bad as one inside.
+  // A singularity less than a length away needs the same grading as one inside.
   if (singular_within(1.))
     cuts = grade(cuts);
   const dealii::QGauss<1> gauss(
@@ -239,14 +243,15 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece,
   return rule;
 }
 
-// Gamma_c in space: patches are squares of faces of a rectangular side.
+// Γ_c in 3-D: patches are squares of faces of a rectangular side.
 
 namespace
 {
-/** Side, and the place of a patch among those of the side in both directions. */
+/** The side, and the place of a patch among those of the side in both directions. */
 using Group = std::array<unsigned int, 3>;
 
-/** The lines between the faces of a side in one direction, from its start, without the last one. */
+/** Returns the lines between the faces of a side in one direction, from its start, without the last
+ * one. */
 std::vector<double> lines(std::vector<double> starts, const double length)
 {
   // Neighbouring faces agree but for rounding.
@@ -259,7 +264,7 @@ std::vector<double> lines(std::vector<double> starts, const double length)
   return distinct;
 }
 
-/** Of a sorted list; zero for a single line. */
+/** Returns the smallest step of a sorted list; zero for a single line. */
 double smallest_step(const std::vector<double> &lines)
 {
   double smallest = 0.;
@@ -285,8 +290,8 @@ public:
     }
   }
 
-  /** The place of the patch of ratio × ratio faces to which the face belongs. The last patches take
-   * what is left. */
+  /** Returns the place of the patch of ratio × ratio faces to which the face belongs. The last
+   * patches are larger where the ratio does not divide the faces. */
   std::array<unsigned int, 2> patch_of(const dealii::Point<2> &corner,
                                        const unsigned int ratio) const
   {
@@ -310,7 +315,8 @@ private:
   std::array<double, 2> steps_ = {};
 };
 
-/** The corner of the box around a face in the coordinates of its side with the smaller ones. */
+/** Returns the corner with the smaller coordinates of the box around a face in the coordinates of
+ * its side. */
 dealii::Point<2> first_corner(const ContactFace<3> &face, const Side<3> &side)
 {
   const auto mesh_face = face.cell->face(face.face_no);
@@ -324,7 +330,7 @@ dealii::Point<2> first_corner(const ContactFace<3> &face, const Side<3> &side)
   return corner;
 }
 
-/** By side. */
+/** Returns the grids of the faces by side. */
 std::map<unsigned int, FaceGrid> face_grids(const std::vector<ContactFace<3>> &faces,
                                             const Geometry<3> &geometry)
 {
@@ -378,8 +384,8 @@ void ContactSurface<3>::divide(const Partition &partition)
   }
 }
 
-// Faces are plane quadrilaterals with bilinear maps: their vertices say all, and cost less than an
-// FEFaceValues object for each of them.
+// Faces are plane quadrilaterals with bilinear maps: their vertices determine them, and cost less
+// than an FEFaceValues object for each of them.
 template <>
 SurfaceRule<3> ContactSurface<3>::at(const Piece<3> &piece,
                                      const std::vector<dealii::Point<2>> &positions) const
@@ -404,7 +410,7 @@ SurfaceRule<3> ContactSurface<3>::at(const Piece<3> &piece,
 template <>
 SurfaceRule<3> ContactSurface<3>::rule(const Piece<3> &piece,
                                        const unsigned int n_points,
-                                       const Grading /*there are no kinks in space*/) const
+                                       const Grading /*there are no kinks in 3-D*/) const
 {
   const dealii::QGauss<2> gauss(n_points);
   const ContactFace<3> &face = faces_[piece.face];

@@ -18,7 +18,7 @@ namespace
 {
 constexpr unsigned int no_patch = dealii::numbers::invalid_unsigned_int;
 
-/** The ends of the intervals that the patches [first, last) cover in one coordinate. */
+/** Returns the ends of the intervals that the patches [first, last) cover in one coordinate. */
 std::vector<double> ends_of(const std::vector<Patch<3>> &patches,
                             const std::size_t first,
                             const std::size_t last,
@@ -33,7 +33,7 @@ std::vector<double> ends_of(const std::vector<Patch<3>> &patches,
     shortest = std::min(shortest, patches[t].upper[d] - patches[t].lower[d]);
   }
   std::sort(starts.begin(), starts.end());
-  // Equal up to rounding.
+  // Starts are equal up to rounding.
   starts.erase(std::unique(starts.begin(),
                            starts.end(),
                            [&](const double a, const double b) { return b - a < 0.5 * shortest; }),
@@ -42,7 +42,7 @@ std::vector<double> ends_of(const std::vector<Patch<3>> &patches,
   return starts;
 }
 
-/** The interval that contains a point. */
+/** Returns the interval that contains a point. */
 unsigned int interval_of(const std::vector<double> &ends, const double s)
 {
   const auto next = std::upper_bound(ends.begin() + 1, ends.end() - 1, s);
@@ -76,7 +76,7 @@ std::vector<PatchGrid> patch_grids(const std::vector<Patch<3>> &patches)
   return grids;
 }
 
-// Gamma_c: its faces, and the points of its pieces on the mesh.
+// Γ_c: its faces, and the points of its pieces on the mesh.
 
 namespace
 {
@@ -97,7 +97,7 @@ std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Sc
   return faces;
 }
 
-/** @p rule on the box between two corners in the reference coordinates of a face. */
+/** Returns @p rule on the box between two corners in the reference coordinates of a face. */
 template <int dim>
 dealii::Quadrature<dim> on_box(const dealii::Quadrature<dim> &rule,
                                const dealii::Point<dim> &corner,
@@ -121,7 +121,7 @@ dealii::Quadrature<dim> on_box(const dealii::Quadrature<dim> &rule,
     weight *= volume;
   return dealii::Quadrature<dim>(points, weights);
 }
-/** The coordinates of a point of a patch; around a closed side those next to the patch. */
+/** Returns the coordinates of a point of a patch; around a closed side those next to the patch. */
 template <int dim>
 dealii::Point<dim - 1> coordinates_on(const Patch<dim> &patch,
                                       const Side<dim> &side,
@@ -144,7 +144,7 @@ ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
   , faces_(find_contact_faces(mesh, scene))
 {
   divide(partition);
-  // phi.n dS has degree one per direction on a flat face, and degree two on a parabola.
+  // φ.n dS has degree one per direction on a flat face, and degree two on a parabola.
   place_points(std::vector<unsigned int>(mesh.triangulation().n_active_cells(), 2),
                FaceRule::gauss);
 }

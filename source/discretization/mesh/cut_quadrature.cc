@@ -15,7 +15,7 @@ namespace
 {
 using Polygon = std::vector<dealii::Point<2>>;
 
-/** The part of a convex polygon on one side of a line. */
+/** Returns the part of a convex polygon on one side of a line. */
 Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign)
 {
   Polygon part;
@@ -33,7 +33,7 @@ Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign)
   return part;
 }
 
-/** Bilinear image of the square; with d = a it is a triangle (Duffy). */
+/** The bilinear image of the square; with d = a it is a triangle (Duffy). */
 struct Quadrilateral
 {
   dealii::Point<2> a, b, c, d;
@@ -52,17 +52,17 @@ struct Quadrilateral
   {
     return std::max(a.distance(c), b.distance(d));
   }
-  /** Lower bound of the distance from a point. */
+  /** Returns a lower bound of the distance from a point. */
   double distance(const dealii::Point<2> &x) const
   {
     return x.distance(at(0.5, 0.5)) - 0.5 * std::max(diameter(), a.distance(b));
   }
-  /** The image of [s, s + ds] x [t, t + dt]. */
+  /** Returns the image of [s, s + ds] x [t, t + dt]. */
   Quadrilateral part(const double s, const double t, const double ds, const double dt) const
   {
     return {at(s, t), at(s + ds, t), at(s + ds, t + dt), at(s, t + dt)};
   }
-  /** The longer edges in the directions of s and t. */
+  /** length_s() and length_t() return the longer edges in the directions of s and t. */
   double length_s() const
   {
     return std::max(a.distance(b), d.distance(c));
@@ -77,7 +77,10 @@ struct Quadrilateral
 class PolygonRule
 {
 public:
-  /** @param ends points towards which the pieces shrink. */
+  /**
+   * Makes the rules of all depths.
+   * @param ends points towards which the pieces shrink.
+   */
   PolygonRule(const unsigned int n_points, std::vector<dealii::Point<2>> ends)
     : ends_(std::move(ends))
   {
@@ -85,7 +88,8 @@ public:
       gauss_.emplace_back(std::min(n_points, std::max(fewest_points + depth, n_points) - depth));
   }
 
-  /** Quadrilaterals are mapped from the square, other polygons split into triangles. */
+  /** Adds a polygon: quadrilaterals are mapped from the square, other polygons split into
+   * triangles. */
   void add(const Polygon &polygon)
   {
     if (polygon.size() == 4)
@@ -99,10 +103,12 @@ public:
   std::vector<double> weights;
 
 private:
-  /** A function like r^{1/2} is smooth on pieces that are small against their distance from the
-   * end; the smallest pieces hold a share of 2^{-3 deepest} of the integral of r. */
+  /** The depth of the smallest pieces. A function like r^{1/2} is smooth on pieces that are small
+   * compared with their distance from the end; the smallest pieces hold a share of 2^{-3 deepest}
+   * of the integral of r. */
   static constexpr unsigned int deepest = 9;
-  /** On the smallest pieces; where pieces are half as large, one point less has the same effect. */
+  /** The number of points on the smallest pieces; where pieces are half as large, one point less
+   * has the same effect. */
   static constexpr unsigned int fewest_points = 5;
 
   void add(const Quadrilateral &piece, const unsigned int depth)
@@ -122,7 +128,8 @@ private:
     }
   }
 
-  /** Long pieces into halves, others (and slivers, which hold next to nothing) into quarters. */
+  /** Splits long pieces into halves, others (and slivers, which hold next to nothing) into
+   * quarters. */
   void split(const Quadrilateral &piece, const unsigned int depth)
   {
     constexpr double sliver = 1e-6;
@@ -138,8 +145,11 @@ private:
     else
       quarter(piece, depth);
   }
-  /** The half at the tip of a triangle has its shape: like a quarter, it is a level deeper.
-   * @param width of the whole. */
+  /**
+   * Adds a half of a long piece. The half at the tip of a triangle has its shape: like a quarter,
+   * it is a level deeper.
+   * @param width of the whole.
+   */
   void add_half(const Quadrilateral &half, const double width, const unsigned int depth)
   {
     constexpr double half_of_width = 0.51;
@@ -158,7 +168,7 @@ private:
   std::vector<dealii::Point<2>> ends_;
 };
 
-/** Jacobian determinant of the bilinear map of a cell at a reference point. */
+/** Returns the Jacobian determinant of the bilinear map of a cell at a reference point. */
 double jacobian(const dealii::Triangulation<2>::cell_iterator &cell, const dealii::Point<2> &xi)
 {
   const dealii::Tensor<1, 2> ds = (1. - xi[1]) * (cell->vertex(1) - cell->vertex(0)) +
@@ -168,7 +178,7 @@ double jacobian(const dealii::Triangulation<2>::cell_iterator &cell, const deali
   return ds[0] * dt[1] - ds[1] * dt[0];
 }
 
-/** The possible ends of contact zones that are near the cell, measured by its diameter. */
+/** Returns the possible ends of contact zones that are near the cell, measured by its diameter. */
 template <int dim>
 std::vector<dealii::Point<dim>>
 ends_near(const Kinks<dim> &kinks, const typename dealii::Triangulation<dim>::cell_iterator &cell)
@@ -180,7 +190,7 @@ ends_near(const Kinks<dim> &kinks, const typename dealii::Triangulation<dim>::ce
   return near;
 }
 
-/** The polygons into which the lines cut a cell. */
+/** Returns the polygons into which the lines cut a cell. */
 std::vector<Polygon> cut_cell(const Kinks<2> &kinks,
                               const dealii::Triangulation<2>::cell_iterator &cell)
 {

@@ -92,9 +92,9 @@ private:
   double size_;
 };
 
-/** The maps that curved bodies need, of degree two on nested meshes, asked from the manifolds once
- * per cell and not in every integral. With bilinear maps, pi^{2h} would lose an order: the map of a
- * cell of T^{2h} must be that of its children up to higher order. */
+/** Returns the maps that curved bodies need, of degree two on nested meshes. The manifolds are
+ * evaluated once per cell and not in every integral. With bilinear maps, π^{2h} would lose an
+ * order: the map of a cell of T^{2h} must be that of its children up to higher order. */
 template <int dim>
 std::unique_ptr<const dealii::Mapping<dim>> cache(const dealii::Mapping<dim> &mapping,
                                                   const unsigned int degree,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Which cells meet a corner, or the bracket of an end of contact.
+// Cells that meet a corner, or the bracket of an end of contact.
 
 #include <signorini/discretization/mesh/mesh_plan.h>
 
@@ -10,7 +10,7 @@ namespace Signorini
 {
 namespace
 {
-/** Whether the part [from, to] of a side meets a face on it. */
+/** Returns whether the part [from, to] of a side meets a face on it. */
 bool meets_face(const Side<2> &side,
                 const double from,
                 const double to,
@@ -65,11 +65,11 @@ const Singularity *nearest(const std::vector<Singularity> &singularities, const 
 
 namespace
 {
-/** The numbers of cells (dealii::CellId) end at level 30; coordinates in double precision hardly
- * tell more vertices apart. */
+/** The deepest level. The numbers of cells (dealii::CellId) end at level 30; coordinates in double
+ * precision hardly resolve more vertices. */
 constexpr int deepest_level = 29;
 
-/** The lowest degree that demands ask of a cell, or of a cell that it is a part of. */
+/** Returns the lowest degree that demands require of a cell, or of a cell that it is a part of. */
 unsigned int demanded_degree(const MeshPlan &plan,
                              const dealii::Triangulation<2>::active_cell_iterator &cell)
 {

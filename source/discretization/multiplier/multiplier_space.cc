@@ -17,10 +17,10 @@ namespace Signorini
 {
 namespace
 {
-/** The most nodes of a patch. */
+/** The maximal number of nodes of a patch. */
 constexpr unsigned int most_nodes = 24;
 
-/** The Gauss points of every number from 1 on, between 0 and 1, with their weights. */
+/** Returns the Gauss points of every number from 1 on, between 0 and 1, with their weights. */
 const dealii::Quadrature<1> &gauss_rule(const unsigned int n_points)
 {
   static const std::vector<dealii::Quadrature<1>> rules = []() {
@@ -32,7 +32,7 @@ const dealii::Quadrature<1> &gauss_rule(const unsigned int n_points)
   return rules.at(n_points - 1);
 }
 
-/** The same with the ends, from two points on. */
+/** Returns the points with the ends (Gauss and Lobatto), from two points on. */
 const dealii::Quadrature<1> &lobatto_rule(const unsigned int n_points)
 {
   static const std::vector<dealii::Quadrature<1>> rules = []() {
@@ -50,7 +50,7 @@ const dealii::Quadrature<1> &rule_of(const Nodes nodes, const unsigned int n_poi
   return nodes == Nodes::lobatto ? lobatto_rule(n_points) : gauss_rule(n_points);
 }
 
-/** Where a point of the side lies on a patch, between 0 and 1. */
+/** Returns the position of a point of the side on a patch, between 0 and 1. */
 template <int dim>
 double position(const Patch<dim> &patch, const dealii::Point<dim - 1> &s)
 {
@@ -205,7 +205,7 @@ dealii::Vector<double> MultiplierSpace<dim>::integrals() const
 template <int dim>
 dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) const
 {
-  // int psi_j psi_k = delta_jk int psi_k: Gauss' rule integrates the product exactly. At nodes of
+  // ∫ ψ_j ψ_k = δ_jk ∫ ψ_k: Gauss' rule integrates the product exactly. At nodes of
   // Lobatto this is the projection by their rule.
   Vector coefficients = moments;
   const Vector squares = integrals();
@@ -252,7 +252,7 @@ template dealii::Vector<double> assemble_gap(const MultiplierSpace<3> &,
 
 namespace
 {
-/** A column while it is summed up. */
+/** The sums of a column during the assembly. */
 using Sums = std::map<dealii::types::global_dof_index, double>;
 
 Coupling to_coupling(const std::vector<Sums> &sums)

@@ -13,7 +13,7 @@ namespace Signorini
 {
 namespace
 {
-/** "bottom at (0.25, 0)". */
+/** Returns the name of a place, such as "bottom at (0.25, 0)". */
 std::string name_of(const SidePlace &place, const Scene<2> &scene)
 {
   const Side<2> &side = scene.geometry.sides[place.side];
@@ -23,7 +23,7 @@ std::string name_of(const SidePlace &place, const Scene<2> &scene)
   return name.str();
 }
 
-/** "the cell at (0.5, 0.25)". */
+/** Returns the name of the cell with the largest part, such as "the cell at (0.5, 0.25)". */
 std::string name_of_worst_cell(const StressBound &bound, const DisplacementSpace<2> &space)
 {
   std::size_t worst = 0;
@@ -44,7 +44,7 @@ std::string name_of_worst_cell(const StressBound &bound, const DisplacementSpace
   return "";
 }
 
-/** Of numbers that are not negative, up to rounding. */
+/** Returns the roots of numbers that are not negative, up to rounding. */
 template <typename Numbers>
 std::vector<double> roots(const Numbers &squares)
 {
@@ -54,12 +54,10 @@ std::vector<double> roots(const Numbers &squares)
   return result;
 }
 
-/**
- * What J*(tau) = 1/2 ‖tau‖² - int_{Gamma_D} tau n.u_D - int_{Gamma_c} tau_n g has besides the terms
- * of StressBound::complementary_energy, with the opposite sign. With u_D - c and g - c_n in place
- * of u_D and g, c a translation, there remains c.(int_{Gamma_D} tau n + int_{Gamma_c} tau_n n): the
- * loads. So rounding of large translations does not enter.
- */
+/** Returns the terms of -J*(τ) besides those of StressBound::complementary_energy, where J*(τ)
+ * = 1/2 ‖τ‖² - ∫_{Γ_D} τ n.u_D - ∫_{Γ_c} τ_n g. With u_D - c and g - c_n in place
+ * of u_D and g, c a translation, there remains c.(∫_{Γ_D} τ n + ∫_{Γ_c} τ_n n),
+ * which is the loads' part. So rounding of large translations does not enter. */
 double work_of_contact(const StressBound &stress,
                        const BoundData &data,
                        const ContactTrace::TractionChange &change)
@@ -86,7 +84,7 @@ double ratio(const double value, const double scale)
   return scale > 0. ? value / scale : std::numeric_limits<double>::infinity();
 }
 
-/** tau_n on contact faces, with pi^{2h} u_h if wanted, or with u_h. */
+/** Returns τ_n on contact faces, with the bubbles of π^{2h} u_h if @p of_patches. */
 std::vector<FaceField> fields_of(const EquilibratedStress &stress, const bool of_patches)
 {
   std::vector<FaceField> fields;
@@ -117,7 +115,8 @@ double total(const double stress_square, const double lift, const ContactBound &
   return lift + std::sqrt(stress_square + std::max(0., contact.square()));
 }
 
-/** What follows for the energy and for the stress from the bounds of u_h and pi^{2h} u_h. */
+/** The bounds of the energy and of the stress that follow from the bounds of u_h and π^{2h} u_h.
+ */
 struct Consequences
 {
   Consequences(const Bracket &J_star, const double stress_square, const ContactBound &contact)
@@ -135,17 +134,18 @@ struct Consequences
 
   Bracket J_star;
   Bracket energy = {0., std::numeric_limits<double>::infinity()};
-  /** ‖sigma(u) - tau‖ at most. */
+  /** The bound of ‖σ(u) - τ‖. */
   double stress_error = std::numeric_limits<double>::infinity();
 };
 
 /**
- * Whether the bracket and J(u_h) contradict each other. With d = u_{h,n} - g, and eta, s and T as
- * in energy_bracket.h,
+ * Returns whether the bracket and J(u_h) contradict each other. With d = u_{h,n} - g, and η, s
+ * and T as in energy_bracket.h,
  *
- *     J(u_h) - eta²/2 - int tau_n d <= J(u) <= J(u_h) + s |||w||| - int tau_n d + T,
+ *     J(u_h) - η²/2 - ∫ τ_n d ≤ J(u) ≤ J(u_h) + s |||w||| - ∫ τ_n d + T,
  *
- * which uses neither J*(tau) nor the gap's work. Up to what another quadrature makes of loads.
+ * which uses neither J*(τ) nor the gap's work. The tolerance allows for the different quadrature
+ * of loads.
  */
 bool contradicts(const Consequences &known,
                  const StressBound &of_stress,
@@ -163,8 +163,11 @@ bool contradicts(const Consequences &known,
          upper < known.energy.lower - allowed;
 }
 
-/** What is known for straight sides only: the bound for pi^{2h} u_h, the bracket of the energy and
- * the bound of the contact force. @return whether the bracket is in accord with J(u_h). */
+/**
+ * Adds the results for straight sides only: the bound for π^{2h} u_h, the bracket of the energy
+ * and the bound of the contact force.
+ * @return whether the bracket agrees with J(u_h).
+ */
 bool add_guaranteed(const BoundData &data,
                     const EquilibratedStress &stress,
                     const StressBound &of_stress,
@@ -202,8 +205,9 @@ bool add_guaranteed(const BoundData &data,
          !contradicts(consequences, of_stress, lift, data.energy, scale * scale);
 }
 
-/** Where a force drives a plate, the stress has to carry that force. Changes around single vertices
- * do not alter it, the best of all stresses may: it is not asked for. */
+/** Returns the limits of the improvement. Where a force drives a plate, the stress carries that
+ * force. Changes around single vertices do not alter it, but the best of all stresses may: it is
+ * not computed. */
 ImprovementOptions improvement_for(const Scene<2> &scene)
 {
   ImprovementOptions options;
@@ -243,7 +247,7 @@ LocatedBound compute_located_bound(const BoundData &data)
                            std::sqrt(of_stress.geometry_square));
   result.contact = std::sqrt(std::max(0., contact.square()));
   result.algebra = of_stress.algebra;
-  // The inequality holds for u_h + E with the prescribed displacement itself; E is zero on contact.
+  // The inequality holds for u_h + z with the prescribed displacement itself; z is zero on contact.
   result.absolute = total(of_stress.square, of_stress.lift, contact);
   const double scale =
     energy_scale(stress.energy_norm(), *result.absolute, given.space, given.scene, given.U);
@@ -251,7 +255,7 @@ LocatedBound compute_located_bound(const BoundData &data)
   result.guaranteed = stress.is_guaranteed();
   result.geometry = std::sqrt(of_stress.geometry_square);
   result.relative_geometry = ratio(*result.geometry, scale);
-  // A polygon says nothing about the last digits of the energy, nor about the force on a curve.
+  // A polygon does not determine the last digits of the energy, nor about the force on a curve.
   if (result.guaranteed && !add_guaranteed(data, stress, of_stress, lift, scale, result))
   {
     located.bound = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The contact part of the bound: what w_h lacks inside faces, and the sum.
+// The contact part of the bound: the part of w inside faces, and the sum.
 
 #include <signorini/error_control/contact_term/contact_lift.h>
 #include <signorini/error_control/contact_term/contact_trace.h>
@@ -19,7 +19,7 @@ namespace Signorini
 {
 namespace
 {
-/** r_F of one face, from q and w_h. */
+/** Computes r_F of one face from q and w_h. */
 class Remainder
 {
 public:
@@ -51,7 +51,7 @@ public:
       for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
         parts.push_back(on(b, lack, breaks[i], breaks[i + 1]));
     }
-    // b = 0 there and e >= 0, up to rounding.
+    // b = 0 there and e ≥ 0, up to rounding.
     parts.front().first = 0.;
     parts.back().last = 0.;
     return EdgeFunction(std::move(parts));
@@ -60,7 +60,7 @@ public:
 private:
   using Ends = std::array<double, 2>;
 
-  /** A part minus the linear function with the given values at 0 and 1. */
+  /** Returns a part minus the linear function with the given values at 0 and 1. */
   static EdgeFunction::Part minus(EdgeFunction::Part part, const Ends &ends)
   {
     part.first -= (1. - part.start) * ends[0] + part.start * ends[1];
@@ -70,7 +70,7 @@ private:
   /** Adds the zeros inside of a part, not too close to its ends. */
   static void add_roots(const EdgeFunction::Part &part, std::vector<double> &breaks)
   {
-    // first + slope tau - 4 bulge tau^2, in the form that does not cancel.
+    // first + slope τ - 4 bulge τ², in the form that does not cancel.
     const double slope = part.last - part.first + 4. * part.bulge;
     const double square = slope * slope + 16. * part.bulge * part.first;
     if (square < 0.)
@@ -80,7 +80,7 @@ private:
       if (tau > 1e-9 && tau < 1. - 1e-9)
         breaks.push_back(part.start + tau * (part.end - part.start));
   }
-  /** The remainder between two breaks: there it is one of b - e, b and 0. */
+  /** Returns the remainder between two breaks: there it is one of b - e, b and 0. */
   EdgeFunction::Part on(const EdgeFunction::Part &b,
                         const EdgeFunction::Part &lack,
                         const double start,
@@ -117,13 +117,13 @@ std::string describe(const std::string &reason, const SidePlace &place, const Sc
   return text.str();
 }
 
-/** int_F tau_n (d - w_n). */
+/** Returns ∫_F τ_n (d - w_n). */
 double contact_term(const ContactTrace &trace, const LiftField &lift, const unsigned int face)
 {
   static const dealii::QGauss<1> gauss(4);
   const PenetrationFace &F = trace.faces()[face];
   double sum = 0.;
-  // Those of d and p_H, and where w_n has kinks.
+  // The parts are those of d and p_H, cut where w_n has kinks.
   for (const EdgeFunction::Part &part : lift.remainder(face).parts())
     for (unsigned int q = 0; q < gauss.size(); ++q)
     {
@@ -227,7 +227,7 @@ std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
   return std::sqrt(dealii::Utilities::MPI::sum(local, space.mesh().communicator()));
 }
 
-// What the bound of pi^{2h} u_h needs of the stress.
+// The part of the stress that the bound of π^{2h} u_h needs.
 
 void EquilibratedStress::integrate_patches(const CellState &state, CellIntegrals &result) const
 {
@@ -267,7 +267,7 @@ void EquilibratedStress::integrate_patches(const CellState &state, CellIntegrals
       add_dual(point, of_bubbles, dual);
       if (!holds_back)
         continue;
-      // u_D - pi^{2h} u_h = (u_D - u_h) - b.
+      // u_D - π^{2h} u_h = (u_D - u_h) - b.
       const Components z =
         difference(lift_.strain(cell, point), strain_of(gradients, bubbles_->held_back(cell)));
       energy.add(point, contraction(z, law.stress(z)));

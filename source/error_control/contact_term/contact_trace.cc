@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The penetration of u_h or pi^{2h} u_h along Gamma_c, and the contact nodes.
+// The penetration of u_h or π^{2h} u_h along Γ_c, and the contact nodes.
 
 #include <signorini/error_control/contact_term/contact_trace.h>
 #include <signorini/postprocessing/fields/contact_pressure.h>
@@ -74,7 +74,7 @@ void ContactTrace::find_faces(const dealii::Vector<double> &P, const std::vector
     face.number = i;
     if (!fields.empty())
       face.field = fields[i];
-    // Where pi^{2h} u_h = u_h but for rounding, the contact term would be rounding, and the root of
+    // Where π^{2h} u_h = u_h but for rounding, the contact term would be rounding, and the root of
     // rounding is not.
     if (std::abs(face.field.bubble) <= rounding)
       face.field.bubble = 0.;

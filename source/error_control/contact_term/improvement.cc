@@ -22,14 +22,14 @@ double product(const std::vector<double> &a, const std::vector<double> &b)
   return sum;
 }
 
-/** a += factor b. */
+/** Adds factor b to a. */
 void add(std::vector<double> &a, const double factor, const std::vector<double> &b)
 {
   for (std::size_t i = 0; i < a.size(); ++i)
     a[i] += factor * b[i];
 }
 
-/** Below this share of the square of tau, the misfit is rounding. */
+/** The share of the square of τ below which the misfit is rounding. */
 constexpr double rounding = 1e-20;
 
 std::vector<unsigned int> pulling(const EdgeMesh &mesh,
@@ -76,7 +76,7 @@ std::vector<double> EquilibratedStress::improve(const ImprovementOptions &option
   for (const unsigned int edge : free)
   {
     mesh_.set_freedom(edge, EdgeFreedom::normal);
-    // int_e b.delta tau n with delta tau n from its moments: what the residual of pi^{2h} u_h has
+    // ∫_e b.δ τ n with δ τ n from its moments: what the residual of π^{2h} u_h has
     // more than that of u_h, for stresses without loads.
     for (unsigned int i = 0; i < 4; ++i)
       at_start.r[4 * edge + i] += 2. / 3. * bubbles_->on_edge(edge)[i % 2];
@@ -153,7 +153,7 @@ EquilibratedStress::improve_step_by_step(Residual &left,
       return {edges, false};
     left.square -= decrease;
     left.square_of_patches -= decrease;
-    // Rounding may make the square for pi^{2h} u_h negative.
+    // Rounding may make the square for π^{2h} u_h negative.
     const double least =
       std::min(options.least_share * left.square,
                options.least_share_of_patches * std::max(0., left.square_of_patches));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// w in the body: columns of cells below contact faces, and energies.
+// The lift w in the body: columns of cells below contact faces, and energies.
 
 #include <signorini/error_control/contact_term/lift_field.h>
 
@@ -16,7 +16,7 @@ using dealii::GeometryInfo;
 using dealii::Point;
 using dealii::Tensor;
 
-/** d(N_v)/dx_k of the four bilinear shape functions. */
+/** Returns d(N_v)/dx_k of the four bilinear shape functions. */
 std::array<Tensor<1, 2>, 4> shape_gradients(const Point<2> &x)
 {
   std::array<Tensor<1, 2>, 4> gradients;
@@ -25,7 +25,8 @@ std::array<Tensor<1, 2>, 4> shape_gradients(const Point<2> &x)
   return gradients;
 }
 
-/** The distance from the edge @p entry in reference coordinates, and the position along it. */
+/** across() returns the distance from the edge @p entry in reference coordinates, along() the
+ * position along it. */
 double across(const Point<2> &x, const unsigned int entry)
 {
   return entry % 2 == 0 ? x[entry / 2] : 1. - x[entry / 2];
@@ -36,7 +37,7 @@ double along(const Point<2> &x, const unsigned int entry, const bool flipped)
   return flipped ? 1. - t : t;
 }
 
-/** At most so many cells per column. */
+/** The maximal number of cells per column. */
 constexpr unsigned int longest_column = 64;
 } // namespace
 

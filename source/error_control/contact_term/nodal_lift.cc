@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Forces at contact nodes and what they do there.
+// Forces at contact nodes and their displacements.
 
 #include <signorini/error_control/contact_term/nodal_lift.h>
 #include <signorini/solvers/contact/compliance.h>
@@ -20,14 +20,16 @@ namespace
 {
 using Vector = dealii::Vector<double>;
 
-/** Of the energy of a step, in products of forces and displacements: the steps themselves are then
- * below 1e-10. */
+/** The tolerance of the energy of a step, in products of forces and displacements: the steps
+ * themselves are then below 1e-10. */
 constexpr double nodal_tolerance = 1e-20;
 constexpr unsigned int most_solves = 40;
-/** A dense matrix of 70 MB, and its factors. */
+/** The maximal size of a dense matrix, which takes 70 MB with that size, and its factors as much.
+ */
 constexpr unsigned int most_nodes_of_kernel = 3000;
 
-/** The halves of faces beside each of the conditions: on one side, as condition and place are. */
+/** Returns the halves of faces beside each of the conditions, on the side of the condition's place.
+ */
 std::vector<Patch<2>> patches_around_nodes(const ContactTrace &trace,
                                            const std::vector<unsigned int> &numbers)
 {
@@ -178,7 +180,8 @@ double product(const Coupling::Column &a, const Coupling::Column &b)
   return sum;
 }
 
-/** The conditions of each node that is not held: one, or two in a corner of contact sides. */
+/** Returns the conditions of each node that is not held: one, or two in a corner of contact sides.
+ */
 std::vector<std::vector<unsigned int>> conditions_by_node(const Coupling &E)
 {
   std::vector<std::vector<unsigned int>> nodes;
@@ -200,8 +203,8 @@ std::vector<std::vector<unsigned int>> conditions_by_node(const Coupling &E)
   return nodes;
 }
 
-/** l with lacking - G l = 0 (or, with only_raise, <= 0) for two conditions with G = (a c; c b),
- * and |E l| as small as that allows. */
+/** Returns l with lacking - G l = 0 (or, with only_raise, ≤ 0) for two conditions with G = (a c; c
+ * b), and |E l| as small as possible. */
 std::array<double, 2> shortest_way(const double a,
                                    const double b,
                                    const double c,
@@ -221,7 +224,8 @@ std::array<double, 2> shortest_way(const double a,
            (a * lacking[1] - c * lacking[0]) / determinant}};
 }
 
-/** Moves w_n at contact nodes to (or, where it is below, up to) the targets by the shortest way. */
+/** Moves w_n at contact nodes by the shortest way to the targets; with only_raise, only where w_n
+ * is below them. */
 void impose(const Coupling &E, const Vector &targets, const bool only_raise, NodalVector &w)
 {
   for (const std::vector<unsigned int> &node : conditions_by_node(E))
@@ -240,7 +244,8 @@ void impose(const Coupling &E, const Vector &targets, const bool only_raise, Nod
   }
 }
 
-/** omega below one side, linear between its contact nodes, with the depth of the layer. */
+/** The function ω below one side, linear between its contact nodes, with the depth of the
+ * layer. */
 class Layer
 {
 public:
@@ -281,7 +286,7 @@ public:
   }
 
 private:
-  /** Zero beyond the ends. */
+  /** Returns ω at s, zero beyond the ends. */
   double omega(const double s) const
   {
     const double tolerance = 1e-10 * depth_;
@@ -303,7 +308,8 @@ private:
   std::map<double, double> nodes_;
 };
 
-/** The layers of all contact sides at the nodes, with the given w_n at contact nodes. */
+/** Interpolates the layers of all contact sides at the nodes, with the given w_n at contact nodes.
+ */
 NodalVector interpolate_layers(const DisplacementSpace<2> &space,
                                const Scene<2> &scene,
                                const ContactTrace &trace,
@@ -332,8 +338,8 @@ NodalVector interpolate_layers(const DisplacementSpace<2> &space,
   return w;
 }
 
-/** E^T A^{-1} D P: the last column of [E, D P]^T A^{-1} [E, D P], which a trailing factor gives
- * without a solve. */
+/** Returns Eᵀ A⁻¹ D P: the last column of [E, D P]^T A⁻¹ [E, D P], which a trailing factor
+ * gives without a solve. */
 Vector pushed_by(const Vector &P,
                  const Coupling &condensed_D,
                  const Coupling &E,
@@ -360,7 +366,7 @@ Vector pushed_by(const Vector &P,
   return pushed;
 }
 
-/** The solution of the dual problem of dual_lift(). */
+/** Returns the solution of the dual problem of dual_lift(). */
 NodalVector pressed_displacement(const DisplacementSpace<2> &space,
                                  const ContactTrace &trace,
                                  const Coupling &condensed_D,
@@ -435,7 +441,7 @@ NodalVector dual_lift(const DisplacementSpace<2> &space,
   NodalVector w(space.dofs().n_dofs());
   if (!C.numbers().empty())
     w = pressed_displacement(space, trace, condensed_D, inverse, P, required, C);
-  // What the solver's tolerance leaves, and pins.
+  // This corrects the remainder of the solver's tolerance, and pins.
   impose(trace.normals(), required, true, w);
   space.distribute_without_pins(w);
   return w;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a better pressure than p_H does to the displacement.
+// The displacement z_h that belongs to a better pressure than p_H.
 
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/elasticity/traces.h>
@@ -19,7 +19,7 @@ namespace Signorini
 {
 namespace
 {
-/** Faces per patch of the partition that pressures are recovered from. */
+/** The number of faces per patch of the partition that pressures are recovered from. */
 constexpr unsigned int recovery_ratio = 2;
 
 bool presses_nowhere(const dealii::Vector<double> &P)
@@ -27,8 +27,8 @@ bool presses_nowhere(const dealii::Vector<double> &P)
   return std::none_of(P.begin(), P.end(), [](const double p) { return p < 0.; });
 }
 
-/** P of the dual problem on another partition; none where a patch sees no free node, or where the
- * solver fails. */
+/** Returns P of the dual problem on another partition; none where a patch contains no free node, or
+ * where the solver fails. */
 template <int dim>
 std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multipliers,
                                                const PressureData<dim> &data)
@@ -50,9 +50,8 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multi
                                                 multipliers.surface().patches()));
 }
 
-/**
- * The recovered pressure, shifted on every patch so that its mean is that of p_H, and nowhere
- * positive. R^H p - p_H converges faster than p - p_H, see (25). The means of a line through the
+/** The recovered pressure, shifted on every patch so that its mean is that of p_H, and cut off at
+ * zero. R^H p - p_H converges faster than p - p_H, see (25). The means of a line through the
  * middles of patches do not, and whole patches act on the body far more than what varies on them.
  */
 template <int dim>
@@ -84,7 +83,7 @@ private:
   dealii::Vector<double> shifts_;
 };
 
-/** z_h for a load. */
+/** Returns z_h for a load. */
 template <int dim>
 PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &data)
 {
@@ -168,7 +167,7 @@ template PressureCorrection correct_pressure(const PressureData<3> &);
 
 namespace
 {
-/** Squares of norms of v - w, of a cell or of the body. */
+/** The squares of norms of v - w, of a cell or of the body. */
 struct Squares
 {
   double values = 0.;
@@ -184,8 +183,8 @@ struct Squares
   }
 };
 
-/** v is the patch interpolation over @p fine generations, w over one less; every chunk of cells
- * has its own. */
+/** Integrates v - w, where v is the patch interpolation over @p fine generations and w that over
+ * one less. Every chunk of cells has its own object. */
 template <int dim>
 class Distance
 {
@@ -232,7 +231,7 @@ public:
   }
 
 private:
-  /** Null: energies are not wanted. */
+  /** The material; null if energies are not wanted. */
   const Material<dim> *material_;
   const NodalVector &U_;
   dealii::FEValues<dim> values_;
@@ -240,7 +239,7 @@ private:
   dealii::SymmetricTensor<4, dim> hooke_;
 };
 
-/** The sums over all ranks; the threads' parts are added up in the order of cells. */
+/** Returns the sums over all ranks; the parts of the threads are added up in the order of cells. */
 template <int dim>
 Squares integrate(const DisplacementSpace<dim> &space,
                   const Material<dim> *const material,
@@ -263,7 +262,7 @@ Squares integrate(const DisplacementSpace<dim> &space,
   return sum;
 }
 
-/** ‖.‖_1 with lengths in the given unit, up to that unit's own power. */
+/** Returns ‖.‖_1 with lengths in the given unit, up to that unit's own power. */
 double norm_1(const Squares &squares, const double unit_of_length)
 {
   return std::sqrt(squares.values / (unit_of_length * unit_of_length) + squares.gradients);

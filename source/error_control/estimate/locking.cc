@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Whether bilinear elements can follow a nearly incompressible body.
+// The locking number of bilinear elements in nearly incompressible bodies.
 
 #include <signorini/error_control/estimate/locking.h>
 
@@ -14,7 +14,7 @@ namespace Signorini
 {
 namespace
 {
-/** K/mu of a tensor. */
+/** Returns K/μ of Hooke's tensor. */
 double bulk_to_shear(const dealii::SymmetricTensor<4, 2> &E)
 {
   const double bulk = (E[0][0][0][0] + 2. * E[0][0][1][1] + E[1][1][1][1]) / 4.;
@@ -26,8 +26,8 @@ double bulk_to_shear(const dealii::SymmetricTensor<4, 2> &E)
   return bulk / (0.5 * smallest);
 }
 
-/** In space there are five independent deviators of norm one; the smallest d:E:d is an eigenvalue.
- */
+/** Returns the same in 3-D, where there are five independent deviators of norm one and the smallest
+ * d:E:d is an eigenvalue. */
 double bulk_to_shear(const dealii::SymmetricTensor<4, 3> &E)
 {
   using Strain = dealii::SymmetricTensor<2, 3>;
@@ -50,8 +50,8 @@ double bulk_to_shear(const dealii::SymmetricTensor<4, 3> &E)
   return (unit * (E * unit)) / 9. / (0.5 * eigenvalues[0]);
 }
 
-/** The largest K/mu at one point of each cell of the level, or of a coarser one that is fine enough
- * to show how E varies. */
+/** Returns the largest K/μ at one point of each cell of the level, or of a coarser one that is
+ * fine enough to show how E varies. */
 template <int dim>
 double largest_bulk_to_shear(const Mesh<dim> &mesh, const Material<dim> &material)
 {

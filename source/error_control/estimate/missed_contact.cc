@@ -15,7 +15,7 @@ namespace Signorini
 {
 namespace
 {
-/** Whether the closures of two patches meet. */
+/** Returns whether the closures of two patches meet. */
 bool touch(const Patch<3> &a, const Patch<3> &b)
 {
   const double tolerance = 1e-6 * a.diameter();
@@ -27,7 +27,7 @@ bool touch(const Patch<3> &a, const Patch<3> &b)
   return true;
 }
 
-/** Whether a patch presses or touches one that does. */
+/** Returns whether a patch presses or touches one that does. */
 bool is_near_contact(const MultiplierSpace<3> &multipliers,
                      const dealii::Vector<double> &P,
                      const Patch<3> &patch)
@@ -39,7 +39,7 @@ bool is_near_contact(const MultiplierSpace<3> &multipliers,
   return false;
 }
 
-/** Of the softer one of pressing and shearing. */
+/** Returns the modulus of the softer one of pressing and shearing. */
 double modulus_at(const Scene<3> &scene, const dealii::Point<3> &x)
 {
   const dealii::SymmetricTensor<4, 3> E = scene.material->hooke(x);

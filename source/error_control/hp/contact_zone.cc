@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// u_n - g where the body presses.
+// The misfit u_n - g where the body presses.
 
 #include <signorini/discretization/elasticity/traces.h>
 #include <signorini/error_control/hp/contact_zone.h>
@@ -14,7 +14,7 @@ namespace Signorini
 {
 namespace
 {
-/** Whether all multipliers of a patch press. */
+/** Returns whether all multipliers of a patch press. */
 bool presses_everywhere(const MultiplierSpace<2> &multipliers,
                         const dealii::Vector<double> &P,
                         const unsigned int patch)
@@ -61,7 +61,7 @@ void add_contact_misfit(const DisplacementSpace<2> &space,
 
 namespace
 {
-/** What u_n - g does on a patch, and whether a multiplier presses. */
+/** The extreme values of u_n - g on a patch, and whether a multiplier presses. */
 struct PatchState
 {
   unsigned int cell = 0;
@@ -69,7 +69,7 @@ struct PatchState
   bool presses = false;
 };
 
-/** u_n - g on a piece of the contact surface. */
+/** Samples u_n - g on a piece of the contact surface. */
 class Penetration
 {
 public:
@@ -82,7 +82,7 @@ public:
   {
   }
 
-  /** At equal distances between two positions of a piece. */
+  /** Samples at equal distances between two positions of a piece. */
   const std::vector<double> &sample(const Piece<2> &piece, const double from, const double to)
   {
     positions_.clear();
@@ -97,8 +97,8 @@ public:
     return values_;
   }
 
-  /** Adds what a piece tells about its patch. Around the deepest point the next samples are closer
-   * to each other: a tip may touch between those of the whole face. */
+  /** Adds the samples of a piece to the state of its patch. Around the deepest point the next
+   * samples are closer to each other: a tip may touch between those of the whole face. */
   void look_at(const Piece<2> &piece, PatchState &state)
   {
     constexpr unsigned int n_zooms = 3;

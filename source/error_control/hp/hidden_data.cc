@@ -15,16 +15,18 @@ namespace Signorini
 {
 namespace
 {
-/** Layers that need more splits are refused, and what sides hide is left alone. */
+/** The limits of splitting. A material whose layers need more splits is refused; hidden data of
+ * sides are accepted. */
 constexpr unsigned int most_splits_in_body = 16, most_splits_on_sides = 24, most_split_cells = 2000;
 
-/** The lines of a cell that are sampled. Near their ends the distances are 2^-k. */
+/** The positions of the lines of a cell that are sampled. Near their ends the distances are 2^-k.
+ */
 constexpr std::array<double, 5> sampled_lines = {{0.081, 0.293, 0.517, 0.714, 0.923}};
 constexpr unsigned int n_points_at_ends = 20;
 
 using Values = std::vector<double>;
 
-/** Positions between 0 and 1: @p n at equal distances, then those near the ends. */
+/** Returns positions between 0 and 1: @p n at equal distances, then those near the ends. */
 std::vector<double> sample_positions(const unsigned int n)
 {
   std::vector<double> positions;
@@ -35,7 +37,7 @@ std::vector<double> sample_positions(const unsigned int n)
   return positions;
 }
 
-/** A point of a cell, bilinear in its reference coordinates. */
+/** Returns a point of a cell, bilinear in its reference coordinates. */
 dealii::Point<2> point_of(const dealii::Triangulation<2>::active_cell_iterator &cell,
                           const double s,
                           const double t)
@@ -44,15 +46,15 @@ dealii::Point<2> point_of(const dealii::Triangulation<2>::active_cell_iterator &
                           (1. - s) * t * cell->vertex(2) + s * t * cell->vertex(3));
 }
 
-/** Logarithms of moduli. */
+/** Returns the logarithms of the moduli. */
 Values log_moduli(const Material<2> &material, const dealii::Point<2> &x)
 {
   const dealii::SymmetricTensor<4, 2> E = material.relative_hooke(x);
   return {std::log(E[0][0][0][0]), std::log(E[1][1][1][1]), std::log(E[0][1][0][1])};
 }
 
-/** E_a/E_h - 1 with the arithmetic and the harmonic mean of the moduli on a cell, the largest of
- * them, where they jump; zero where they do not. */
+/** Returns the largest E_a/E_h - 1, with the arithmetic and the harmonic mean of each modulus on a
+ * cell, where the moduli jump; zero where they do not. */
 double jump_share(const Material<2> &material,
                   const dealii::Triangulation<2>::active_cell_iterator &cell)
 {
@@ -80,7 +82,8 @@ double jump_share(const Material<2> &material,
   return share;
 }
 
-/** The values that rules see, and whether another one is far from all of them. */
+/** The range of the values at the points of a rule; is_far() returns whether another value is far
+ * from all of them. */
 class SeenRange
 {
 public:
@@ -109,7 +112,7 @@ private:
   Values low_, high_;
 };
 
-/** Looks at cells while a mesh is made. */
+/** Decides about splits of cells while a mesh is made. */
 class DataProbe
 {
 public:
@@ -156,7 +159,7 @@ public:
     plan_.demands[cell->id()].split = true;
     return true;
   }
-  /** Where the material hides for good. */
+  /** Returns the place where the material hides after all splits. */
   const std::optional<dealii::Point<2>> &hidden() const
   {
     return hidden_;
@@ -165,7 +168,7 @@ public:
 private:
   static constexpr unsigned int most_points = 1000;
 
-  /** The data of a side; empty where there is none, or no value. */
+  /** Returns the data of a side; empty where there is none, or no value. */
   Values on_side(const unsigned int side, const double s) const
   {
     const FunctionPointer<2> &data = scene_.boundary[side].data;
@@ -204,8 +207,8 @@ private:
     return {};
   }
 
-  /** Whether the data of a side hides on a face, or a rule does not find the force of a traction:
-   * it would act from step to step as another load. */
+  /** Returns whether the data of a side hides on a face, or a rule misses the force of a traction:
+   * it would act as another load in each step. */
   bool hides_on_side(const Cell &cell, const unsigned int n) const
   {
     for (const auto &face : cell->face_iterators())
@@ -263,9 +266,9 @@ private:
   static constexpr unsigned int n_gauss = 4;
   const Scene<2> &scene_;
   MeshPlan &plan_;
-  /** The largest component, and about the force of its absolute value. */
+  /** The largest component, and the approximate force of its absolute value. */
   std::vector<double> largest_on_side_, force_on_side_;
-  /** Cells in which nothing hides. */
+  /** The cells in which nothing hides. */
   std::set<dealii::CellId> looked_at_;
   unsigned int n_split_ = 0;
   std::optional<dealii::Point<2>> hidden_;

@@ -11,29 +11,29 @@ namespace Signorini
 {
 namespace
 {
-/** By which the error shall fall in a full step. */
+/** The factor by which the error should fall in a full step. */
 constexpr double reduction = 12.;
 
-/** More layers in a full step at an end of contact, where u ~ r^{3/2}. */
+/** The number of additional layers in a full step at an end of contact, where u ~ r^{3/2}. */
 constexpr double layers_per_step = 3.;
 constexpr double exponent_at_ends = 1.5;
 
-/** Smaller exponents would ask for more layers than a mesh can have. */
+/** The smallest exponent: smaller ones would need more layers than a mesh can have. */
 constexpr double smallest_exponent = 0.2;
 
-/** How much the degree rises far away from singularities in a full step. */
+/** The rise of the degree far away from singularities in a full step. */
 constexpr double rise_per_step = 1.5;
 
-/** Above this decay a cell is split, below it gets a higher degree. */
+/** The decay above which a cell is split. Below it, the degree rises. */
 constexpr double slow_decay = 0.4;
 
-/** The share of a full step that leads to the goal. */
+/** Returns the share of a full step that leads to the goal. */
 double step_length(const double error, const double goal)
 {
   return std::min(1., std::max(1. / 3., std::log(error / goal) / std::log(reduction)));
 }
 
-/** The part of the indicators that lies at a singularity. */
+/** Returns the part of the indicators that lies at a singularity. */
 double error_at(const Singularity &singularity,
                 const Scene<2> &scene,
                 const Mesh<2> &mesh,
@@ -59,18 +59,18 @@ Singularity end_of_contact(const ContactBracket &bracket,
           layers};
 }
 
-/** What the next step wants, in units of the indicators. */
+/** The goals of the next step, in units of the indicators. */
 struct Goal
 {
-  /** Of all cells together. */
+  /** The error of all cells together. */
   double error;
-  /** Of one cell. */
+  /** The error of one cell. */
   double per_cell;
   /** The share of a full step. */
   double length;
 };
 
-/** lambda as the error at the place shows it: 2^{-lambda} per layer. */
+/** Returns λ as observed from the error at the place, which falls by 2^{-λ} per layer. */
 double observed_exponent(const Singularity &known, const double error)
 {
   const double more_layers = known.layers - known.last_layers;
@@ -80,7 +80,7 @@ double observed_exponent(const Singularity &known, const double error)
   return std::max(smallest_exponent, std::min(known.exponent, observed));
 }
 
-/** Whether u_h does not look analytic in the cells at a place. */
+/** Returns whether u_h does not look analytic in the cells at a place. */
 bool is_rough(const Singularity &place,
               const Scene<2> &scene,
               const Mesh<2> &mesh,
@@ -92,7 +92,7 @@ bool is_rough(const Singularity &place,
   return false;
 }
 
-/** Corners and kinks with the layers of the next mesh. */
+/** Returns corners and kinks with the layers of the next mesh. */
 std::vector<Singularity> grade_places(const MeshPlan &plan,
                                       const Scene<2> &scene,
                                       const Mesh<2> &mesh,
@@ -121,7 +121,7 @@ std::vector<Singularity> grade_places(const MeshPlan &plan,
   return places;
 }
 
-/** The kink at which contact ends, if there is one in the bracket or next to it. */
+/** Returns the kink at which contact ends, if there is one in the bracket or next to it. */
 Singularity *kink_in(const ContactBracket &bracket, std::vector<Singularity> &places)
 {
   const double width = bracket.to - bracket.from;
@@ -132,7 +132,7 @@ Singularity *kink_in(const ContactBracket &bracket, std::vector<Singularity> &pl
   return nullptr;
 }
 
-/** The end of contact of the mesh before that is nearest on the same side. */
+/** Returns the end of contact of the mesh before that is nearest on the same side. */
 const Singularity *end_before(const Singularity &end, const MeshPlan &plan)
 {
   const Singularity *found = nullptr;
@@ -143,7 +143,7 @@ const Singularity *end_before(const Singularity &end, const MeshPlan &plan)
   return found;
 }
 
-/** The singular places of the next mesh with their layers. */
+/** Sets the singular places of the next mesh with their layers. */
 void grade(const MeshPlan &plan,
            const Scene<2> &scene,
            const Mesh<2> &mesh,
@@ -202,7 +202,7 @@ void demand(const Scene<2> &scene,
   }
 }
 
-/** A corner at which u may be singular. */
+/** Adds a corner at which u may be singular. */
 void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan)
 {
   constexpr double of_logarithm = 1.;
@@ -222,7 +222,8 @@ void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan)
     plan.singularities.push_back(place);
 }
 
-/** The points of a side at which data has a kink: an end of contact, or the end of an interface. */
+/** Adds the points of a side at which data has a kink: an end of contact, or the end of an
+ * interface. */
 void add_kinks(const unsigned int side, const Scene<2> &scene, MeshPlan &plan)
 {
   const Side<2> &curve = scene.geometry.sides[side];

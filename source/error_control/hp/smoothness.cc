@@ -14,7 +14,7 @@ namespace Signorini
 {
 namespace
 {
-/** Where FE_Q has the node (i, j) of the grid, for i + (p + 1) j. */
+/** Returns the number in FE_Q of the node (i, j) of the grid, for i + (p + 1) j. */
 const std::vector<unsigned int> &numbers_on_grid(const unsigned int degree)
 {
   thread_local std::map<unsigned int, std::vector<unsigned int>> known;
@@ -102,7 +102,7 @@ std::vector<dealii::Tensor<2, 2>> CellField::gradients(const LineTable &x, const
 
 namespace
 {
-/** Legendre's polynomial of degree n on [0, 1]. */
+/** Returns the value of Legendre's polynomial of degree n on [0, 1]. */
 double legendre(const unsigned int n, const double x)
 {
   const double t = 2. * x - 1.;
@@ -116,8 +116,8 @@ double legendre(const unsigned int n, const double x)
   return value;
 }
 
-/** From values at the nodes of an edge to the orthonormal Legendre coefficients 0, ..., p - 1 of
- * the derivative, and the weights of Gauss and Lobatto at the nodes. */
+/** The matrix that takes values at the nodes of an edge to the orthonormal Legendre coefficients 0,
+ * ..., p - 1 of the derivative, and the weights of Gauss and Lobatto at the nodes. */
 struct Analysis
 {
   explicit Analysis(const unsigned int degree)
@@ -140,7 +140,7 @@ struct Analysis
   std::vector<double> weights;
 };
 
-/** ‖s_i‖ of the reference cell along coordinate d. */
+/** Returns ‖s_i‖ of the reference cell along coordinate d. */
 std::vector<double> parts_along(const unsigned int d, const CellField &u, const Analysis &analysis)
 {
   const unsigned int p = u.degree();
@@ -159,14 +159,14 @@ std::vector<double> parts_along(const unsigned int d, const CellField &u, const 
   return squares;
 }
 
-/** The missing parts, from a line through the logarithms of the last ones. */
+/** Returns the missing parts, from a line through the logarithms of the last ones. */
 CellIndicator extrapolate(const std::vector<double> &parts)
 {
   constexpr unsigned int most_parts = 4;
   constexpr double slowest = 0.9, fastest = 0.02;
   const unsigned int p = parts.size();
   const unsigned int first = p > most_parts ? p - most_parts : 0;
-  // What is rounding against the largest part carries no slope.
+  // Parts that are rounding against the largest one do not enter the slope.
   const double negligible = 1e-13 * *std::max_element(parts.begin(), parts.end());
   double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
   for (unsigned int i = first; i < p; ++i)
@@ -186,8 +186,8 @@ CellIndicator extrapolate(const std::vector<double> &parts)
   return {next / std::sqrt(1. - rho * rho), rho};
 }
 
-/** The area of the quadrilateral of the vertices. From differences only: cells may be 1e-9 of their
- * distance from the origin. */
+/** Returns the area of the quadrilateral of the vertices. It is computed from differences only:
+ * cells may be 1e-9 of their distance from the origin. */
 double area_of(const dealii::Triangulation<2>::active_cell_iterator &cell)
 {
   const dealii::Tensor<1, 2> first = cell->vertex(3) - cell->vertex(0);

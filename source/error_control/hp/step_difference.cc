@@ -57,7 +57,7 @@ struct Window
   std::array<double, 2> corner = {{0., 0.}};
   double edge = 1.;
 
-  /** The quarter of this part that is the given child. */
+  /** Returns the quarter of this part that is the given child. */
   Window quarter(const unsigned int child) const
   {
     return {
@@ -66,7 +66,7 @@ struct Window
   }
 };
 
-/** Which child of its parent a cell is. */
+/** Returns the number of a cell among the children of its parent. */
 unsigned int child_number(const MeshCell &cell)
 {
   unsigned int child = 0;
@@ -75,8 +75,8 @@ unsigned int child_number(const MeshCell &cell)
   return child;
 }
 
-/** The smallest cell of another mesh that contains a cell, with the part of it that the cell is; or
- * the cell itself, where it has children there. */
+/** Returns the smallest cell of another mesh that contains a cell, with the part of it that the
+ * cell is; or the cell itself, where it has children there. */
 std::pair<MeshCell, Window> find_in(const dealii::Triangulation<2> &other,
                                     const dealii::Triangulation<2>::active_cell_iterator &cell)
 {
@@ -170,12 +170,12 @@ private:
   bool constant_;
   dealii::SymmetricTensor<4, 2> hooke_;
   dealii::FE_Nothing<2> no_functions_;
-  /** By degree and number of points. */
+  /** The tables, by degree and number of points. */
   std::map<std::pair<unsigned int, unsigned int>, LineTable> tables_;
   std::map<std::pair<const Mesh<2> *, unsigned int>, std::unique_ptr<dealii::FEValues<2>>> values_;
 };
 
-/** All active descendants of a cell with their windows in it. */
+/** Visits all active descendants of a cell with their windows in it. */
 template <typename Visitor>
 void for_each_part(const MeshCell &cell, const Window &window, const Visitor &visit)
 {

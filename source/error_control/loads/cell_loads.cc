@@ -22,7 +22,7 @@ Vector2 rotated(const Vector2 &a)
   return Vector2({-a[1], a[0]});
 }
 
-/** Components of a in the basis g_1, g_2. */
+/** Returns the components of a in the basis g_1, g_2. */
 Vector2 in_basis(const Vector2 &a, const Vector2 &g1, const Vector2 &g2)
 {
   return Vector2({cross(a, g2), cross(g1, a)}) / cross(g1, g2);
@@ -37,8 +37,8 @@ Vector2 g2_of(const CellShape &shape)
   return 0.5 * (shape.corners[3] - shape.corners[0]);
 }
 
-/** int (x - x_K)(x - x_K)^T over the cell: per triangle A/12 times the sum over its vertices, about
- * its own centre. */
+/** Returns ∫ (x - x_K)(x - x_K)ᵀ over the cell: per triangle A/12 times the sum over its
+ * vertices, about its own centre. */
 Matrix2 second_moments(const CellShape &shape)
 {
   Matrix2 sum;
@@ -53,7 +53,7 @@ Matrix2 second_moments(const CellShape &shape)
   return sum;
 }
 
-/** c + G (x - x_K) with the force and the first moments of the nodal forces. */
+/** The linear force c + G (x - x_K) with the force and the first moments of the nodal forces. */
 struct LinearForce
 {
   LinearForce(const CellShape &shape, const std::array<Vector2, 4> &nodal)
@@ -70,7 +70,10 @@ struct LinearForce
   Matrix2 first_moments, gradient;
 };
 
-/** Sets the loads of the triangles. @return the square of the L2-distance from the linear force. */
+/**
+ * Sets the loads of the triangles.
+ * @return the square of the L2-distance from the linear force.
+ */
 double distribute(const CellShape &shape, const LinearForce &force, CellLoad &load)
 {
   double moment = force.first_moments[1][0] - force.first_moments[0][1], inertia = 0.;
@@ -96,7 +99,7 @@ double distribute(const CellShape &shape, const LinearForce &force, CellLoad &lo
   return square;
 }
 
-/** Whether finer quadrature gives the same load. */
+/** Returns whether finer quadrature gives the same load. */
 bool agree(const CellLoad &load, const CellLoad &finer)
 {
   constexpr double tolerance = 1e-4;
@@ -155,7 +158,7 @@ private:
   ForceAtPoints sample_;
 };
 
-/** The load of a cell, with the finer points where they are given and change it. */
+/** Returns the load of a cell, with the finer points where they are given and change it. */
 template <typename CellIterator>
 CellLoad checked_load(const CellShape &shape,
                       const CellIterator &cell,
@@ -183,8 +186,8 @@ Components CellLoad::stress(const CellShape &shape, const dealii::Point<2> &refe
 
 CellMoments CellLoad::moments(const CellShape &shape) const
 {
-  // The traction times |e| on edge 0 is -2 J slope[2] xi g_2, on edge 1 -2 J slope[1] eta g_1, with
-  // the opposite sign of xi and eta along the opposite edges.
+  // The traction times |e| on edge 0 is -2 J slope[2] ξ g_2, on edge 1 -2 J slope[1] η g_1, with
+  // the opposite sign of ξ and η along the opposite edges.
   const Vector2 g1 = g1_of(shape), g2 = g2_of(shape);
   const double J = cross(g1, g2);
   const Vector2 first = J * slope[2] / 3. * g2, second = J * slope[1] / 3. * g1;

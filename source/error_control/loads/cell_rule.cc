@@ -21,7 +21,7 @@ double twice_area(const Triangle &x)
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/** Barycentric coordinates with weights whose sum is one. */
+/** A point in barycentric coordinates with its weight; the weights of a rule have the sum one. */
 struct TrianglePoint
 {
   std::array<double, 3> lambda;
@@ -29,13 +29,13 @@ struct TrianglePoint
 };
 using TriangleRule = std::vector<TrianglePoint>;
 
-/** The mid-points of the edges: degree two. */
+/** Returns the rule with the mid-points of the edges, of degree two. */
 TriangleRule midpoint_rule()
 {
   return {{{{0., 0.5, 0.5}}, 1. / 3.}, {{{0.5, 0., 0.5}}, 1. / 3.}, {{{0.5, 0.5, 0.}}, 1. / 3.}};
 }
 
-/** Six points of degree four (Strang and Fix). */
+/** Returns the rule with six points, of degree four (Strang and Fix). */
 TriangleRule quartic_rule()
 {
   const double root = std::sqrt(10.), inner = std::sqrt(38. - 44. * std::sqrt(0.4));
@@ -54,7 +54,8 @@ TriangleRule quartic_rule()
   return rule;
 }
 
-/** n x n Gauss points of the square, collapsed to the triangle: degree 2 n - 2. */
+/** Makes the rule with n x n Gauss points of the square, collapsed to the triangle, of degree 2 n -
+ * 2. */
 TriangleRule make_collapsed_rule(const unsigned int n)
 {
   const dealii::QGauss<1> gauss(n);
@@ -69,7 +70,7 @@ TriangleRule make_collapsed_rule(const unsigned int n)
   return rule;
 }
 
-/** The same, made once for every n that is used here. */
+/** Returns the same rule, made once for every n that is used here. */
 const TriangleRule &collapsed_rule(const unsigned int n)
 {
   static const std::vector<TriangleRule> rules = []() {
@@ -81,7 +82,7 @@ const TriangleRule &collapsed_rule(const unsigned int n)
   return rules.at(n);
 }
 
-/** The parts of triangles on both sides of a line, as triangles. */
+/** Returns the parts of triangles on both sides of a line, as triangles. */
 std::vector<Triangle> cut(const std::vector<Triangle> &triangles, const KinkLine<2> &line)
 {
   std::vector<Triangle> parts;
@@ -111,7 +112,7 @@ std::vector<Triangle> cut(const std::vector<Triangle> &triangles, const KinkLine
   return parts;
 }
 
-/** The parts into which lines cut a triangle, divided further. */
+/** Returns the parts into which lines cut a triangle, divided further. */
 std::vector<RulePart> parts_of(const Triangle &whole,
                                const std::vector<KinkLine<2>> &lines,
                                const TriangleDivision &divide)
@@ -133,7 +134,7 @@ std::vector<RulePart> parts_of(const Triangle &whole,
   return parts;
 }
 
-/** The barycentric coordinates of a point in a triangle. */
+/** Returns the barycentric coordinates of a point in a triangle. */
 std::array<double, 3> barycentric(const Triangle &triangle, const dealii::Point<2> &x)
 {
   std::array<double, 3> lambda;
@@ -143,7 +144,7 @@ std::array<double, 3> barycentric(const Triangle &triangle, const dealii::Point<
   return lambda;
 }
 
-/** Derivatives along s and t. */
+/** The derivatives of a map along s and t. */
 struct Jacobian
 {
   Vector2 d_s, d_t;
@@ -154,7 +155,8 @@ struct Jacobian
   }
 };
 
-/** Quadratic functions on [-1,1] that are one at -1, 0 and 1, or their derivatives. */
+/** quadratics() returns the values of the quadratic functions on [-1,1] that are one at -1, 0 and
+ * 1, quadratic_slopes() their derivatives. */
 std::array<double, 3> quadratics(const double s)
 {
   return {{0.5 * s * (s - 1.), 1. - s * s, 0.5 * s * (s + 1.)}};
@@ -164,8 +166,8 @@ std::array<double, 3> quadratic_slopes(const double s)
   return {{s - 0.5, -2. * s, s + 0.5}};
 }
 
-/** The maps of [-1,1]^2, from corner 0: the bilinear one x(s, t) = centre + e s + f t + g s t, and
- * the biquadratic one of curved cells. */
+/** The maps of [-1,1]² to the cell, relative to corner 0: the bilinear one x(s, t) = centre + e s +
+ * f t + g s t, and the biquadratic one of curved cells. */
 struct CellMap
 {
   explicit CellMap(const CellShape &shape)
@@ -179,7 +181,8 @@ struct CellMap
     f = 0.25 * (c + b - a);
     g = 0.25 * (b - a - c);
   }
-  /** The reference coordinates of a point, by Newton's method: one step on parallelograms. */
+  /** Returns the reference coordinates of a point, by Newton's method: one step on parallelograms.
+   */
   dealii::Point<2> inverse(const Vector2 &offset) const
   {
     double s = 0., t = 0.;
@@ -196,7 +199,7 @@ struct CellMap
     }
     return {s, t};
   }
-  /** Of the shape functions of the corners. */
+  /** Returns the gradients of the shape functions of the corners. */
   std::array<Vector2, 4> gradients(const dealii::Point<2> &reference,
                                    const Jacobian &jacobian) const
   {
@@ -220,7 +223,7 @@ struct CellMap
   {
     return {e + reference[1] * g, f + reference[0] * g};
   }
-  /** Of the curved cell. */
+  /** Returns the Jacobian of the curved cell. */
   Jacobian biquadratic(const dealii::Point<2> &reference) const
   {
     Jacobian sum = bilinear(reference);
@@ -233,7 +236,7 @@ struct CellMap
     }
     return sum;
   }
-  /** From the point of the quadrilateral to that of the curved cell. */
+  /** Returns the vector from the point of the quadrilateral to that of the curved cell. */
   Vector2 bulge(const dealii::Point<2> &reference) const
   {
     Vector2 sum;
@@ -243,7 +246,7 @@ struct CellMap
     return sum;
   }
 
-  /** The factors of the shape functions of the bulges. */
+  /** The indices of the factors of the shape functions of the bulges. */
   static constexpr std::array<unsigned int, 5> along_s = {{1, 2, 1, 0, 1}};
   static constexpr std::array<unsigned int, 5> along_t = {{0, 1, 2, 1, 1}};
   Vector2 centre, e, f, g;
@@ -260,7 +263,8 @@ void bend(const CellMap &map, StressPoint &point)
   point.gradients = map.gradients(point.reference, curved);
 }
 
-/** The smallest eigenvalue of Hooke's law in the orthonormal components (s11, s22, sqrt(2) s12). */
+/** Returns the smallest eigenvalue of Hooke's law in the orthonormal components (s11, s22, sqrt(2)
+ * s12). */
 double least_eigenvalue(const dealii::Tensor<2, 3> &matrix)
 {
   if (matrix[0][2] == 0. && matrix[1][2] == 0.)

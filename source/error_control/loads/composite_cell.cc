@@ -12,7 +12,8 @@ namespace
 {
 using Vector2 = dealii::Tensor<1, 2>;
 
-/** The outward normal of an edge with the direction d, counter-clockwise, times its length. */
+/** Returns the outward normal of an edge with the direction d, counter-clockwise, times its length.
+ */
 Vector2 scaled_normal(const Vector2 &d)
 {
   Vector2 normal;
@@ -22,17 +23,17 @@ Vector2 scaled_normal(const Vector2 &d)
 }
 
 /**
- * Stresses on the quadrilateral (1,0), (0,1), (-p,0), (0,-q), whose diagonals are the axes, without
- * a system of equations:
+ * The stresses on the quadrilateral (1,0), (0,1), (-p,0), (0,-q), whose diagonals are the axes,
+ * without a system of equations:
  *
- * 1. Corner k lies on axis alpha = k mod 2; beta is the other one. The tractions at both sides of
- *    the corner are known. tau_ab and tau_bb there are the same on the two triangles, as tractions
- *    across the axis are continuous: the beta-components of both tractions determine them, the
- *    alpha-components then tau_aa on either triangle.
- * 2. At the crossing tau_12 is the same on all triangles, and tau_bb on the two triangles at
- *    half-axis j with the direction alpha. The difference of their two equations
- *    (div tau)_b + d_b = 0 determines tau_bb, any one of them tau_12: the mean of four such values
- *    is taken, which are equal if moments and loads are in balance.
+ * 1. Corner k lies on axis α = k mod 2; β is the other one. The tractions at both sides of
+ * the corner are known. τ_ab and τ_bb there are the same on the two triangles, as tractions
+ * across the axis are continuous: the β-components of both tractions determine them, the
+ * α-components then τ_aa on either triangle.
+ * 2. At the crossing τ_12 is the same on all triangles, and τ_bb on the two triangles at
+ * half-axis j with the direction α. The difference of their two equations (div τ)_b + d_b = 0
+ * determines τ_bb, any one of them τ_12: the mean of four such values is taken, which are equal
+ * if moments and loads are in balance.
  */
 class ReferenceStress
 {
@@ -48,7 +49,7 @@ public:
     for (unsigned int k = 0; k < 4; ++k)
       normals_[k] = scaled_normal(corners[(k + 1) % 4] - corners[k]);
   }
-  /** Moments first, then loads. */
+  /** Returns the stress for the given data, moments first, then loads. */
   CompositeCell::Stresses operator()(const Sides &sides) const
   {
     // Stress (11, 22, 12) on triangle k at its corners k and k + 1 and at the crossing.
@@ -70,7 +71,7 @@ public:
   }
 
 private:
-  /** The traction times the length of edge k at its first or second end. */
+  /** Returns the traction times the length of edge k at its first or second end. */
   static Vector2 traction(const Sides &sides, const unsigned int k, const unsigned int end)
   {
     Vector2 t;
@@ -78,7 +79,7 @@ private:
       t[c] = 4. * sides[4 * k + 2 * end + c] - 2. * sides[4 * k + 2 * (1 - end) + c];
     return t;
   }
-  /** Step 1 for corner k, on the triangles before and after it. */
+  /** Does step 1 for corner k, on the triangles before and after it. */
   void solve_corner(const unsigned int k,
                     const Sides &sides,
                     Components &before,
@@ -93,7 +94,9 @@ private:
     before[a] = (s[a] - before[2] * mu[b]) / mu[a];
     after[a] = (t[a] - after[2] * nu[b]) / nu[a];
   }
-  /** Step 2 for half-axis j, on the triangles before and after it. @return tau_12 at the crossing.
+  /**
+   * Does step 2 for half-axis j, on the triangles before and after it.
+   * @return τ_12 at the crossing.
    */
   double solve_half_axis(const unsigned int j,
                          const Sides &sides,
@@ -110,12 +113,12 @@ private:
     return after[0][2] + at_[j] * (to_after * (after[1][b] - normal) + d_after);
   }
 
-  /** Positions of the corners on their axes. */
+  /** The positions of the corners on their axes. */
   std::array<double, 4> at_;
   std::array<Vector2, 4> normals_;
 };
 
-/** F s F^T for F = (a1, a2). */
+/** Returns F s Fᵀ for F = (a1, a2). */
 Components push_forward(const Components &s, const Vector2 &a1, const Vector2 &a2)
 {
   Components result;
@@ -182,7 +185,7 @@ CompositeCell::CompositeCell(const CellShape &shape)
   }
   const Vector2 a1 = shape.corners[0] - shape.crossing, a2 = shape.corners[1] - shape.crossing;
   const double J = cross(a1, a2);
-  // Pairs of columns belong to vectors: b' = F^{-1} b / det F and d' = F^{-1} d.
+  // Pairs of columns belong to vectors: b' = F⁻¹ b / det F and d' = F⁻¹ d.
   for (unsigned int j = 0; j < n_moments + n_loads; j += 2)
   {
     const double scale = j < n_moments ? 1. / (J * J) : 1. / J;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Piecewise quadratic functions on an edge, and how they are found.
+// Piecewise quadratic functions on an edge, and upper interpolants.
 
 #include <signorini/error_control/loads/edge_function.h>
 
@@ -23,7 +23,7 @@ double EdgeFunction::Part::slope(const double t) const
 
 double EdgeFunction::Part::largest() const
 {
-  // The derivative last - first + 4 bulge (1 - 2 tau) vanishes in the middle of a part if
+  // The derivative last - first + 4 bulge (1 - 2 τ) vanishes in the middle of a part if
   // |last - first| < 4 bulge.
   if (std::abs(last - first) >= 4. * bulge)
     return std::max(first, last);
@@ -88,18 +88,19 @@ double EdgeFunction::slope_integral() const
 
 namespace
 {
-/** f on an interval: at the ends, in the middle and at the quarters. */
+/** The samples of f on an interval: at the ends, in the middle and at the quarters. */
 struct Samples
 {
   double start, end;
   double first, quarter, middle, three_quarters, last;
 
-  /** Not like a parabola at all. */
+  /** Whether f is far from any parabola. */
   bool rough = false;
 
-  /** f minus the parabola at further points: the largest value and the largest size. */
+  /** The excess of f over the parabola at further points: the largest value and the largest
+   * absolute value. */
   double scanned_excess = 0., scanned_misfit = 0.;
-  /** The largest value of f there, and where. */
+  /** The largest value of f at further points, and its position. */
   double scanned_largest = std::numeric_limits<double>::lowest(), scanned_at = 0.;
 
   double parabola(const double tau) const
@@ -130,7 +131,7 @@ struct Samples
   {
     return middle - 0.5 * (first + last);
   }
-  /** f minus the parabola at the quarters. */
+  /** excess_at_quarter() and excess_at_three_quarters() return f minus the parabola there. */
   double excess_at_quarter() const
   {
     return quarter - (0.75 * first + 0.25 * last + 0.75 * bulge());
@@ -139,7 +140,7 @@ struct Samples
   {
     return three_quarters - (0.25 * first + 0.75 * last + 0.75 * bulge());
   }
-  /** By how much the parabola, or the chord where f is rough, is raised at the end with the value
+  /** Returns the rise of the parabola, or of the chord where f is rough, at the end with the value
    * @p value. */
   double lift(const double value) const
   {
@@ -154,14 +155,15 @@ struct Samples
       std::max(std::abs(excess_at_quarter()), std::abs(excess_at_three_quarters()));
     return is_smooth(misfit, scanned_misfit) ? misfit : scanned_misfit;
   }
-  /** A cubic exceeds the parabola at most by 1.03 of what the quarters show. */
+  /** Returns whether further points show no more than the quarters do: a cubic exceeds the parabola
+   * at most by 1.03 of the excess at the quarters. */
   static bool is_smooth(const double at_quarters, const double scanned)
   {
     return scanned <= 1.2 * at_quarters;
   }
 };
 
-/** Between two breaks, before any is halved. */
+/** The number of intervals between two breaks, before any is halved. */
 constexpr unsigned int n_intervals = 4;
 
 class Sampler
@@ -252,8 +254,9 @@ public:
   }
 
 private:
-  /** f at one end of the samples, or the limit from inside where f jumps there: then it is the same
-   * at both distances; where f only is steep, like the root of the distance, it is not. */
+  /** Returns f at one end of the samples, or the limit from inside if f jumps there. At a jump the
+   * limit is the same at both distances; where f is only steep, like the root of the distance, it
+   * is not. */
   double beside_break(const Samples &samples, const double t, const double rounding) const
   {
     const double value = f_(t), length = samples.end - samples.start;
@@ -263,7 +266,7 @@ private:
     const bool jumps = change > rounding && change > 0.5 * std::abs(f_(t + 1e-6 * inwards) - value);
     return jumps ? limit : value;
   }
-  /** How far f is from its chord. */
+  /** Returns the largest distance of f from its chord. */
   double bend() const
   {
     const double a = intervals_.front().first, b = intervals_.back().last;

@@ -9,7 +9,7 @@ namespace Signorini
 {
 namespace
 {
-/** Vertices of a cell of deal.II counter-clockwise, and the lines between them. */
+/** The vertices of a cell of deal.II counter-clockwise, and the lines between them. */
 constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}};
 constexpr std::array<unsigned int, 4> line_in_circle = {{2, 1, 3, 0}};
 
@@ -29,7 +29,7 @@ EdgeFreedom freedom_of(const Role role)
   }
 }
 
-/** Sets how a cell is curved. */
+/** Sets the bulges of a cell. */
 void find_bulges(const dealii::Mapping<2> &mapping,
                  const dealii::Triangulation<2>::active_cell_iterator &cell,
                  EdgeCell &here)
@@ -151,7 +151,7 @@ Star EdgeMesh::walk(const CellCorner &first,
       star.spokes.push_back({edge, cell.reversed[left] ? 0U : 1U, -cell.sign[left]});
       return star;
     }
-    // There, the edge is to the right of the vertex.
+    // In the next cell, the edge is to the right of the vertex.
     corner = next;
     if (corner.cell == first.cell)
       return star;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where Hooke's tensor varies inside of cells.
+// Variations of Hooke's tensor inside of cells.
 
 #include <signorini/error_control/loads/law_sampling.h>
 
@@ -16,7 +16,7 @@ using LawTriangle = RulePart::Triangle;
 /** The logarithm of the factor by which the tensor may vary in a part. */
 const double largest_range = std::log(1.5);
 
-/** The largest difference of a feature between samples. */
+/** The range of every feature over samples. */
 class FeatureRange
 {
 public:
@@ -45,8 +45,8 @@ private:
   LawSampling::Features low_, high_;
 };
 
-/** Barycentric coordinates of points inside of a triangle: near its corners, near the middle of its
- * edges, and its centre. Data may jump on the edges themselves. */
+/** The barycentric coordinates of points inside of a triangle: near its corners, near the middle of
+ * its edges, and its centre. Data may jump on the edges themselves. */
 constexpr std::array<std::array<double, 3>, 7> places = {{{{0.96, 0.02, 0.02}},
                                                           {{0.02, 0.96, 0.02}},
                                                           {{0.02, 0.02, 0.96}},
@@ -60,7 +60,7 @@ double doubled_area(const dealii::Point<2> &a, const dealii::Point<2> &b, const 
   return cross(b - a, c - a);
 }
 
-/** Whether a point is inside, and not closer to an edge than rounding. */
+/** Returns whether a point is inside, and not closer to an edge than rounding. */
 bool is_inside(const LawTriangle &x, const dealii::Point<2> &point)
 {
   const double least = 1e-6 * doubled_area(x[0], x[1], x[2]);
@@ -68,7 +68,7 @@ bool is_inside(const LawTriangle &x, const dealii::Point<2> &point)
          doubled_area(x[0], x[1], point) > least;
 }
 
-/** Which edge, from corner k to corner k + 1, is the longest. */
+/** Returns the number k of the longest edge, from corner k to corner k + 1. */
 unsigned int longest_edge(const LawTriangle &x)
 {
   unsigned int longest = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Proved constants for what stresses do not balance exactly.
+// Proved constants for the loads that stresses do not balance exactly.
 
 #include <signorini/error_control/loads/oscillation.h>
 
@@ -16,7 +16,7 @@ namespace
 using dealii::numbers::PI;
 using Vector2 = dealii::Tensor<1, 2>;
 
-/** rho/R for the discs about a point of the cell. */
+/** Returns ρ/R for the discs about a point of the cell. */
 double roundness(const CellShape &shape, const dealii::Point<2> &x)
 {
   double rho = std::numeric_limits<double>::max(), R = 0.;
@@ -29,7 +29,7 @@ double roundness(const CellShape &shape, const dealii::Point<2> &x)
   return rho / R;
 }
 
-/** Korn's constant, with the better of two centres. */
+/** Returns Korn's constant, with the better of two centres. */
 double korn_constant(const CellShape &shape)
 {
   const double tau = std::max(roundness(shape, shape.centre()), roundness(shape, shape.crossing));
@@ -37,7 +37,8 @@ double korn_constant(const CellShape &shape)
   return std::sqrt(1. + 2. / (beta * beta));
 }
 
-/** ‖v‖_e <= constant ‖grad v‖_T on the triangle of an edge from a to b and a point P. */
+/** Returns the constant in ‖v‖_e ≤ constant ‖grad v‖_T on the triangle of an edge from a to b and
+ * a point P. */
 double trace_constant(const dealii::Point<2> &a,
                       const dealii::Point<2> &b,
                       const dealii::Point<2> &P)
@@ -48,7 +49,8 @@ double trace_constant(const dealii::Point<2> &a,
   return std::sqrt(length / area * (poincare * poincare + to_P * poincare));
 }
 
-/** The depth of the largest rectangle on edge k that lies in the cell; 0 if there is none. */
+/** Returns the depth of the largest rectangle on edge k that lies in the cell; 0 if there is none.
+ */
 double depth(const CellShape &shape, const unsigned int k)
 {
   const auto &a = shape.corners[k], &b = shape.corners[(k + 1) % 4];
@@ -60,7 +62,7 @@ double depth(const CellShape &shape, const unsigned int k)
   return std::min(cross(along, left), cross(along, right));
 }
 
-/** The constant of Airy's function on a rectangle. */
+/** Returns the constant of Airy's function on a rectangle. */
 double beam_constant(const double L, const double largest_depth)
 {
   const double d = std::min(largest_depth, 0.73 * L);

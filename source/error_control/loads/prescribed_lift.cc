@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the nodal interpolation of prescribed displacements leaves out.
+// The rest of the nodal interpolation of prescribed displacements.
 
 #include <signorini/error_control/loads/prescribed_lift.h>
 #include <signorini/problem/scene/functions.h>
@@ -19,7 +19,7 @@ using Vector2 = dealii::Tensor<1, 2>;
 
 constexpr unsigned int n_nodes = 9;
 
-/** Chebyshev's points with both ends of [0,1]. */
+/** Returns Chebyshev's points with both ends of [0,1]. */
 std::vector<dealii::Point<1>> nodes()
 {
   std::vector<dealii::Point<1>> points;
@@ -34,11 +34,12 @@ const std::vector<dealii::Polynomials::Polynomial<double>> &basis()
   return polynomials;
 }
 
-/** xi and eta at the corners. */
+/** The coordinates ξ and η at the corners. */
 constexpr std::array<double, 4> corner_xi = {{-1., 1., 1., -1.}};
 constexpr std::array<double, 4> corner_eta = {{-1., -1., 1., 1.}};
 
-/** Position along edge k and depth behind it, or their gradients, from those of xi and eta. */
+/** Returns the position along edge k and the depth behind it, or their gradients, from those of ξ
+ * and η. */
 template <typename Number>
 std::pair<Number, Number>
 along_and_behind(const unsigned int k, const Number &xi, const Number &eta, const Number &one)
@@ -114,7 +115,7 @@ PrescribedLift::EdgeRest PrescribedLift::interpolate(const unsigned int k,
       misfit = std::max(misfit, (rest.evaluate((i + 0.5) / n_scanned, false) - scanned[i]).norm());
     if (misfit > allowed * size && n_pieces < most_pieces)
       continue;
-    // What is smaller is rounding.
+    // A smaller rest is rounding.
     if (size > 1e-10 * scale_)
       largest_misfit_ = std::max(largest_misfit_, misfit / size);
     return rest;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Carries what cells lack in balance to the supports.
+// Carries the lacking resultants of cells to the supports.
 
 #include <signorini/discretization/elasticity/traces.h>
 #include <signorini/error_control/stress/balance.h>
@@ -19,13 +19,13 @@ using Vector2 = dealii::Tensor<1, 2>;
 
 constexpr unsigned int no_cell = static_cast<unsigned int>(-1);
 
-/** The edge of a cell with its number there. */
+/** An edge of a cell, with its number in the cell. */
 struct CellEdge
 {
   unsigned int cell, k;
 };
 
-/** Adds to the traction on edge k of a cell the linear one with the given resultant. */
+/** Adds the linear traction with the given resultant on edge k of a cell. */
 void add_resultant(const EdgeCell &cell,
                    const unsigned int k,
                    const Resultant<2> &resultant,
@@ -46,7 +46,7 @@ void add_resultant(const EdgeCell &cell,
   add_moments(cell, change, moments);
 }
 
-/** A tree of cells: every cell but the root knows the edge that leads towards the root. */
+/** A tree of cells: every cell but the root stores the edge that leads towards the root. */
 class CellTree
 {
 public:
@@ -71,7 +71,10 @@ public:
             order_.push_back(other);
           }
   }
-  /** Passes what every cell lacks on to its parent. @return what the root lacks then. */
+  /**
+   * Passes the lacking resultant of every cell on to its parent.
+   * @return the resultant that the root lacks then.
+   */
   Resultant<2> collect(std::vector<Resultant<2>> lacking, std::vector<double> &moments) const
   {
     for (std::size_t i = order_.size(); i-- > 1;)
@@ -98,7 +101,7 @@ private:
   std::vector<unsigned int> order_;
 };
 
-/** Edges that take what is left: one for any traction, or two rollers. */
+/** Returns the edges that take the remaining resultant: one for any traction, or two rollers. */
 std::vector<CellEdge> find_supports(const EdgeMesh &mesh)
 {
   std::vector<CellEdge> rollers;
@@ -120,7 +123,7 @@ std::vector<CellEdge> find_supports(const EdgeMesh &mesh)
   return rollers;
 }
 
-/** Cell by cell, the resultant of rest at its corners. */
+/** Returns, for every cell, the resultant of rest at its corners. */
 std::vector<Resultant<2>> lacking_resultants(const EdgeMesh &mesh, const std::vector<Vector2> &rest)
 {
   std::vector<Resultant<2>> lacking(mesh.cells().size());
@@ -193,7 +196,7 @@ public:
   {
     return size_;
   }
-  /** The terms of the component c of the moment that the edge k of a cell has at corner k + end. */
+  /** Returns the terms of component c of the moment that edge k of a cell has at corner k + end. */
   std::vector<Term> terms(const EdgeCell &cell,
                           const unsigned int k,
                           const unsigned int end,
@@ -209,7 +212,7 @@ public:
       return {{first, cell.sign[k] * edge.normal[c]}};
     return {};
   }
-  /** The moments, see EdgeMesh. */
+  /** Returns the moments, see EdgeMesh. */
   std::vector<double> moments(const dealii::Vector<double> &unknowns) const
   {
     std::vector<double> result(mesh_.n_moments(), 0.);
@@ -224,7 +227,7 @@ public:
     }
     return result;
   }
-  /** The transposed of moments(). */
+  /** Applies the transpose of moments(). */
   void add_transposed(const std::vector<double> &moments, dealii::Vector<double> &unknowns) const
   {
     for (std::size_t e = 0; e < mesh_.edges().size(); ++e)
@@ -249,7 +252,7 @@ private:
   unsigned int size_ = 0;
 };
 
-/** The terms of all 16 moments of a cell. */
+/** Returns the terms of all 16 moments of a cell. */
 std::array<std::vector<FreeMoments::Term>, 16> cell_terms(const FreeMoments &free,
                                                           const EdgeCell &cell)
 {
@@ -259,7 +262,8 @@ std::array<std::vector<FreeMoments::Term>, 16> cell_terms(const FreeMoments &fre
   return terms;
 }
 
-/** The coefficient of moment j in force 0 or 1, or the moment about corner 0 over the size. */
+/** Returns the coefficient of moment j in force 0 or 1, or in the moment about corner 0 over the
+ * size. */
 double balance_entry(const EdgeCell &cell, const unsigned int j, const unsigned int row)
 {
   if (row < 2)
@@ -299,8 +303,8 @@ void for_all_entries(const EdgeMesh &mesh,
   }
 }
 
-/** The multipliers of a cell that do no work on any edge which may carry tractions: the rigid
- * motions that such edges leave to the body, as the cell sees them. */
+/** Returns the multipliers of a cell that do no work on any edge which may carry tractions: the
+ * rigid motions that such edges leave to the body, in the coordinates of the cell. */
 std::vector<std::array<double, 3>> free_motions(const EdgeMesh &mesh, const EdgeCell &seen_by)
 {
   // A motion moves x by (a - w y, b + w x)/size, x and y from corner 0 of the cell.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The square of the misfit of pi^{2h} u_h, cell by cell.
+// The square of the misfit of π^{2h} u_h, cell by cell.
 
 #include <signorini/error_control/loads/cell_rule.h>
 #include <signorini/error_control/stress/bubbles.h>
@@ -9,7 +9,7 @@ namespace Signorini
 {
 namespace
 {
-/** The strain of a function with the given gradient in one component. */
+/** Returns the strain of a function with the given gradient in one component. */
 Components strain_of_component(const dealii::Tensor<1, 2> &gradient, const unsigned int component)
 {
   return component == 0 ? Components{{gradient[0], 0., gradient[1]}}
@@ -101,13 +101,13 @@ const BubbleForm *BubbleForms::of(const unsigned int cell) const
   return shape < forms_.size() ? forms_[shape].get() : nullptr;
 }
 
-// What pi^{2h} u_h has more than u_h.
+// The difference between π^{2h} u_h and u_h.
 
 namespace
 {
 using Vector2 = dealii::Tensor<1, 2>;
 
-/** The middles of the edges of a cell counter-clockwise, and its centre. */
+/** Returns the middles of the edges of a cell counter-clockwise, and its centre. */
 dealii::Quadrature<2> bubble_points()
 {
   return dealii::Quadrature<2>(

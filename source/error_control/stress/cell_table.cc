@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Congruent cells share what stresses need.
+// Data of stresses that congruent cells share.
 
 #include <signorini/base/parallel.h>
 #include <signorini/error_control/loads/cell_rule.h>
@@ -12,7 +12,7 @@ namespace Signorini
 {
 namespace
 {
-/** The lines that run through the interior of a cell. */
+/** Returns the lines that run through the interior of a cell. */
 std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const EdgeCell &cell)
 {
   std::vector<KinkLine<2>> result;
@@ -161,7 +161,7 @@ CellEnergy make_energy(const CellData &data, const std::vector<Law> &laws)
   return energy;
 }
 
-// What is integrated over the cells of a stress in equilibrium.
+// Integrals over the cells of a stress in equilibrium.
 
 Components EquilibratedStress::strain(const unsigned int cell,
                                       const StressPoint &point,

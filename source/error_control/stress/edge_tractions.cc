@@ -19,8 +19,8 @@ Vector2 entry(const std::vector<double> &moments, const unsigned int at)
   return Vector2({moments[at], moments[at + 1]});
 }
 
-/** The linear function with the moments a and b on an edge of the given length: its values at the
- * ends. */
+/** Returns the values at the ends of the linear function with the moments a and b on an edge of the
+ * given length. */
 std::array<Vector2, 2> linear_traction(const std::vector<double> &moments,
                                        const unsigned int edge,
                                        const double length)
@@ -29,11 +29,14 @@ std::array<Vector2, 2> linear_traction(const std::vector<double> &moments,
   return {{(4. * a - 2. * b) / length, (4. * b - 2. * a) / length}};
 }
 
-/** t on one edge of a traction side. */
+/** The moments of t on one edge of a traction side. */
 struct EdgeTraction
 {
-  /** @param second_end the corner of the cell that is the second end of the edge. Its hat function
-   * is the share of the length on straight edges. */
+  /**
+   * Integrates t.
+   * @param second_end the corner of the cell that is the second end of the edge. Its hat function
+   * is the share of the length on straight edges.
+   */
   EdgeTraction(const dealii::FEFaceValues<2> &values,
                const dealii::Function<2> &traction,
                const Edge &edge,
@@ -65,7 +68,7 @@ struct EdgeTraction
     normal_rest = std::sqrt(normal_square);
     shear_rest = std::sqrt(shear_square);
   }
-  /** Whether finer quadrature gives the same. */
+  /** Returns whether finer quadrature gives the same. */
   bool agrees(const EdgeTraction &finer, const double length) const
   {
     constexpr double tolerance = 1e-4;
@@ -84,7 +87,7 @@ struct EdgeTraction
   double normal_rest, shear_rest;
 };
 
-/** Further points on an edge, about 20000 on all edges. */
+/** Returns the number of further points on an edge, about 20000 on all edges. */
 unsigned int n_fine_points(const EdgeMesh &mesh, const Scene<2> &scene)
 {
   std::size_t n_edges = 0;
@@ -144,7 +147,7 @@ struct PressedPart
   double from, to, p;
 };
 
-/** p_H on the pieces face ∩ patch, along Edge::vertices. */
+/** Returns p_H on the pieces face ∩ patch, along Edge::vertices. */
 std::vector<PressedPart> pressed_parts(const EdgeMesh &mesh,
                                        const MultiplierSpace<2> &multipliers,
                                        const dealii::Vector<double> &P)
@@ -205,11 +208,14 @@ void add_contact_sides(const EdgeMesh &mesh,
     given.normal_rest[e] += std::sqrt(squares[e]);
 }
 
-/** Linear equations a.c = value for a vector c of the plane, as many as determine it. */
+/** The linear equations a.c = value for a vector c in 2-D, as many as determine it. */
 class Conditions
 {
 public:
-  /** @return by how much a condition that follows from those before is violated. */
+  /**
+   * Adds a condition.
+   * @return the violation, if the condition follows from those before; else zero.
+   */
   double add(const Vector2 &a, const double value)
   {
     Vector2 rest = a;
@@ -225,7 +231,7 @@ public:
     value_[n_++] = violation / rest.norm();
     return 0.;
   }
-  /** The vector closest to @p guess. */
+  /** Returns the vector closest to @p guess. */
   Vector2 closest(const Vector2 &guess) const
   {
     Vector2 c = guess;
@@ -240,7 +246,7 @@ private:
   std::array<double, 2> value_{};
 };
 
-/** The directions in which the traction of an edge is given. */
+/** Returns the directions in which the traction of an edge is given. */
 std::vector<Vector2> given_directions(const Edge &edge)
 {
   switch (edge.freedom)

@@ -14,14 +14,15 @@ namespace
 {
 using Vector2 = dealii::Tensor<1, 2>;
 
-/** The first component that spoke j has at its centre (end 0) or outer end (1), in a star. */
+/** Returns the position in a star of the first component that a spoke has at its centre (end 0) or
+ * outer end (1). */
 unsigned int in_star(const unsigned int spoke, const unsigned int end)
 {
   return 4 * spoke + 2 * end;
 }
 
-/** For the two spokes of cell j: where the 8 moments are in the cell and in the star, and their
- * sign there. */
+/** The positions in the cell and in the star of a moment of the two spokes of cell j, with its sign
+ * in the star. */
 struct StarEntry
 {
   unsigned int in_cell, in_star;
@@ -43,7 +44,7 @@ std::array<StarEntry, 8> entries(const Star &star, const unsigned int j)
   return result;
 }
 
-/** One column per moment that the star may change. */
+/** Returns one column per moment that the star may change. */
 dealii::FullMatrix<double> free_moments(const EdgeMesh &mesh, const Star &star)
 {
   std::vector<std::pair<unsigned int, Vector2>> columns;
@@ -64,7 +65,7 @@ dealii::FullMatrix<double> free_moments(const EdgeMesh &mesh, const Star &star)
   return basis;
 }
 
-/** Forces and moments of the cells of a star: three rows per cell. */
+/** Returns the forces and moments of the cells of a star: three rows per cell. */
 dealii::FullMatrix<double> balances(const EdgeMesh &mesh, const Star &star)
 {
   dealii::FullMatrix<double> rows(3 * star.cells.size(), 4 * star.spokes.size());
@@ -85,11 +86,10 @@ dealii::FullMatrix<double> balances(const EdgeMesh &mesh, const Star &star)
   return rows;
 }
 
-/**
- * Columns that span what disturbs the balance of no cell around a vertex inside of the body, where
- * all edges take any traction. With a_j and b_j the moments of spoke j at the centre and at its
- * outer end r_j, the cells are in balance if a_j + b_j and r_j x b_j are the same for all j: one
- * force in two components, one moment, and for every spoke a couple along it.
+/** Returns columns that span the changes which disturb the balance of no cell around a vertex
+ * inside of the body, where all edges take any traction. With a_j and b_j the moments of spoke j at
+ * the centre and at its outer end r_j, the cells are in balance if a_j + b_j and r_j x b_j are the
+ * same for all j: one force in two components, one moment, and for every spoke a couple along it.
  */
 dealii::FullMatrix<double> balanced_inside(const EdgeMesh &mesh, const Star &star)
 {
@@ -119,7 +119,7 @@ dealii::FullMatrix<double> balanced_inside(const EdgeMesh &mesh, const Star &sta
   return Z;
 }
 
-/** A B. Matrices are small: starting a library of linear algebra takes longer. */
+/** Returns A B. Matrices are small: a call of a linear algebra library takes longer. */
 dealii::FullMatrix<double> product(const dealii::FullMatrix<double> &A,
                                    const dealii::FullMatrix<double> &B)
 {
@@ -132,7 +132,7 @@ dealii::FullMatrix<double> product(const dealii::FullMatrix<double> &A,
   return C;
 }
 
-/** The changes of moments that disturb the balance of no cell of a star, as columns. */
+/** Returns the changes of moments that disturb the balance of no cell of a star, as columns. */
 dealii::FullMatrix<double> basis(const EdgeMesh &mesh, const Star &star)
 {
   if (star.is_closed())
@@ -141,7 +141,7 @@ dealii::FullMatrix<double> basis(const EdgeMesh &mesh, const Star &star)
   return product(free, null_space(product(balances(mesh, star), free)));
 }
 
-/** X with A X = B for a positive definite A, by Cholesky's method. */
+/** Returns X with A X = B for a positive definite A, by Cholesky's method. */
 dealii::FullMatrix<double> solve(dealii::FullMatrix<double> A, dealii::FullMatrix<double> B)
 {
   const unsigned int n = A.m(), m = B.n();
@@ -173,7 +173,8 @@ dealii::FullMatrix<double> solve(dealii::FullMatrix<double> A, dealii::FullMatri
   return B;
 }
 
-/** Inside the body four edges meet: then the compiler knows the sizes of loops. */
+/** The number of moments of a star of four edges, as inside the body. With it, the compiler knows
+ * the sizes of loops. */
 constexpr unsigned int usual_size = 16;
 
 /** Calls @p f(number, position, sign) for the n moments of a star, in the order of its matrix. */
@@ -191,7 +192,7 @@ void for_moments(const Star &star, const Size n, const Function &f)
   }
 }
 
-/** z += the solution for one star; n is a number or a constant. */
+/** Adds the solution for one star to z; n is a number or a constant. */
 template <typename Size, typename Array>
 void add_solution(const Star &star,
                   const double *row,
@@ -205,7 +206,7 @@ void add_solution(const Star &star,
     x[i] = sign * r[position];
     y[i] = 0.;
   });
-  // Symmetric: rows are columns.
+  // The matrix is symmetric: its rows are its columns.
   for (unsigned int j = 0; j < n; ++j, row += n)
     for (unsigned int i = 0; i < n; ++i)
       y[i] += row[i] * x[j];

@@ -14,14 +14,14 @@ namespace Signorini
 {
 namespace
 {
-/** Squares of the norms, of a cell or of the body. */
+/** The squares of the norms, of a cell or of the body. */
 struct Squares
 {
   double l2 = 0.;
   double h1_seminorm = 0.;
   double energy = 0.;
   double superclose = 0.;
-  /** With one and two generations. */
+  /** The squares with one and two generations. */
   std::array<double, 2> post = {};
 
   Squares &operator+=(const Squares &other)
@@ -36,7 +36,7 @@ struct Squares
   }
 };
 
-/** What all threads read. */
+/** The data that all threads read. */
 template <int dim>
 struct Fields
 {
@@ -77,7 +77,7 @@ struct ExactValues
   std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
 };
 
-/** Integrates over one cell after the other; every chunk of cells has its own. */
+/** Integrates over one cell after the other; every chunk of cells has its own object. */
 template <int dim>
 class ErrorIntegrals
 {
@@ -131,7 +131,7 @@ public:
   }
 
 private:
-  /** ‖u - v‖_1^2 on the cell. */
+  /** Returns ‖u - v‖_1² on the cell. */
   double distance(const FieldValues<dim> &v, const dealii::FEValues<dim> &values) const
   {
     double square = 0.;
@@ -150,7 +150,8 @@ private:
   std::vector<dealii::Tensor<2, dim>> du_, de_;
 };
 
-/** The sum over this rank's cells, added up in their order whatever the number of threads. */
+/** Returns the sum over this rank's cells, added up in their order whatever the number of threads.
+ */
 template <int dim>
 Squares integrate_errors(const Fields<dim> &fields)
 {

@@ -22,7 +22,7 @@ struct SampledFunction
   std::vector<double> weighted_values;
 };
 
-/** p between consecutive @p cuts, sorted arc lengths, with n points on each interval. */
+/** Samples p between consecutive @p cuts, sorted arc lengths, with n points on each interval. */
 SampledFunction sample(const dealii::Function<2> &p,
                        const Side<2> &side,
                        const std::vector<double> &cuts,
@@ -43,8 +43,8 @@ SampledFunction sample(const dealii::Function<2> &p,
   return samples;
 }
 
-/** Ends of n equal intervals of a side and of its pieces, with the kinks and intervals that shrink
- * towards them. */
+/** Returns the ends of n equal intervals of a side and of its pieces, with the kinks and intervals
+ * that shrink towards them. */
 std::vector<double> cut_side(const Side<2> &side,
                              const Kinks<2> &kinks,
                              const unsigned int n_intervals)
@@ -66,8 +66,8 @@ std::vector<double> cut_side(const Side<2> &side,
   return cuts;
 }
 
-/** p - p_H (or R^H p - p_H) on the patches [first, last) of a side, at points of every patch and of
- * every cell of the grid. */
+/** Samples p - p_H (or R^H p - p_H) on the patches [first, last) of a side, at points of every
+ * patch and of every cell of the grid. */
 SampledFunction sample_difference(const MultiplierSpace<2> &space,
                                   const dealii::Function<2> &p,
                                   const Kinks<2> &kinks,
@@ -99,16 +99,17 @@ SampledFunction sample_difference(const MultiplierSpace<2> &space,
   return samples;
 }
 
-/** The root of the sum of squares, unknown if one of them is. */
+/** Returns the root of the sum of squares, none if one of them is unknown. */
 std::optional<double> hypot(const std::optional<double> &a, const std::optional<double> &b)
 {
   return a && b ? std::optional<double>(std::hypot(*a, *b)) : std::nullopt;
 }
 
-/** Sides with more patches than this do not get the paper's norm: its cost grows like m³. */
+/** The number of patches above which a side does not get the paper's norm: its cost grows like m³.
+ */
 constexpr unsigned int largest_slobodeckij = 128;
 
-/** Richardson's extrapolation of the error's h² on grids of 8 m and 16 m cells. */
+/** Returns Richardson's extrapolation of the error's h² on grids of 8 m and 16 m cells. */
 double extrapolate(const std::array<double, 2> &norms)
 {
   return norms[1] + (norms[1] - norms[0]) / 3.;

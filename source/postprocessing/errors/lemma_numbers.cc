@@ -19,7 +19,8 @@ namespace Signorini
 {
 namespace
 {
-/** int_{Gamma_c} q phi_j.n for all j; @p values_on (piece, rule) is q at the points of a rule. */
+/** Returns ∫_{Γ_c} q φ_j.n for all j; @p values_on (piece, rule) is q at the points of a
+ * rule. */
 template <typename Function>
 DistributedVector test_on_contact(const DisplacementSpace<2> &space,
                                   const MultiplierSpace<2> &multipliers,
@@ -47,7 +48,7 @@ DistributedVector test_on_contact(const DisplacementSpace<2> &space,
   return b;
 }
 
-/** u.n of the exact displacement at the points of a rule. */
+/** Returns u.n of the exact displacement at the points of a rule. */
 std::vector<double> exact_normal_displacement(const Scene<2> &scene, const SurfaceRule<2> &rule)
 {
   std::vector<double> u_n(rule.size(), 0.);
@@ -57,7 +58,7 @@ std::vector<double> exact_normal_displacement(const Scene<2> &scene, const Surfa
   return u_n;
 }
 
-/** sup_v b(v)/‖v‖_1 over V^h: the functional is condensed like a right-hand side. */
+/** Returns sup_v b(v)/‖v‖_1 over V^h: the functional is condensed like a right-hand side. */
 double dual_norm(const DisplacementSpace<2> &space,
                  const StiffnessInverse &inverse,
                  const DistributedVector &b)
@@ -72,10 +73,8 @@ double dual_norm(const DisplacementSpace<2> &space,
   return std::sqrt(std::max(v * right_hand_side, 0.));
 }
 
-/**
- * |||(u - I^h u).n|||_{1/2,Gamma_c}, the root of the sum of squares over the sides. The difference
- * is smooth on every face and vanishes at the nodes.
- */
+/** Returns |||(u - I^h u).n|||_{1/2,Γ_c}, the root of the sum of squares over the sides. The
+ * difference is smooth on every face and vanishes at the nodes. */
 double interpolation_trace(const DisplacementSpace<2> &space,
                            const Scene<2> &scene,
                            const ContactSurface<2> &surface,
@@ -121,7 +120,7 @@ double interpolation_trace(const DisplacementSpace<2> &space,
   return norm;
 }
 
-/** (b^T S^{-1} b)^{1/2}, b_tau = int_tau (I^h u - u).n. */
+/** Returns (bᵀ S⁻¹ b)^{1/2} with b_tau = ∫_tau (I^h u - u).n. */
 double trace_defect(const Scene<2> &scene,
                     const MultiplierSpace<2> &multipliers,
                     const Coupling &D,
@@ -181,7 +180,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
 
   const dealii::TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
   const auto inverse = factorise(A_1, 1., linear_solver);
-  // a(u, phi_j) = f(phi_j) + [p, B phi_j].
+  // a(u, φ_j) = f(φ_j) + [p, B φ_j].
   DistributedVector defect = test_on_contact(space, multipliers, n_points, exact_p);
   defect += loads;
   defect -= internal_forces(space, scene, interpolant).forces;

@@ -61,12 +61,12 @@ template PressureErrors compute_pressure_errors(const MultiplierSpace<3> &,
 
 namespace
 {
-/** Points of a composite Gauss rule on an edge. */
+/** The points of a composite Gauss rule on an edge. */
 struct EdgePoints
 {
   explicit EdgePoints(const double length)
   {
-    // Two points for the half of a period of the highest mode.
+    // These are two points for the half of a period of the highest mode.
     constexpr unsigned int n_intervals = RectangleNorm::n_modes / 4, n_points = 8;
     const dealii::QGauss<1> gauss(n_points);
     for (unsigned int i = 0; i < n_intervals; ++i)
@@ -126,11 +126,12 @@ DualNormErrors ExactPressure<3>::errors(const MultiplierSpace<3> &space,
   return sum;
 }
 
-// Where contact ends, in the exact and in the discrete solution.
+// The ends of contact, in the exact and in the discrete solution.
 
 namespace
 {
-/** Arc lengths at which the sign of the exact pressure changes from 0 to negative or back. */
+/** Returns the arc lengths at which the sign of the exact pressure changes from 0 to negative or
+ * back. */
 std::vector<double> exact_ends(const Scene<2> &scene, const unsigned int number)
 {
   const Side<2> &side = scene.geometry.sides[number];
@@ -148,8 +149,8 @@ std::vector<double> exact_ends(const Scene<2> &scene, const unsigned int number)
   return ends;
 }
 
-/** Arc lengths between a pressing patch and one that does not press; where patches have several
- * nodes, the middle between a pressing node and one that does not. */
+/** Returns the arc lengths between a pressing patch and one that does not press; where patches have
+ * several nodes, the middle between a pressing node and one that does not. */
 std::vector<double> discrete_ends(const MultiplierSpace<2> &space,
                                   const unsigned int number,
                                   const dealii::Vector<double> &P)
@@ -171,7 +172,7 @@ std::vector<double> discrete_ends(const MultiplierSpace<2> &space,
   return ends;
 }
 
-/** The largest distance of a point of @p from to the nearest of @p to. */
+/** Returns the largest distance of a point of @p from to the nearest of @p to. */
 double one_sided_distance(const std::vector<double> &from, const std::vector<double> &to)
 {
   double largest = 0.;

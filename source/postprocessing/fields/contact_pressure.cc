@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where contact ends between the nodes of multipliers.
+// The ends of contact between the nodes of multipliers.
 
 #include <signorini/postprocessing/fields/contact_pressure.h>
 #include <signorini/postprocessing/fields/forces.h>
@@ -10,8 +10,8 @@ namespace Signorini
 {
 namespace
 {
-/** The nodes around a closed side, the first one again at the end; they begin where two neighbours
- * are of the same kind, if there are such. */
+/** Returns the nodes around a closed side, the first one again at the end; they begin where two
+ * neighbours are of the same kind, if there are such. */
 std::vector<SideNode> once_around(const SideNodes &side)
 {
   const std::size_t n = side.nodes.size();
@@ -31,7 +31,7 @@ struct Change
   bool begins;
 };
 
-/** Between nodes i and j, the second of which presses if contact begins. */
+/** Returns the change between nodes i and j, the second of which presses if contact begins. */
 Change between(const std::vector<SideNode> &nodes, const std::size_t i, const std::size_t j)
 {
   return {{0.5 * (nodes[i].s + nodes[j].s), 0.5 * (nodes[j].s - nodes[i].s)}, nodes[j].presses};
@@ -164,7 +164,7 @@ RecoveredPressure<2>::Neighbour RecoveredPressure<2>::neighbour(const unsigned i
     return {static_cast<unsigned int>(next), patches[next].centre()[0]};
   if (!side.is_closed() || has_corner)
     return {patch, patches[patch].centre()[0]};
-  // The patch at the other end of the list.
+  // Around a closed side, this is the patch at the other end of the list.
   for (next = static_cast<int>(patch); on_side(next - step);)
     next -= step;
   return {static_cast<unsigned int>(next), patches[next].centre()[0] + step * side.length()};
@@ -230,15 +230,16 @@ template ContactSummary summarise_contact(const MultiplierSpace<3> &,
 
 namespace
 {
-/** Between the centres of two intervals: the numbers of both, and the share of the second. It is
- * negative beyond the first one. */
+/** A position between the centres of two intervals: the numbers of both, and the share of the
+ * second. The share is negative beyond the first one. */
 struct BetweenCentres
 {
   unsigned int first, second;
   double share;
 };
 
-/** Where a point lies between the centre of interval @p i and that of the next one on its side. */
+/** Returns the position of a point between the centre of interval @p i and that of the next one on
+ * its side. */
 BetweenCentres
 between_centres(const PatchGrid &grid, const unsigned int d, const unsigned int i, const double s)
 {
@@ -258,7 +259,7 @@ struct Overlap
   double share;
 };
 
-/** For every interval between @p to those between @p from that it meets. */
+/** Returns for every interval between @p to its overlaps with those between @p from. */
 std::vector<std::vector<Overlap>> overlaps(const std::vector<double> &from,
                                            const std::vector<double> &to)
 {

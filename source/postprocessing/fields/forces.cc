@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where nodes of multipliers press.
+// The nodes of multipliers that press.
 
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/elasticity/integration.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// pi^{2h} of (30), and interpolations of higher degree on larger patches.
+// π^{2h} of (30), and interpolations of higher degree on larger patches.
 
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 
@@ -12,7 +12,7 @@ namespace Signorini
 {
 namespace
 {
-/** Which child of its parent a cell is. */
+/** Returns the number of a cell among the children of its parent. */
 template <typename CellIterator>
 unsigned int child_number(const CellIterator &parent, const int index)
 {
@@ -22,12 +22,12 @@ unsigned int child_number(const CellIterator &parent, const int index)
   return c;
 }
 
-/** Coordinate d (0 or 1) of a child's place in its parent. */
+/** Returns coordinate d (0 or 1) of a child's place in its parent. */
 unsigned int bit(const unsigned int number, const unsigned int d)
 {
   return (number >> d) & 1U;
 }
-/** The nodes of the element of degree p in one dimension, ascending from 0 to 1. */
+/** Returns the nodes of the element of degree p in one dimension, ascending from 0 to 1. */
 std::vector<dealii::Point<1>> nodes_on_line(const unsigned int degree)
 {
   std::vector<dealii::Point<1>> nodes = dealii::FE_Q<1>(degree).get_unit_support_points();
@@ -35,7 +35,7 @@ std::vector<dealii::Point<1>> nodes_on_line(const unsigned int degree)
   return nodes;
 }
 
-/** The same on n cells next to each other, which fill [0, 1]. */
+/** Returns these nodes on n cells next to each other, which fill [0, 1]. */
 std::vector<dealii::Point<1>> nodes_on_line(const unsigned int degree, const unsigned int n_cells)
 {
   std::vector<dealii::Point<1>> nodes = {dealii::Point<1>(0.)};
@@ -46,7 +46,7 @@ std::vector<dealii::Point<1>> nodes_on_line(const unsigned int degree, const uns
   return nodes;
 }
 
-/** For every node of an element: how many nodes come before it in each direction. */
+/** Returns for every node of an element the number of nodes before it in each direction. */
 template <int dim>
 std::vector<std::array<unsigned int, dim>>
 places_of_nodes(const dealii::FiniteElement<dim> &element)
@@ -124,7 +124,7 @@ PatchInterpolation<dim>::make_table(const std::vector<dealii::Point<dim>> &point
   ShapeTable table;
   std::vector<double> values(polynomials_.n());
   std::vector<dealii::Tensor<1, dim>> gradients(polynomials_.n());
-  // Not wanted.
+  // Second and third derivatives are not computed.
   std::vector<dealii::Tensor<2, dim>> second;
   std::vector<dealii::Tensor<3, dim>> third;
   std::vector<dealii::Tensor<4, dim>> fourth;
@@ -254,7 +254,7 @@ const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const NodalVector &U,
     }
   if (!done)
     sum_up(table(rule, is_usual, place), rule.size());
-  // du_i/dx_j = sum_k du_i/dxi_k dxi_k/dx_j
+  // du_i/dx_j = Σ_k du_i/dxi_k dxi_k/dx_j
   for (unsigned int q = 0; q < rule.size(); ++q)
     result_.gradients[q] =
       result_.gradients[q] * dealii::Tensor<2, dim>(fe_values.inverse_jacobian(q));

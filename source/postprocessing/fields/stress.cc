@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// tr eps(u_h) without what alternates from cell to cell.
+// The mean of tr ε(u_h), which does not alternate from cell to cell.
 
 #include <signorini/postprocessing/fields/stress.h>
 
@@ -53,7 +53,7 @@ template std::vector<double> mean_dilatations(const DisplacementSpace<3> &, cons
 
 namespace
 {
-/** sum_k row[k] v[k * stride]. */
+/** Returns Σ_k row[k] v[k * stride]. */
 dealii::Tensor<1, 3> along(const double *const row,
                            const unsigned int n,
                            const dealii::Tensor<1, 3> *const v,
@@ -145,7 +145,7 @@ void TensorEvaluation::evaluate(const std::vector<Vector3> &nodal_values,
     }
 }
 
-// The stress in space, and what is read off it.
+// The stress with three components per direction, and the quantities that follow from it.
 
 template <int dim>
 SpatialStress stress_in_space(const Material<dim> &material,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// |||.|||_{-1/2,Gamma_c} of polynomials on patches of all lengths, by its kernel.
+// |||.|||_{-1/2,Γ_c} of polynomials on patches of all lengths, by its kernel.
 
 #include <signorini/postprocessing/norms/polynomial_gram.h>
 #include <signorini/postprocessing/norms/spectral_norm.h>
@@ -17,14 +17,14 @@ namespace Signorini
 {
 namespace
 {
-/** Modified Bessel function, for x > 0. */
+/** Returns the modified Bessel function K_0, for x > 0. */
 double bessel_K_0(const double x)
 {
   using DoubleOnly = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
   return boost::math::cyl_bessel_k(0, x, DoubleOnly());
 }
 
-/** The Gauss rules that integrate polynomials of the given degree on [0, 1]. */
+/** Returns the Gauss rule that integrates polynomials of the given degree on [0, 1]. */
 const dealii::QGauss<1> &rule_of_degree(const unsigned int degree)
 {
   static const std::vector<dealii::QGauss<1>> rules = []() {
@@ -37,11 +37,14 @@ const dealii::QGauss<1> &rule_of_degree(const unsigned int degree)
   return rules.at(degree / 2);
 }
 
-/** The integrals int int psi_i(s) psi_j(t) kappa(s -+ t) over two patches of a side. */
+/** The integrals ∫∫ ψ_i(s) ψ_j(t) κ(s -+ t) over two patches of a side. */
 class PairIntegrals
 {
 public:
-  /** @param mirrored whether the kernel is that of s + t. */
+  /**
+   * Prepares the integrals.
+   * @param mirrored whether the kernel is that of s + t.
+   */
   PairIntegrals(const MultiplierSpace<2> &space,
                 const DualKernel &kernel,
                 const unsigned int first,
@@ -68,7 +71,7 @@ public:
     std::array<double, 4> breaks = {{I_[0] - J_[1], I_[0] - J_[0], I_[1] - J_[1], I_[1] - J_[0]}};
     std::sort(breaks.begin(), breaks.end());
     for (unsigned int i = 0; i < 3; ++i)
-      // Equal differences, up to rounding.
+      // Differences may be equal, up to rounding.
       if (breaks[i + 1] - breaks[i] > 1e-14 * (breaks[3] - breaks[0]))
         integrate(breaks[i], breaks[i + 1], 0);
     const auto &rows = space_.unknowns_on(first_), &columns = space_.unknowns_on(second_);
@@ -90,11 +93,11 @@ private:
     return {{place.lower[0], place.upper[0]}};
   }
 
-  /** int kappa(x) A(x) dx between two points; halves them until the next singularity is as far away
-   * as they are from one another. */
+  /** Adds ∫ κ(x) A(x) dx between two points; halves the interval until the next singularity
+   * is as far away as its ends are from one another. */
   void integrate(const double from, const double to, const unsigned int n_halvings)
   {
-    // What is left next to a singularity is 2^-50 of the whole.
+    // The rest next to a singularity is 2^-50 of the whole.
     constexpr unsigned int most_halvings = 50;
     if (n_halvings > most_halvings)
       return;
@@ -105,8 +108,8 @@ private:
       integrate(middle, to, n_halvings + 1);
       return;
     }
-    // A has the degree degree_ + 1. The kernel is analytic on the ellipse with rho = 3 + 8^{1/2},
-    // and eight points more leave rho^-16 of it.
+    // A has the degree degree_ + 1. The kernel is analytic on the ellipse with ρ = 3 + 8^{1/2},
+    // and eight points more leave ρ^-16 of it.
     const dealii::QGauss<1> &rule = rule_of_degree(degree_ + 1 + 16);
     for (unsigned int q = 0; q < rule.size(); ++q)
     {
@@ -132,7 +135,7 @@ private:
     }
   }
 
-  /** The basis of a patch at a point. */
+  /** Computes the values of the basis of a patch at a point. */
   void values(const unsigned int patch, const double s, std::vector<double> &values) const
   {
     values.resize(space_.unknowns_on(patch).size());
@@ -144,7 +147,7 @@ private:
   const DualKernel &kernel_;
   unsigned int first_, second_;
   double sign_;
-  /** Of a product of two functions. */
+  /** The degree of a product of two functions. */
   unsigned int degree_;
   /** The intervals of s and of -+t. */
   std::array<double, 2> I_, J_;
@@ -152,7 +155,7 @@ private:
   std::vector<double> on_first_, on_second_;
 };
 
-/** Whether a series resolves the patches. */
+/** Returns whether a series resolves the patches. */
 bool has_equal_patches(const ContactSurface<2> &surface)
 {
   double shortest = surface.longest_patch();
@@ -188,7 +191,7 @@ double DualKernel::operator()(const double x) const
       sum += bessel_K_0(image);
     return sum / PI;
   }
-  // The rest of the sum is below 1/(4 pi 4096²).
+  // The rest of the sum is below 1/(4 π 4096²).
   const double cosine = std::cos(omega_ * r);
   double before = 1., now = cosine;
   for (double frequency = omega_; frequency < 4096. + omega_; frequency += omega_)

@@ -14,14 +14,17 @@ namespace Signorini
 {
 namespace
 {
-/** Periods 2 n of modes that are summed one by one. */
+/** The number of periods 2 n of modes that are summed one by one. */
 constexpr unsigned int n_periods = 16;
 
 /** The cosines on an edge that is divided into n equal intervals. */
 class EdgeModes
 {
 public:
-  /** @param at_least as many modes are taken one by one, and whole periods. */
+  /**
+   * Chooses the modes.
+   * @param at_least as many modes are taken one by one, and whole periods.
+   */
   EdgeModes(const double length, const unsigned int n, const unsigned int at_least)
     : length_(length)
     , n_(n)
@@ -36,14 +39,15 @@ public:
   {
     return i * dealii::numbers::PI / length_;
   }
-  /** p: what mode i looks like on the middles of the intervals; n: it vanishes there. */
+  /** Returns the mode p that equals mode i on the middles of the intervals; n if mode i vanishes
+   * there. */
   unsigned int alias(const unsigned int i) const
   {
     const unsigned int rest = i % (2 * n_);
     return rest <= n_ ? rest : 2 * n_ - rest;
   }
-  /** The coefficient of mode i of the function with the value cos(p pi (a + 1/2)/n) on interval a,
-   * divided by the sum of the squares of these cosines. */
+  /** Returns the coefficient of mode i of the function with the value cos(p π (a + 1/2)/n) on
+   * interval a, divided by the sum of the squares of these cosines. */
   double amplitude(const unsigned int i) const
   {
     if (i == 0)
@@ -51,12 +55,13 @@ public:
     const double sign = i % (2 * n_) <= n_ ? 1. : -1.;
     return sign * std::sqrt(2. / length_) * 2. / frequency(i) * sine(alias(i));
   }
-  /** The sum of amplitude² k² over the modes like p from size() on, for each unit of frequency. */
+  /** Returns the sum of amplitude² k² over the modes like p from size() on, for each unit of
+   * frequency. */
   double density(const unsigned int p) const
   {
     return 8. * sine(p) * sine(p) / (dealii::numbers::PI * n_);
   }
-  /** The first frequency that is not summed by itself. */
+  /** Returns the first frequency that is not summed by itself. */
   double end() const
   {
     return frequency(size_);
@@ -72,20 +77,20 @@ private:
   unsigned int n_, size_;
 };
 
-/** The integral of k^-2 (1 + a² + k²)^{-1/2} over k > K. */
+/** Returns the integral of k^-2 (1 + a² + k²)^{-1/2} over k > K. */
 double edge_tail(const double a, const double K)
 {
   return 1. / (K * (std::sqrt(1. + a * a + K * K) + K));
 }
 
-/** The integral of k_1^-2 k_2^-2 |k|^{-1} over k_1 > A, k_2 > B. */
+/** Returns the integral of k_1^-2 k_2^-2 |k|⁻¹ over k_1 > A, k_2 > B. */
 double corner_tail(const double A, const double B)
 {
   const double c = std::pow(A * A + B * B, 1.5) - A * A * A - B * B * B;
   return c / (3. * A * A * A * B * B * B);
 }
 
-/** cos(p pi (a + 1/2)/n), row p and column a. */
+/** Returns cos(p π (a + 1/2)/n), row p and column a. */
 dealii::FullMatrix<double> cosine_transform(const unsigned int n)
 {
   dealii::FullMatrix<double> cosines(n, n);
@@ -95,7 +100,7 @@ dealii::FullMatrix<double> cosine_transform(const unsigned int n)
   return cosines;
 }
 
-/** The columns of the cells of every patch added up. */
+/** Returns the columns of the cells of every patch added up. */
 dealii::FullMatrix<double> sum_over_patches(const dealii::FullMatrix<double> &of_cells,
                                             const std::vector<unsigned int> &ends)
 {
@@ -107,12 +112,13 @@ dealii::FullMatrix<double> sum_over_patches(const dealii::FullMatrix<double> &of
   return sums;
 }
 
-/** More cells than this along an edge are not common divisors but rounding. */
+/** The number of cells along an edge above which a divisor is due to rounding. */
 constexpr double most_cells = 1e5;
-/** Relative to an edge. */
+/** The rounding error of lengths, relative to an edge. */
 constexpr double edge_rounding = 1e-9;
 
-/** Euclid's, of two lengths that are known up to @p rounding. */
+/** Returns the common divisor of two lengths that are known up to @p rounding, by Euclid's
+ * algorithm. */
 double common_divisor(double a, double b, const double rounding)
 {
   while (b > rounding)
@@ -124,7 +130,7 @@ double common_divisor(double a, double b, const double rounding)
   return a;
 }
 
-/** A B C^T. */
+/** Returns A B Cᵀ. */
 dealii::FullMatrix<double> transform(const dealii::FullMatrix<double> &A,
                                      const dealii::FullMatrix<double> &B,
                                      const dealii::FullMatrix<double> &C)
@@ -135,7 +141,7 @@ dealii::FullMatrix<double> transform(const dealii::FullMatrix<double> &A,
   return result;
 }
 
-/** Adds what the modes beyond those of both edges leave. */
+/** Adds the remainder of the modes beyond those of both edges. */
 void add_tails(const EdgeModes &first, const EdgeModes &second, dealii::FullMatrix<double> &sums)
 {
   const auto add = [&](const EdgeModes &along, const EdgeModes &across, const bool transposed) {

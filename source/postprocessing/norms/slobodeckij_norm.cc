@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// |||.|||_{-1/2,Gamma_c} as the paper defines it, on one side.
+// |||.|||_{-1/2,Γ_c} as the paper defines it, on one side.
 
 #include <signorini/postprocessing/norms/slobodeckij_norm.h>
 
@@ -12,10 +12,10 @@ namespace Signorini
 {
 namespace
 {
-/** Values at the two nodes of a first and of a second cell. */
+/** A matrix for the values at the two nodes of a first and of a second cell. */
 using PairMatrix = std::array<std::array<double, 4>, 4>;
 
-/** Adds weight * w w^T. */
+/** Adds weight * w wᵀ. */
 void add_square(const std::array<double, 4> &w, const double weight, PairMatrix &matrix)
 {
   for (unsigned int i = 0; i < 4; ++i)
@@ -23,8 +23,8 @@ void add_square(const std::array<double, 4> &w, const double weight, PairMatrix 
       matrix[i][j] += weight * w[i] * w[j];
 }
 
-/** Both orders of two different cells whose first nodes are @p d >= 1 cells apart. In one dimension
- * the double integral does not depend on the size of the cells. */
+/** Returns the integrals over both orders of two different cells whose first nodes are @p d ≥ 1
+ * cells apart. In one dimension the double integral does not depend on the size of the cells. */
 PairMatrix pair_matrix(const unsigned int d)
 {
   PairMatrix matrix = {};
@@ -51,7 +51,7 @@ PairMatrix pair_matrix(const unsigned int d)
   return matrix;
 }
 
-/** Gram matrix of the seminorm. */
+/** Returns the Gram matrix of the seminorm. */
 dealii::FullMatrix<double> seminorm_matrix(const unsigned int n_cells)
 {
   dealii::FullMatrix<double> matrix(n_cells + 1, n_cells + 1);

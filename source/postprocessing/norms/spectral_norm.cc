@@ -20,13 +20,14 @@ namespace Signorini
 namespace
 {
 /**
- * grad phi_i . grad phi_j on a cell is a polynomial divided by the determinant of the cell's map. A
- * determinant that falls linearly by the factor @p r along an edge vanishes outside of it, where
- * the ellipse around the edge on which Gauss' rule with n points converges like rho^{-2n} has
- * rho = (sqrt(r) + 1)/(sqrt(r) - 1).
+ * Returns the number of points of a Gauss rule for the Gram matrix. grad φ_i . grad φ_j on a
+ * cell is a polynomial divided by the determinant of the cell's map. A determinant that falls
+ * linearly by the factor @p r along an edge vanishes outside of it, where the ellipse around the
+ * edge on which Gauss' rule with n points converges like ρ^{-2n} has ρ = (sqrt(r) + 1)/(sqrt(r)
+ * - 1).
  *
- * @return n with rho^{-2n} below 1e-10, and as many points more for the polynomial as the element's
- * degree says; from degree + 2, which is enough for r = 1, to 39 + degree.
+ * @return n with ρ^{-2n} below 1e-10, and as many points more for the polynomial as the element's
+ * degree; from degree + 2, which is enough for r = 1, to 39 + degree.
  */
 unsigned int points_for_ratio(const double r, const unsigned int degree)
 {
@@ -37,7 +38,7 @@ unsigned int points_for_ratio(const double r, const unsigned int degree)
   return degree + std::max(2U, static_cast<unsigned int>(n));
 }
 
-/** Shape functions at as many Gauss points as the shape of a cell asks for. */
+/** The shape functions at as many Gauss points as the shape of a cell needs. */
 template <int dim>
 class ValuesByShape
 {
@@ -67,7 +68,8 @@ public:
   }
 
 private:
-  /** The largest over the smallest, at the vertices and the middles between them. */
+  /** Returns the ratio of the largest to the smallest determinant, at the vertices and the middles
+   * between them. */
   double
   ratio_of_determinants(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
   {
@@ -83,7 +85,7 @@ private:
 
   dealii::FE_Nothing<dim> no_functions_;
   dealii::FEValues<dim> shape_;
-  /** By the degree and the number of points per direction. */
+  /** The values by the degree and the number of points per direction. */
   std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<dealii::FEValues<dim>>> values_;
 };
 } // namespace
@@ -105,7 +107,7 @@ dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const Displacemen
     const unsigned int n = element.n_dofs_per_cell();
     cell_matrix.reinit(n, n);
     indices.resize(n);
-    // The same block for every component.
+    // The block is the same for every component.
     for (unsigned int v = 0; v < n / dim; ++v)
       for (unsigned int w = 0; w <= v; ++w)
       {
@@ -135,18 +137,18 @@ assemble_h1_gram_matrix(const DisplacementSpace<2> &);
 template dealii::TrilinosWrappers::SparseMatrix
 assemble_h1_gram_matrix(const DisplacementSpace<3> &);
 
-// |||.|||_{-1/2,Gamma_c} by cosine or Fourier series, side by side.
+// |||.|||_{-1/2,Γ_c} by cosine or Fourier series, side by side.
 
 namespace
 {
 using dealii::numbers::PI;
 
 /**
- * Sums up amount * sin(k theta) (or cos) for k = 1..n_modes over many theta. With k = a + A b,
+ * Sums up amount * sin(k θ) (or cos) for k = 1..n_modes over many θ. With k = a + A b,
  *
- *     cos(k theta) = cos(a theta) cos(A b theta) - sin(a theta) sin(A b theta),
+ *     cos(k θ) = cos(a θ) cos(A b θ) - sin(a θ) sin(A b θ),
  *
- * and the sums over theta for all a and b are products of matrices.
+ * and the sums over θ for all a and b are products of matrices.
  */
 template <bool sine>
 class Harmonics
@@ -166,7 +168,7 @@ public:
       flush();
   }
 
-  /** sums[first + k - 1] += the sum of mode k, for all modes. */
+  /** Adds the sum of mode k to sums[first + k - 1], for all modes. */
   void add_to(dealii::Vector<double> &sums, const unsigned int first)
   {
     flush();
@@ -175,11 +177,11 @@ public:
   }
 
 private:
-  /** A. */
+  /** The number A. */
   static constexpr unsigned int block = 128;
 
-  /** cos(i step theta) and sin(i step theta), row i. Unit vectors are rotated by step theta; their
-   * errors add up to 1e-16 per row only. */
+  /** Computes cos(i step θ) and sin(i step θ), row i. Unit vectors are rotated by step
+   * θ; their errors add up to 1e-16 per row only. */
   void tabulate(const unsigned int step,
                 dealii::FullMatrix<double> &cosines,
                 dealii::FullMatrix<double> &sines) const
@@ -222,7 +224,7 @@ private:
   }
 
   unsigned int n_modes_;
-  /** The number of b. */
+  /** The number of values of b. */
   unsigned int n_blocks_;
   bool used_ = false;
   /** The sum for k = a + A b in row b and column a. */
@@ -286,8 +288,8 @@ SpectralNorm::Vector SpectralNorm::coefficients(const std::vector<double> &arc_l
 SpectralNorm::Vector SpectralNorm::coefficients_of_constants(const std::vector<double> &ends,
                                                              const Vector &values) const
 {
-  // int q cos(k omega s) = -sum of jumps times sin / (k omega): on an open side the sines vanish at
-  // both ends. int q sin = +sum of jumps times cos / (k omega).
+  // ∫ q cos(k ω s) = -sum of jumps times sin / (k ω): on an open side the sines vanish at
+  // both ends. ∫ q sin = +sum of jumps times cos / (k ω).
   Vector sums(1 + (closed_ ? 2 : 1) * n_modes_);
   Harmonics<true> sines(n_modes_);
   Harmonics<false> cosines(n_modes_);
@@ -320,7 +322,7 @@ double SpectralNorm::distance(const Vector &f,
   {
     const unsigned int k = mode(c);
     square += weight(k) * (f[c] - q_H[c]) * (f[c] - q_H[c]);
-    // q_k = (2/L)^{1/2} S_k/(k omega): the mean of S_k² gives the rest of the sum.
+    // q_k = (2/L)^{1/2} S_k/(k ω): the mean of S_k² gives the rest of the sum.
     if (k > n_modes_ - n_last)
       mean += std::pow(q_H[c] * k * omega_, 2) * length_ / 2. / n_last;
   }
@@ -338,7 +340,7 @@ double SpectralNorm::primal_norm(const Vector &f, const unsigned int n_pieces) c
     if (k > n_modes_ - n_last)
       mean += std::pow(k, 4) * f[c] * f[c] / n_last;
   }
-  // The sum of (k omega) k^-4 over k > K is about omega/(2 K²).
+  // The sum of (k ω) k^-4 over k > K is about ω/(2 K²).
   return std::sqrt(square + omega_ * mean / (2. * double(n_modes_) * (n_modes_ + 1.)));
 }
 

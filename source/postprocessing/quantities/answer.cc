@@ -19,7 +19,7 @@ dealii::Tensor<1, dim> to_tensor(const AnswerVector &x)
   return tensor;
 }
 
-/** Where a maximum lies at a singular place and stands out. */
+/** Sets the place of growth if a maximum lies at a singular place and stands out. */
 template <int dim, typename Maximum>
 void set_growth(const std::vector<SingularPlace<dim>> &places,
                 const MultiplierSpace<dim> &multipliers,
@@ -33,8 +33,8 @@ void set_growth(const std::vector<SingularPlace<dim>> &places,
     largest.grows_at = growth_at(dealii::Point<dim>(to_tensor<dim>(point)), places, multipliers, P);
 }
 
-/** The sum of the forces. Its line of action is given by the point nearest to the mean of theirs.
- */
+/** Returns the sum of the forces. Its line of action is given by the point nearest to the mean of
+ * theirs. */
 template <int dim>
 SideForce total_force(const std::vector<SideForce> &parts)
 {
@@ -59,7 +59,7 @@ SideForce total_force(const std::vector<SideForce> &parts)
   return total;
 }
 
-/** The largest pressure, and whether it means anything. */
+/** Returns the largest pressure, and the place where it grows without limit. */
 template <int dim>
 std::optional<PeakPressure> describe_peak(const MultiplierSpace<dim> &multipliers,
                                           const dealii::Vector<double> &P,
@@ -75,7 +75,7 @@ std::optional<PeakPressure> describe_peak(const MultiplierSpace<dim> &multiplier
   return peak;
 }
 
-/** Between 0 and 1 on a piece. */
+/** Returns positions between 0 and 1 on a piece. */
 std::vector<dealii::Point<1>> sample_positions(std::integral_constant<int, 2> /*dim*/)
 {
   constexpr unsigned int n_intervals = 16;

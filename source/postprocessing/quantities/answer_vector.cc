@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Whether a number settles under refinement.
+// The trend of a number under refinement.
 
 #include <signorini/postprocessing/quantities/answer_vector.h>
 

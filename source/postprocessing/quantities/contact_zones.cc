@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where contact ends, as far as the nodes of the multipliers tell.
+// The ends of contact, according to the nodes of the multipliers.
 
 #include <signorini/postprocessing/fields/contact_pressure.h>
 #include <signorini/postprocessing/fields/forces.h>
@@ -42,21 +42,21 @@ std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multiplie
   return brackets;
 }
 
-// Where the foundation presses: runs of pressing patches, and where the pressure vanishes.
+// The contact zones: runs of pressing patches, and the points where the pressure vanishes.
 
 namespace
 {
-/** What is known about a pressure that ends: the lengths of the last two patches that press, the
- * distance from the edge between them to the farthest end that is thought of, and the ratio of the
- * means, that of the last patch over the other. */
+/** The data of a pressure that ends: the lengths of the last two patches that press, the distance
+ * from the edge between them to the farthest possible end, and the ratio of the means, that of the
+ * last patch over the other. */
 struct EndOfPressure
 {
   double inner, last, farthest, ratio;
 };
 
 /**
- * The distance e from the edge between both patches at which -p = c (e - x)_+^{1/2} vanishes if its
- * means have the given ratio:
+ * Returns the distance e from the edge between both patches at which -p = c (e - x)_+^{1/2}
+ * vanishes if its means have the given ratio:
  *
  *     (F(e) - F(e - last)) / last = ratio (F(e + inner) - F(e)) / inner,   F(x) = x_+^{3/2}.
  */
@@ -103,7 +103,7 @@ public:
   {
     return surface_.side(surface_.patches()[first_]);
   }
-  /** Whether patch i presses; false beyond the ends of an open side. */
+  /** Returns whether patch i presses; false beyond the ends of an open side. */
   bool presses(const int i) const
   {
     return exists(i) && presses_[wrapped(i)];
@@ -113,7 +113,7 @@ public:
     return std::all_of(presses_.begin(), presses_.end(), [](const bool p) { return p; });
   }
 
-  /** The end of a run: patch @p last presses and last + @p step does not. */
+  /** Returns the end of a run: patch @p last presses and last + @p step does not. */
   ZoneEnd end_of_run(const int last, const int step) const
   {
     const double edge = step > 0 ? upper(last) : lower(last);
@@ -144,7 +144,7 @@ private:
   {
     return ((i % size()) + size()) % size();
   }
-  /** How often the number has gone around a closed side, as a length. */
+  /** Returns how often the number has gone around a closed side, as a length. */
   double turns(const int i) const
   {
     return (i - static_cast<int>(wrapped(i))) / size() * side().length();

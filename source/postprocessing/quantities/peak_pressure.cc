@@ -18,12 +18,15 @@ namespace Signorini
 class MeanParabola
 {
 public:
-  /** The function at a point. */
+  /** The value of the function at a point. */
   struct Value
   {
     double s, value;
   };
-  /** @param ends of the intervals, in their order. */
+  /**
+   * Finds the parabola.
+   * @param ends of the intervals, in their order.
+   */
   MeanParabola(const std::array<double, 4> &ends, const std::array<double, 3> &means)
     : from_(ends[1])
     , to_(ends[2])
@@ -38,14 +41,14 @@ public:
     constant_ =
       means[0] - first * (e[0] + e[1]) + second * (e[0] * e[1] + e[0] * e[2] + e[1] * e[2]);
   }
-  /** Its maximum if that lies in the middle interval, else the value in its middle: where the
-   * parabola is monotone, a neighbour has a larger value. */
+  /** Returns its maximum if that lies in the middle interval, else the value in its middle: where
+   * the parabola is monotone, a neighbour has a larger value. */
   Value maximum() const
   {
     const double top = curvature_ < 0. ? from_ - slope_ / (2. * curvature_) : from_;
     return at(top > from_ && top < to_ ? top : 0.5 * (from_ + to_));
   }
-  /** The same where the maximum may lie at an end, up to rounding. */
+  /** Returns the maximum also where it lies at an end, up to rounding. */
   Value maximum_with_ends() const
   {
     const double top = curvature_ < 0. ? from_ - slope_ / (2. * curvature_) : 2. * from_ - to_;
@@ -87,7 +90,8 @@ std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<2> &multiplie
     const Patch<2> &patch = patches[tau];
     if (!presses(tau, patch.side))
       continue;
-    // Of equal peaks (a symmetric body may have two) the first, whatever rounding makes of them.
+    // Of equal peaks (a symmetric body may have two) the first one is taken, independent of
+    // rounding.
     constexpr double larger = 1. + 1e-9;
     const auto compare = [&](const MeanParabola::Value &candidate) {
       const Side<2> &side = surface.side(patch);
@@ -121,8 +125,8 @@ struct PressureAt
   double value;
 };
 
-/** Whether a material is its own mirror image in a plane at right angles to an axis: entries of
- * Hooke's tensor with an odd number of indices of this axis vanish. */
+/** Returns whether a material is its own mirror image in a plane at right angles to an axis:
+ * entries of Hooke's tensor with an odd number of indices of this axis vanish. */
 bool is_symmetric(const dealii::SymmetricTensor<4, 3> &E, const unsigned int axis)
 {
   const double negligible = 1e-12 * E.norm();
@@ -136,8 +140,8 @@ bool is_symmetric(const dealii::SymmetricTensor<4, 3> &E, const unsigned int axi
   return true;
 }
 
-/** Whether a roller meets the contact side at a point of its edge. Then the body with its mirror
- * image is a body of twice the size, and the pressure goes on symmetrically. */
+/** Returns whether a roller meets the contact side at a point of its edge. Then the body with its
+ * mirror image is a body of twice the size, and the pressure goes on symmetrically. */
 bool is_mirror(const Scene<3> &scene, const dealii::Point<3> &x)
 {
   const double rounding = 1e-9 * scene.geometry.diameter();
@@ -157,7 +161,7 @@ bool is_mirror(const Scene<3> &scene, const dealii::Point<3> &x)
   return false;
 }
 
-/** By direction: whether the edges before the first and behind the last patch are mirrors. */
+/** Whether the edges before the first and behind the last patch are mirrors, by direction. */
 using Mirrors = std::array<std::array<bool, 2>, 2>;
 
 Mirrors mirrors_of(const PatchGrid &grid, const Scene<3> &scene)
@@ -175,9 +179,9 @@ Mirrors mirrors_of(const PatchGrid &grid, const Scene<3> &scene)
   return mirrors;
 }
 
-/** The parabola along coordinate @p d over patch @p index with its own mean and those of its
- * neighbours, which a mirror may take the place of; none where a neighbour is missing or does not
- * press. */
+/** Returns the parabola along coordinate @p d over patch @p index with its own mean and those of
+ * its neighbours, which a mirror may take the place of; none where a neighbour is missing or does
+ * not press. */
 std::optional<MeanParabola> parabola_along(const PatchGrid &grid,
                                            const Mirrors &mirrors,
                                            const dealii::Vector<double> &P,
@@ -203,8 +207,8 @@ std::optional<MeanParabola> parabola_along(const PatchGrid &grid,
                         i + 1 == n ? 2. * ends[n] - ends[n - 1] : ends[i + 2]}},
                       {{-before, -mean(i), -after}});
 }
-/** The middle and the ends of an interval. A line that is continued to a mirror would have a kink
- * there: such an end is left out. */
+/** Returns the middle and the ends of an interval. A line that is continued to a mirror would have
+ * a kink there: such an end is left out. */
 std::vector<double> positions_on(const PatchGrid &grid,
                                  const Mirrors &mirrors,
                                  const unsigned int d,
@@ -228,7 +232,8 @@ std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<3> &multiplie
   const RecoveredPressure<3> recovered(multipliers, P);
   std::optional<PressureMaximum> peak;
   const auto compare = [&](const unsigned int tau, const PressureAt &candidate) {
-    // Of equal peaks (a symmetric body may have two) the first, whatever rounding makes of them.
+    // Of equal peaks (a symmetric body may have two) the first one is taken, independent of
+    // rounding.
     constexpr double larger = 1. + 1e-9;
     const Patch<3> &patch = surface.patches()[tau];
     const Side<3> &side = surface.side(patch);
@@ -272,7 +277,8 @@ struct PointOfPressure
   double s, pressure;
 };
 
-/** The maximum between two points, by golden sections: of a function with one maximum there. */
+/** Returns the maximum between two points, by golden sections, of a function with one maximum
+ * there. */
 PointOfPressure golden_maximum(const std::function<double(double)> &f, double low, double high)
 {
   const double ratio = 0.5 * (std::sqrt(5.) - 1.);
@@ -300,8 +306,8 @@ PointOfPressure golden_maximum(const std::function<double(double)> &f, double lo
   return f_left > f_right ? PointOfPressure{left, f_left} : PointOfPressure{right, f_right};
 }
 
-/** The maximum of -p_H on a patch outside of given places: the best of many points, then between
- * its neighbours. Nothing where the patch lies in one of them. */
+/** Returns the maximum of -p_H on a patch outside of given places: the best of many points, then
+ * between its neighbours; none where the patch lies in one of the places. */
 std::optional<PointOfPressure> largest_on(const unsigned int patch,
                                           const MultiplierSpace<2> &multipliers,
                                           const dealii::Vector<double> &P,
@@ -332,7 +338,7 @@ std::optional<PointOfPressure> largest_on(const unsigned int patch,
                                                                                            : best;
 }
 
-/** -int p_H / |tau|. */
+/** Returns -∫ p_H / |τ|. */
 double mean_pressure(const unsigned int patch,
                      const MultiplierSpace<2> &multipliers,
                      const dealii::Vector<double> &P,
@@ -369,7 +375,7 @@ std::optional<PressureMaximum> peak_of_polynomial(const MultiplierSpace<2> &mult
                                                   const dealii::Vector<double> &P,
                                                   const std::vector<SingularPlace<2>> &outside_of)
 {
-  // Of equal peaks (a symmetric body may have two) the first, whatever rounding makes of them.
+  // Of equal peaks (a symmetric body may have two) the first one is taken, independent of rounding.
   constexpr double larger = 1. + 1e-9;
   const ContactSurface<2> &surface = multipliers.surface();
   const double threshold = pressing_threshold(P);

@@ -6,7 +6,8 @@
 
 namespace Signorini
 {
-/** contact_zones() and peak_pressure() where patches have polynomials. */
+/** zones_of_polynomial() and peak_of_polynomial() are contact_zones() and peak_pressure() where
+ * patches have polynomials. */
 std::vector<ContactZone> zones_of_polynomial(const MultiplierSpace<2> &multipliers,
                                              const dealii::Vector<double> &P);
 std::optional<PressureMaximum> peak_of_polynomial(const MultiplierSpace<2> &multipliers,

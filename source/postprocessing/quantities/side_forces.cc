@@ -11,7 +11,7 @@ namespace Signorini
 {
 namespace
 {
-/** By how much a moment moves the line of action of F: F × M / |F|². */
+/** Returns the shift of the line of action of F by a moment: F × M / |F|². */
 dealii::Tensor<1, 2> shift(const dealii::Tensor<1, 2> &F, const Moment<2> &moment)
 {
   return moment[0] / F.norm_square() * dealii::Tensor<1, 2>({F[1], -F[0]});
@@ -64,7 +64,7 @@ std::optional<dealii::Point<dim>> point_of_action(const Resultant<dim> &resultan
   const dealii::Tensor<1, dim> &F = resultant.force;
   if (!(F.norm() > negligible * scale))
     return {};
-  // x = centre + t (F2, -F1) has the moment centre × F + t |F|²; in space F × M / |F|².
+  // x = centre + t (F2, -F1) has the moment centre × F + t |F|²; in 3-D F × M / |F|².
   return centre + shift(F, resultant.moment_about(centre));
 }
 
@@ -81,7 +81,7 @@ template std::optional<dealii::Point<3>> point_of_action(const Resultant<3> &,
                                                          const dealii::Point<3> &,
                                                          double);
 
-// Which force acts through which side that holds the body.
+// The division of reactions among the sides that hold the body.
 
 namespace
 {
@@ -110,7 +110,7 @@ bool holds(const Role role)
   return role == Role::clamped || role == Role::roller || role == Role::displacement;
 }
 
-/** At right angles to a face, by its vertices. */
+/** Returns a vector at right angles to a face, by its vertices. */
 template <int dim, typename Face>
 dealii::Tensor<1, dim> across_face(const Face &face)
 {
@@ -124,7 +124,7 @@ dealii::Tensor<1, dim> across_face(const Face &face)
                                     face->vertex(2) - face->vertex(1));
 }
 
-/** The outward unit normal of a boundary face between its vertices. */
+/** Returns the outward unit normal of a boundary face between its vertices. */
 template <int dim>
 dealii::Tensor<1, dim>
 face_normal(const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
@@ -151,7 +151,7 @@ void add_holder(const unsigned int side,
   node.holders.push_back({side, role == Role::roller, normal});
 }
 
-/** By the first degree of freedom. */
+/** Returns the held nodes by their first degree of freedom. */
 template <int dim>
 std::map<dealii::types::global_dof_index, HeldNode<dim>>
 held_nodes(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const NodalForces &forces)
@@ -188,7 +188,7 @@ held_nodes(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const N
   return nodes;
 }
 
-/** What each of two holders in the plane takes of the reaction. */
+/** Returns the shares of two holders in the reaction, in 2-D. */
 std::vector<dealii::Tensor<1, 2>> shares(const dealii::Tensor<1, 2> &reaction,
                                          const std::vector<Holder<2>> &holders)
 {
@@ -207,8 +207,8 @@ std::vector<dealii::Tensor<1, 2>> shares(const dealii::Tensor<1, 2> &reaction,
   return {share, reaction - share};
 }
 
-/** What each holder in space takes of the reaction: rollers, whose normals are at right angles on a
- * box, what acts along them; the others share the rest. */
+/** Returns the shares of the holders in the reaction, in 3-D: rollers, whose normals are at right
+ * angles on a box, take the components along them; the others share the rest. */
 std::vector<dealii::Tensor<1, 3>> shares(const dealii::Tensor<1, 3> &reaction,
                                          const std::vector<Holder<3>> &holders)
 {
@@ -224,7 +224,7 @@ std::vector<dealii::Tensor<1, 3>> shares(const dealii::Tensor<1, 3> &reaction,
     }
     else
       n_others += 1.;
-  // Between rollers alone nothing but rounding is left.
+  // Between rollers alone only rounding is left.
   for (std::size_t i = 0; i < holders.size(); ++i)
     if (n_others == 0. || !holders[i].roller)
       parts[i] += rest / (n_others == 0. ? static_cast<double>(holders.size()) : n_others);

@@ -15,13 +15,14 @@ namespace
 {
 using dealii::numbers::PI;
 
-/** Closer to one, refinement changes stresses by less than rounding shows. */
+/** The largest singular exponent: closer to one, refinement changes stresses by less than rounding.
+ */
 constexpr double largest_singular_exponent = 1. - 1e-3;
 
-/** Of the sides and of the distances between corners. */
+/** The share of the sides and of the distances between corners. */
 constexpr double share_of_sides = 0.1;
 
-/** The smallest exponent over the states that contact may have. */
+/** Returns the smallest exponent over the states that contact may have. */
 double smallest_exponent(const double angle, const std::array<Role, 2> &roles, const double kappa)
 {
   double smallest = largest_corner_exponent;
@@ -31,9 +32,9 @@ double smallest_exponent(const double angle, const std::array<Role, 2> &roles, c
   return smallest;
 }
 
-/** Whether no state can be singular, for a look at hundreds of corners: (W1) at convex corners, and
- * where contact goes on straight. There it ends at one of its ends at most, where (1) excludes the
- * root 1/2. */
+/** Returns whether no state can be singular, which saves time with hundreds of corners: (W1) at
+ * convex corners, and where contact goes on straight. There it ends at one of its ends at most,
+ * where (1) excludes the root 1/2. */
 bool is_harmless(const double angle, const std::array<Role, 2> &roles)
 {
   const auto is_free = [](const Role role) { return role == Role::free || role == Role::traction; };
@@ -48,7 +49,7 @@ std::array<Role, 2> roles_at(const Scene<dim> &scene, const std::array<unsigned 
   return {{scene.boundary[sides[0]].role, scene.boundary[sides[1]].role}};
 }
 
-/** Whether the patch of a side that is nearest to a point presses. */
+/** Returns whether the patch of a side that is nearest to a point presses. */
 template <int dim>
 bool presses_at(const dealii::Point<dim> &x,
                 const unsigned int side,
@@ -73,7 +74,7 @@ bool presses_at(const dealii::Point<dim> &x,
   return P.size() > 0 && P[nearest] < pressing_threshold(P);
 }
 
-/** The block of Hooke's tensor in the plane of two axes. */
+/** Returns the block of Hooke's tensor in the plane of two axes. */
 dealii::SymmetricTensor<4, 2> in_plane(const dealii::SymmetricTensor<4, 3> &hooke,
                                        const std::array<unsigned int, 2> &axes)
 {
@@ -86,7 +87,7 @@ dealii::SymmetricTensor<4, 2> in_plane(const dealii::SymmetricTensor<4, 3> &hook
   return plane;
 }
 
-/** The axis of a box along the normal of a side. */
+/** Returns the axis of a box along the normal of a side. */
 unsigned int axis_of(const Side<3> &side)
 {
   const dealii::Tensor<1, 3> n = side.normal(dealii::Point<2>());

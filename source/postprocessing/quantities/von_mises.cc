@@ -15,7 +15,7 @@ namespace Signorini
 {
 namespace
 {
-/** The value and the place of the largest one, zero at the origin if there is none. */
+/** The value and the position of the largest stress, zero at the origin if there is none. */
 template <int dim>
 struct StressAt
 {
@@ -24,16 +24,19 @@ struct StressAt
   MeshAt mesh;
 };
 
-/** What some cells have. */
+/** The results of a set of cells. */
 template <int dim>
 struct CellResults
 {
   /** The largest stress of all points, and of those away from singular places. */
   StressAt<dim> all, away;
-  /** Their measure, and that of those that are strained much. */
+  /** The measure of the cells, and that of those with large strains. */
   double measure = 0., strained = 0.;
 
-  /** @param strain in the middle of the cell. */
+  /**
+   * Adds the measure of a cell.
+   * @param strain in the middle of the cell.
+   */
   void add_cell(const double of_cell, const dealii::SymmetricTensor<2, dim> &strain)
   {
     const auto principal = dealii::eigenvalues(strain);
@@ -43,19 +46,19 @@ struct CellResults
   }
 };
 
-/** What is looked at. */
+/** The data of the stress field. */
 template <int dim>
 struct StressField
 {
   const DisplacementSpace<dim> &space;
   const Material<dim> &material;
   const NodalVector &U;
-  /** By cell; empty where the strain is that of u_h. */
+  /** The mean dilatations by cell; empty where the strain is that of u_h. */
   const std::vector<double> dilatation;
   const std::vector<SingularPlace<dim>> &places;
 };
 
-/** The middle of the reference cell and its corners. */
+/** Returns the middle of the reference cell and its corners. */
 template <int dim>
 dealii::Quadrature<dim> middle_and_corners()
 {
@@ -67,9 +70,8 @@ dealii::Quadrature<dim> middle_and_corners()
   return dealii::Quadrature<dim>(points);
 }
 
-/** Takes the larger one; of equals (a symmetric body has some) the one further left, then
- * further down, so
- * that neither ranks nor rounding choose. */
+/** Takes the larger one; of equals (a symmetric body has some) the one further left, then further
+ * down, so that neither ranks nor rounding choose. */
 template <int dim>
 void take_larger(const StressAt<dim> &candidate, StressAt<dim> &largest)
 {
@@ -84,7 +86,7 @@ void take_larger(const StressAt<dim> &candidate, StressAt<dim> &largest)
     largest = candidate;
 }
 
-/** Adds another part of the body. */
+/** Adds the results of another part of the body. */
 template <int dim>
 void add(const CellResults<dim> &part, CellResults<dim> &results)
 {
@@ -94,7 +96,8 @@ void add(const CellResults<dim> &part, CellResults<dim> &results)
   results.strained += part.strained;
 }
 
-/** The stress at a point; nothing where the material's data has no value. */
+/** Compares the stress at a point with the largest one; skips points where the material's data has
+ * no value. */
 template <int dim>
 void compare(const StressField<dim> &field,
              const dealii::Point<dim> &x,
@@ -114,7 +117,7 @@ void compare(const StressField<dim> &field,
   }
 }
 
-/** The middle of the reference cell and the nodes of an element. */
+/** Returns the middle of the reference cell and the nodes of an element. */
 template <int dim>
 dealii::Quadrature<dim> middle_and_nodes(const dealii::FiniteElement<dim> &element)
 {
@@ -123,7 +126,8 @@ dealii::Quadrature<dim> middle_and_nodes(const dealii::FiniteElement<dim> &eleme
   return dealii::Quadrature<dim>(points);
 }
 
-/** Of a chunk of cells of several degrees, with the largest stress at the nodes of each. */
+/** Returns the results of a chunk of cells of several degrees, with the largest stress at the nodes
+ * of each. */
 template <int dim>
 CellResults<dim> results_at_nodes(const Cells<dim> &cells, const StressField<dim> &field)
 {
@@ -152,7 +156,7 @@ CellResults<dim> results_at_nodes(const Cells<dim> &cells, const StressField<dim
   return results;
 }
 
-/** Of a chunk of cells. */
+/** Returns the results of a chunk of cells. */
 template <int dim>
 CellResults<dim> results_of(const Cells<dim> &cells, const StressField<dim> &field)
 {
@@ -184,7 +188,7 @@ CellResults<dim> results_of(const Cells<dim> &cells, const StressField<dim> &fie
   return results;
 }
 
-/** Of all cells of this rank. */
+/** Returns the results of all cells of this rank. */
 template <int dim>
 CellResults<dim> results_of_cells(const StressField<dim> &field)
 {
@@ -196,7 +200,7 @@ CellResults<dim> results_of_cells(const StressField<dim> &field)
   return results;
 }
 
-/** The largest one of all ranks. */
+/** Returns the largest stress of all ranks. */
 template <int dim>
 StressMaximum largest_of_ranks(const StressAt<dim> &mine, MPI_Comm communicator)
 {
@@ -210,7 +214,7 @@ StressMaximum largest_of_ranks(const StressAt<dim> &mine, MPI_Comm communicator)
     other.value = of_rank[0];
     for (unsigned int d = 0; d < dim; ++d)
       other.point[d] = of_rank[1 + d];
-    // Graded meshes are those of one rank.
+    // Graded meshes are serial.
     other.mesh = mine.mesh;
     take_larger(other, largest);
   }

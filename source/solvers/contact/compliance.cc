@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// C column by column, as far as it is needed.
+// The compliance C column by column, as far as it is needed.
 
 #include <signorini/base/columns.h>
 #include <signorini/solvers/contact/compliance.h>
@@ -13,7 +13,7 @@ namespace Signorini
 {
 namespace
 {
-/** As many right-hand sides as are solved at once. */
+/** The number of right-hand sides that are solved at once. */
 constexpr std::size_t block_size = 32;
 } // namespace
 
@@ -211,14 +211,14 @@ bool SolvedCompliance::is_explicit() const
   return false;
 }
 
-// C = D^T A^{-1} D: read from the factors, or by columns.
+// C = Dᵀ A⁻¹ D: read from the factors, or by columns.
 
 namespace
 {
-/** C = D^T S^{-1} D = W^T W with S = L L^T, W = L^{-1} D. */
+/** Returns C = Dᵀ S⁻¹ D = Wᵀ W with S = L Lᵀ and W = L⁻¹ D. */
 dealii::FullMatrix<double> compliance_from(TrailingFactor &factor, const Coupling &condensed_D)
 {
-  // A matrix of LAPACK that was moved has forgotten it.
+  // A moved LAPACK matrix loses its properties.
   factor.L.set_property(dealii::LAPACKSupport::lower_triangular);
   const unsigned int m = condensed_D.n_columns();
   dealii::LAPACKFullMatrix<double> W(factor.L.m(), m);

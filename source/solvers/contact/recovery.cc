@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// F = G - D^T A^{-1} f of the dual problem.
+// F = G - Dᵀ A⁻¹ f of the dual problem.
 
 #include <signorini/solvers/contact/recovery.h>
 
@@ -39,7 +39,7 @@ template FreeState solve_free_state(const StiffnessInverse &,
                                     const Coupling &,
                                     const dealii::Vector<double> &);
 
-// U = A^{-1}(D P + f), (23).
+// U = A⁻¹(D P + f), (23).
 
 template <int dim>
 NodalVector recover_displacement(const StiffnessInverse &inverse,

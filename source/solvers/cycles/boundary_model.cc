@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What every C^ can do: entries, and solves on sets of multipliers.
+// The common functions of every Ĉ: entries, and solves on sets of multipliers.
 
 #include <signorini/base/errors.h>
 #include <signorini/solvers/cycles/boundary_model.h>
@@ -19,7 +19,7 @@ namespace
 using Vector = ComplianceOperator::Vector;
 using Indices = ComplianceOperator::Indices;
 
-/** Zero outside of the set. */
+/** Returns the vector of all multipliers, zero outside of the set. */
 Vector extended(const Vector &x, const Indices &set, const unsigned int n)
 {
   Vector all(n);
@@ -131,20 +131,20 @@ bool BoundaryModel::is_explicit() const
   return true;
 }
 
-// Which C^ fits a surface.
+// The choice of Ĉ for a surface.
 
 namespace
 {
 using Vector = ComplianceOperator::Vector;
 
-/** Sets of patches up to this size are factorised. In the plane a product with m patches costs m²,
- * as a solve with factors does; in space only m^{3/2}. */
+/** Returns the size of sets of patches up to which they are factorised. In 2-D a product with m
+ * patches costs m², as a solve with factors does; in 3-D only m^{3/2}. */
 constexpr unsigned int largest_factorised_set(const unsigned int dim)
 {
   return dim == 2 ? 3000 : 500;
 }
 
-/** Of a dense kernel: 300 MB with its factor. */
+/** The maximal number of patches of a dense kernel: 300 MB with its factor. */
 constexpr unsigned int most_kernel_patches = 6000;
 
 template <int dim>
@@ -155,14 +155,14 @@ void require_constants(const MultiplierSpace<dim> &multipliers)
       "The model of the compliance of the contact sides needs one multiplier per patch.");
 }
 
-/** E'/E_0 at the middle of a patch. */
+/** Returns E'/E_0 at the middle of a patch. */
 template <int dim>
 double relative_contact_modulus(const ContactSurface<dim> &surface, const Patch<dim> &patch)
 {
   const Side<dim> &side = surface.side(patch);
   const dealii::Tensor<1, dim> n = side.normal(patch.centre());
   const auto hooke = surface.scene().material->relative_hooke(side.point(patch.centre()));
-  // sum_j H(n, e_j, n, e_j) is M and one mu for each direction on the surface.
+  // Σ_j H(n, e_j, n, e_j) is M and one μ for each direction on the surface.
   double M = 0., sum = 0.;
   for (unsigned int a = 0; a < dim; ++a)
     for (unsigned int b = 0; b < dim; ++b)
@@ -173,11 +173,11 @@ double relative_contact_modulus(const ContactSurface<dim> &surface, const Patch<
           M += n[a] * n[b] * n[j] * n[k] * hooke[a][j][b][k];
       }
   const double mu = (sum - M) / (dim - 1);
-  // Anisotropic bodies may have mu > M.
+  // Anisotropic bodies may have μ > M.
   return 4. * mu * (1. - std::min(mu / M, 0.75));
 }
 
-/** (2/E')^{1/2} for every patch. */
+/** Returns (2/E')^{1/2} for every patch. */
 template <int dim>
 Vector scaling_of(const ContactSurface<dim> &surface, const std::vector<Patch<dim>> &patches)
 {
@@ -188,7 +188,7 @@ Vector scaling_of(const ContactSurface<dim> &surface, const std::vector<Patch<di
   return scaling;
 }
 
-/** The patches of one side as a grid of equal boxes; none if they are not. */
+/** Returns the patches of one side as a grid of equal boxes; none if they are not. */
 template <int dim>
 std::optional<GridBlock> grid_of(const ContactSurface<dim> &surface,
                                  const std::vector<unsigned int> &patches,
@@ -239,7 +239,7 @@ std::optional<GridBlock> grid_of(const ContactSurface<dim> &surface,
   return block;
 }
 
-/** The numbers of the patches of each side that has some. */
+/** Returns the numbers of the patches of each side that has some. */
 template <int dim>
 std::vector<std::vector<unsigned int>> patches_by_side(const ContactSurface<dim> &surface)
 {
@@ -273,8 +273,8 @@ std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<d
 {
   require_constants(multipliers);
   const ContactSurface<dim> &surface = multipliers.surface();
-  // Waves longer than the body is thick do not see a half space. Of 1, 1.5, 2 and 2.5 this factor
-  // gave the smallest conditions.
+  // Waves longer than the body is thick do not behave as on a half-space. Of 1, 1.5, 2 and 2.5 this
+  // factor gave the smallest conditions.
   const double omega_0 = 1.5 / surface.scene().geometry.shortest_extent();
   std::vector<GridBlock> blocks;
   for (const std::vector<unsigned int> &patches : patches_by_side(surface))

@@ -18,19 +18,20 @@ namespace Signorini
 /** A step of the iteration from U and P. */
 struct ContactStep
 {
-  /** r = f + D P - A U, z = V r. */
+  /** The residual r = f + D P - A U and z = V r. */
   NodalVector r, z;
-  /** d = Q - P, t C^_1 d. */
+  /** The change d = Q - P and t Ĉ_1 d. */
   dealii::Vector<double> d, C_d;
 
-  /** (z.V^{-1} z + d.t C^_1 d)^{1/2}. */
+  /** Returns (z.V⁻¹ z + d.t Ĉ_1 d)^{1/2}. */
   double size() const;
 };
 
 /**
- * Anderson's acceleration: the next (U, P) is taken where the step, as the linear combination of
- * the last ones, is smallest in the norm of ContactStep::size(). Between changes of the set {P < 0}
- * the iteration is linear, and this is a restarted method of minimal residuals for it.
+ * Anderson's acceleration of the iteration: the next (U, P) is taken where the step, as the linear
+ * combination of the last ones, is smallest in the norm of ContactStep::size(). Between changes of
+ * the set {P < 0} the iteration is linear, and this is a restarted method of minimal residuals for
+ * it.
  *
  * Two differences are kept, in single precision: 24 bytes per degree of freedom. (Relative errors
  * of differences matter, which fall with the step.)
@@ -38,16 +39,18 @@ struct ContactStep
 class Acceleration
 {
 public:
-  /** Goes from U and P by @p step, or farther. @param same_set whether the step leaves the set as
-   * it is; otherwise nothing before counts. */
+  /**
+   * Moves U and P by @p step, or farther.
+   * @param same_set whether the step keeps the set; otherwise earlier steps are forgotten.
+   */
   void advance(NodalVector &U, dealii::Vector<double> &P, const ContactStep &step, bool same_set);
-  /** Nothing before counts. */
+  /** Forgets all earlier steps. */
   void forget();
 
 private:
   using Floats = dealii::Vector<float>;
 
-  /** What changed from one point to the next: the point, and the step there. */
+  /** The change from one point to the next: of the point, and of the step there. */
   struct Difference
   {
     Floats U, z;
@@ -55,14 +58,14 @@ private:
   };
 
   void remember(const ContactStep &step);
-  /** The coefficients of the differences. */
+  /** Returns the coefficients of the differences. */
   dealii::Vector<double> coefficients(const ContactStep &step) const;
 
   std::deque<Difference> differences_;
-  /** products_[i][j]: those of differences of steps. */
+  /** The products of differences of steps, products_[i][j]. */
   std::deque<std::deque<double>> products_;
   bool has_last_ = false;
-  /** The last step, and where it led. */
+  /** The last step, and its increments. */
   Floats last_r_, last_z_, last_increment_;
   dealii::Vector<double> last_d_, last_C_d_, last_P_increment_;
 };
@@ -93,7 +96,7 @@ dealii::Vector<double> difference_of(dealii::Vector<double> a, const dealii::Vec
   return a;
 }
 
-/** to = from - to. */
+/** Replaces @p to by from - to. */
 void subtract_from(const NodalVector &from, dealii::Vector<float> &to)
 {
   for (unsigned int i = 0; i < to.size(); ++i)
@@ -158,7 +161,7 @@ dealii::Vector<double> Acceleration::coefficients(const ContactStep &step) const
     if (!(M(i, i) > 0.))
       return gamma;
   }
-  // Two differences that point the same way tell no more than one.
+  // Two differences in the same direction give no more information than one.
   if (n > 1 && M.determinant() < 1e-8 * M(0, 0) * M(1, 1))
   {
     gamma[n - 1] = rhs[n - 1] / M(n - 1, n - 1);
@@ -206,7 +209,7 @@ namespace
 {
 using Vector = dealii::Vector<double>;
 
-/** D^T V D P. */
+/** Returns Dᵀ V D P. */
 Vector approximate_compliance_times(const ContactSystem &system, const Vector &P)
 {
   NodalVector b(system.A.size()), z(system.A.size());
@@ -215,7 +218,8 @@ Vector approximate_compliance_times(const ContactSystem &system, const Vector &P
   return system.condensed_D.transpose_product(z);
 }
 
-/** The largest eigenvalue of a symmetric tridiagonal matrix, by bisection with Sturm's sequence. */
+/** Returns the largest eigenvalue of a symmetric tridiagonal matrix, by bisection with Sturm's
+ * sequence. */
 double largest_eigenvalue(const std::vector<double> &diagonal, const std::vector<double> &beside)
 {
   double low = 0., high = 0.;
@@ -235,7 +239,7 @@ double largest_eigenvalue(const std::vector<double> &diagonal, const std::vector
   return high;
 }
 
-/** Watches how fast steps shrink. */
+/** The sizes of the steps, which show how fast they shrink. */
 class StepHistory
 {
 public:
@@ -247,14 +251,15 @@ public:
   {
     steps_.clear();
   }
-  /** Three steps of growth, twofold in all. */
+  /** Returns whether three steps have grown, twofold in all. */
   bool grows() const
   {
     const std::size_t n = steps_.size();
     return n > 3 && steps_[n - 1] > steps_[n - 2] && steps_[n - 2] > steps_[n - 3] &&
            steps_[n - 1] > 2. * steps_[n - 4];
   }
-  /** A fifth per step would be a factor of 15 in these twelve. */
+  /** Returns whether twelve steps have shrunk by less than a fifth per step, which is a factor of
+   * 15. */
   bool stalls() const
   {
     constexpr std::size_t window = 12;
@@ -265,7 +270,7 @@ public:
 private:
   std::vector<double> steps_;
 };
-/** z by a V-cycle, d by the boundary problem of U + z. */
+/** Computes z by a V-cycle, and d by the boundary problem of U + z. */
 void complete_step(const ContactSystem &system, const ContactIterationResult &at, ContactStep &step)
 {
   step.z.reinit(at.U.size());
@@ -279,7 +284,7 @@ void complete_step(const ContactSystem &system, const ContactIterationResult &at
   step.C_d *= at.scale;
 }
 
-/** (U.A U)^{1/2} up to the residual: A U = f + D P - r. */
+/** Returns (U.A U)^{1/2} up to the residual: A U = f + D P - r. */
 double energy_norm(const ContactSystem &system, const ContactIterationResult &at)
 {
   NodalVector forces(system.f);
@@ -287,7 +292,7 @@ double energy_norm(const ContactSystem &system, const ContactIterationResult &at
   return std::sqrt(std::abs(forces * at.U));
 }
 
-/** One more V-cycle, which counts. */
+/** Measures the energy of the residual by one more V-cycle, which is counted. */
 void measure_energy_of_residual(const ContactSystem &system,
                                 const NodalVector &r,
                                 ContactIterationResult &result)
@@ -298,7 +303,7 @@ void measure_energy_of_residual(const ContactSystem &system,
   result.energy_of_residual = 0.5 * (r * z);
 }
 
-/** Whether P + d presses where P does. */
+/** Returns whether P + d presses where P does. */
 bool keeps_set(const Vector &P, const Vector &d)
 {
   for (unsigned int k = 0; k < P.size(); ++k)
@@ -329,7 +334,7 @@ double estimate_scale(const ContactSystem &system, const unsigned int n_steps)
 {
   constexpr double share_of_largest = 0.6;
   const unsigned int m = system.gap.size();
-  // v = C^ w; orthogonal in the product with C^^{-1}. The first one has all frequencies.
+  // v = Ĉ w; orthogonal in the product with Ĉ⁻¹. The first one has all frequencies.
   Vector v(m), v_before(m);
   for (unsigned int k = 0; k < m; ++k)
     v[k] = std::sin(1. + k * (k + 1.7));

@@ -17,7 +17,7 @@ using dealii::numbers::PI;
 
 constexpr int n_aliases = 8;
 
-/** (c_k/n)^{1/2} cos(k pi (i + 1/2)/n), c_0 = 1, c_k = 2. */
+/** Returns (c_k/n)^{1/2} cos(k π (i + 1/2)/n), c_0 = 1, c_k = 2. */
 Matrix orthonormal_cosines(const unsigned int n)
 {
   Matrix cosines(n, n);
@@ -27,7 +27,7 @@ Matrix orthonormal_cosines(const unsigned int n)
   return cosines;
 }
 
-/** c_k/n cos(k pi a/n) for 0 <= a < 2 n. */
+/** Returns c_k/n cos(k π a/n) for 0 ≤ a < 2 n. */
 Matrix differences(const unsigned int n)
 {
   Matrix cosines(2 * n, n);
@@ -37,13 +37,14 @@ Matrix differences(const unsigned int n)
   return cosines;
 }
 
-/** A mode of the series: its frequency squared, and the part of it that patches see, squared. */
+/** A mode of the series: the square of its frequency, and the square of the share of it that
+ * patches resolve. */
 struct Alias
 {
   double square_of_frequency, share;
 };
 
-/** The modes k + 2 n j of the series, with (sin x/x)^2 for x = omega h/2. */
+/** Returns the modes k + 2 n j of the series, with (sin x/x)² for x = ω h/2. */
 std::vector<Alias> aliases_of(const unsigned int k, const unsigned int n, const double length)
 {
   if (length <= 0.)
@@ -54,7 +55,7 @@ std::vector<Alias> aliases_of(const unsigned int k, const unsigned int n, const 
     const double x = 0.5 * PI * (k / double(n) + 2. * j);
     const double sinc = x == 0. ? 1. : std::sin(x) / x;
     const double frequency = 2. * x * n / length;
-    // The mode 0 meets itself only: sin(j pi) = 0.
+    // The mode 0 meets itself only: sin(j π) = 0.
     if (k > 0 || j == 0)
       aliases.push_back({frequency * frequency, sinc * sinc});
   }
@@ -148,7 +149,7 @@ CosineGrid::Vector CosineGrid::apply_inverse(const Vector &P) const
   return transform(P, inverse_eigenvalues_);
 }
 
-// C^ on sides that are grids of equal patches.
+// Ĉ on sides that are grids of equal patches.
 
 namespace
 {

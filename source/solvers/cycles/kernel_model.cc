@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// C^ by the kernel of the half space.
+// Ĉ by the kernel of the half space.
 
 #include <signorini/solvers/cycles/kernel_model.h>
 
@@ -13,10 +13,10 @@ namespace Signorini
 {
 namespace
 {
-/** Patches farther apart than this many diameters are points to each other. */
+/** The distance in diameters beyond which patches act on each other as points. */
 constexpr double far_away = 4.;
 
-/** int -log(r/R) ds for r = (s² + z²)^{1/2}, from 0 to u. */
+/** Returns ∫ -log(r/R) ds for r = (s² + z²)^{1/2}, from 0 to u. */
 double log_primitive(const double u, const double z, const double radius)
 {
   const double square = u * u + z * z;
@@ -26,7 +26,7 @@ double log_primitive(const double u, const double z, const double radius)
   return u - angle - 0.5 * u * std::log(square / (radius * radius));
 }
 
-/** int int 1/r over [0, u] x [0, v] but for terms that cancel. */
+/** Returns ∫∫ 1/r over [0, u] x [0, v] without terms that cancel. */
 double inverse_distance_primitive(const double u, const double v, const double z)
 {
   const double r = std::sqrt(u * u + v * v + z * z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// How far U and P are from a solution of (5).
+// The residuals of U and P in (5).
 
 #include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/cycles/saddle_point.h>
@@ -41,7 +41,10 @@ double relative_or_absolute(const double value, const double scale)
   return scale > 0. ? value / scale : value;
 }
 
-/** Stationarity. @return the residual. */
+/**
+ * Sets the stationarity.
+ * @return the residual.
+ */
 NodalVector measure_forces(const ContactSystem &system, ContactIterationResult &result)
 {
   constexpr double least_share_of_terms = 1e-3;
@@ -51,7 +54,7 @@ NodalVector measure_forces(const ContactSystem &system, ContactIterationResult &
   const double of_contact = pressing.l2_norm();
   const double largest = std::max({r.l2_norm(), of_contact, system.f.l2_norm()});
   // Where nothing touches, prescribed displacements may move the body as a whole: nothing else
-  // tells how small its forces are.
+  // shows how small its forces are.
   const double scale = std::max({of_contact, system.loads, least_share_of_terms * largest});
   r *= -1.;
   r += system.f;
@@ -62,7 +65,8 @@ NodalVector measure_forces(const ContactSystem &system, ContactIterationResult &
   return r;
 }
 
-/** |P - min(0, P - W/diag C)| relative to max(|P|, |F/diag C|), F = C P - W; |P.W|. */
+/** Sets |P - min(0, P - W/diag C)| relative to max(|P|, |F/diag C|), with F = C P - W, and |P.W|.
+ */
 void measure_contact(const ContactSystem &system, ContactIterationResult &result)
 {
   const dealii::Vector<double> W = system.opening(result.U);
@@ -97,7 +101,7 @@ NodalVector measure(const ContactSystem &system,
   const auto is_small = [](const double residual, const double allowed, const double rounding) {
     return residual <= std::max(allowed, multiples_of_rounding * rounding);
   };
-  // Where nothing touches there is nothing that a tolerance of contact allows.
+  // Where nothing touches, the tolerance of contact does not apply.
   const bool touches =
     std::any_of(result.P.begin(), result.P.end(), [](const double P_k) { return P_k != 0.; });
   const double allowed = touches ? options.stationarity : std::min(options.stationarity, 1e-9);
@@ -124,7 +128,7 @@ Indices indices_of(const std::vector<bool> &active)
   return set;
 }
 
-/** d with (W + C^ d)_S = 0 and d = -P elsewhere. */
+/** Returns d with (W + Ĉ d)_S = 0 and d = -P elsewhere. */
 Vector change_on_set(const BoundaryModel &model, const Vector &W, const Vector &P, const Indices &S)
 {
   Vector d(P), rhs(S.size());
@@ -142,10 +146,10 @@ Vector change_on_set(const BoundaryModel &model, const Vector &W, const Vector &
   return d;
 }
 
-/** By the method that cannot cycle. */
+/** Solves by the method that cannot cycle. */
 Vector solve_safely(const BoundaryModel &model, const Vector &W, const Vector &P)
 {
-  // Lives as long as the caller's model.
+  // The pointer does not own the model, which lives as long as the caller's.
   const std::shared_ptr<const ComplianceOperator> C(&model, [](const ComplianceOperator *) {});
   Vector F = model.apply(P);
   F -= W;
@@ -190,7 +194,7 @@ using Vector = dealii::Vector<double>;
 using Indices = ComplianceOperator::Indices;
 using BlockVector = dealii::BlockVector<double>;
 
-/** The matrix (A, -D_S; -D_S^T, 0) and its preconditioner. */
+/** The matrix (A, -D_S; -D_Sᵀ, 0) and its preconditioner. */
 class SaddlePoint
 {
 public:
@@ -222,7 +226,7 @@ public:
     }
   }
 
-  /** diag(V, (t C^_1)_SS^{-1}). */
+  /** The preconditioner diag(V, (t Ĉ_1)_SS⁻¹). */
   struct Preconditioner
   {
     const SaddlePoint &matrix;
@@ -244,7 +248,7 @@ private:
   double scale_;
 };
 
-/** One problem: the change of U and P on the set. */
+/** Solves for the change of U and P on one set. */
 void solve_on(const ContactSystem &system,
               const Indices &set,
               const double reduction,
@@ -270,7 +274,7 @@ void solve_on(const ContactSystem &system,
   }
   catch (const dealii::SolverControl::NoConvergence &)
   {
-    // The residual tells.
+    // The residual is checked by the caller.
   }
   result.U += x.block(0);
   for (unsigned int r = 0; r < set.size(); ++r)
@@ -294,7 +298,7 @@ void solve_by_minres(const ContactSystem &system,
       if (active[i])
         set.push_back(i);
     solve_on(system, set, reduction, options.maximum_cycles - result.cycles, result);
-    // A set without a residual takes none.
+    // A set without a residual needs no cycle.
     ++result.cycles;
     W = system.opening(result.U);
     std::vector<bool> next(W.size());

@@ -5,14 +5,17 @@
 
 namespace Signorini
 {
-/** vector += D P. */
+/** Adds D P to @p vector. */
 void add_product(const Coupling &D, const dealii::Vector<double> &P, NodalVector &vector);
 
-/** The unit roundoff times |A x|/|x| for a rough x. */
+/** Returns the unit roundoff times |A x|/|x| for a rough x. */
 double rounding_of(const StiffnessOperator &A);
 
-/** Sets kkt_residual, stationarity and complementarity of U and P, and whether they are small
- * enough. @return f + D P - A U. */
+/**
+ * Sets kkt_residual, stationarity and complementarity of U and P, and whether they are small
+ * enough.
+ * @return f + D P - A U.
+ */
 NodalVector measure(const ContactSystem &system,
                     const ContactIterationOptions &options,
                     ContactIterationResult &result);

@@ -33,7 +33,8 @@ double energy_at(const SeenMotions &motions, const Vector &F, const Vector &c, c
   return energy;
 }
 
-/** K + sum of B_i B_i^T/c_i, where springs are open only the given part of it. */
+/** Returns K + sum of B_i B_iᵀ/c_i, where springs that are open count only with the part @p open.
+ */
 Matrix stiffness_at(const SeenMotions &motions, const Vector &c, const Vector &P, const double open)
 {
   Matrix H = motions.K;
@@ -47,7 +48,7 @@ Matrix stiffness_at(const SeenMotions &motions, const Vector &c, const Vector &P
 
 MotionState solve_on_bedding(const SeenMotions &motions, const Vector &F, const Vector &c)
 {
-  // As if all springs pressed.
+  // The first step assumes that all springs press.
   Vector load = F;
   for (unsigned int i = 0; i < F.size(); ++i)
     load[i] /= c[i];
@@ -79,7 +80,7 @@ MotionState solve_on_bedding(const SeenMotions &motions, const Vector &F, const 
   return {P, z};
 }
 
-// C and motions against a stiffness.
+// The compliance of a body with motions against a stiffness.
 
 StiffenedCompliance::StiffenedCompliance(std::shared_ptr<const ComplianceOperator> C,
                                          const Matrix &B,
@@ -159,7 +160,7 @@ namespace
 using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 
-/** P <= 0 with B^T P = -b on few patches; nothing if K resists, where every P will do. */
+/** Returns P ≤ 0 with Bᵀ P = -b on few patches; nothing if K resists, where every P will do. */
 std::optional<Vector> pressure_in_balance(const SeenMotions &motions, const unsigned int m)
 {
   Matrix directions(motions.size(), m);
@@ -180,7 +181,7 @@ std::optional<Vector> pressure_in_balance(const SeenMotions &motions, const unsi
   return P;
 }
 
-/** Goes from P towards a pressure that pulls somewhere, to the first patch that ceases to press. */
+/** Moves P towards a pressure that pulls somewhere, to the first patch that ceases to press. */
 void step_to_first_zero(const Vector &wanted, Vector &P)
 {
   double part = 1.;
@@ -202,7 +203,8 @@ void step_to_first_zero(const Vector &wanted, Vector &P)
     P[leaves] = 0.;
 }
 
-/** The patch that penetrates most, measured by its own compliance; none within rounding. */
+/** Returns the patch with the largest penetration, measured by its own compliance; none within
+ * rounding. */
 std::optional<unsigned int> deepest(const ComplianceOperator &C,
                                     const Vector &F,
                                     const SeenMotions &motions,

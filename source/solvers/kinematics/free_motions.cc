@@ -25,27 +25,27 @@ struct MotionProblem
   Compliance C;
   const Vector &F;
   const SeenMotions &motions;
-  /** Of C, or a guess where columns are expensive. */
+  /** The diagonal of C, or an estimate where columns are expensive. */
   const Vector &diagonal;
   const DualSolverOptions &options;
 };
 
-/** Proximal iteration so far. */
+/** The state of the proximal iteration. */
 struct MotionSearch
 {
-  /** Where the next inner problem starts. */
+  /** The start of the next inner problem. */
   MotionState state;
-  /** The smallest residual so far, and what has it. */
+  /** The smallest residual so far, and its state. */
   double residual = std::numeric_limits<double>::max();
   MotionState best;
-  /** B_A^T C_AA^{-1} B_A of the patches that press, n x n. */
+  /** The stiffness B_Aᵀ C_AA⁻¹ B_A of the patches that press, n x n. */
   Matrix stiffness;
-  /** Of the last inner problem; iterations of all. */
+  /** The result of the last inner problem; its iterations are those of all. */
   QPResult inner;
   unsigned int outer_iterations = 0;
 };
 
-/** |B_i|. */
+/** Returns the norms |B_i|. */
 Vector row_norms(const Matrix &B)
 {
   Vector norms(B.m());
@@ -55,10 +55,8 @@ Vector row_norms(const Matrix &B)
   return norms;
 }
 
-/**
- * diag C; where columns are expensive, a guess from one column: C_ii grows like the square of the
- * length of a patch, as |B_i|^2 does.
- */
+/** Returns diag C; where columns are expensive, an estimate from one column: C_ii grows like the
+ * square of the length of a patch, as |B_i|² does. */
 Vector diagonal_guess(const ComplianceOperator &C, const Vector &F, const Vector &norms)
 {
   if (C.is_explicit())
@@ -75,7 +73,7 @@ Vector diagonal_guess(const ComplianceOperator &C, const Vector &F, const Vector
   return guess;
 }
 
-/** W = C P + B z - F. */
+/** Returns W = C P + B z - F. */
 Vector opening(const MotionProblem &problem, const MotionState &state)
 {
   Vector W = problem.C->apply(state.P);
@@ -84,7 +82,7 @@ Vector opening(const MotionProblem &problem, const MotionState &state)
   return W;
 }
 
-/** C_ii; for patches that do not press it is a guess where columns are expensive. */
+/** Returns C_ii; for patches that do not press it is an estimate where columns are expensive. */
 Vector diagonal_at(const MotionProblem &problem, const Vector &P)
 {
   Vector diagonal = problem.diagonal;
@@ -97,7 +95,7 @@ Vector diagonal_at(const MotionProblem &problem, const Vector &P)
   return diagonal;
 }
 
-/** See solve_dual_problem() with free motions. */
+/** Returns the residual, see solve_dual_problem() with free motions. */
 double kkt_residual(const MotionProblem &problem, const MotionState &state)
 {
   const Vector W = opening(problem, state);
@@ -115,7 +113,7 @@ double kkt_residual(const MotionProblem &problem, const MotionState &state)
   return scale > 0. ? std::sqrt(residual / scale) : std::sqrt(residual);
 }
 
-/** Remembers the state if it is the best one. */
+/** Stores the state if it is the best one. */
 void judge(const MotionProblem &problem, MotionState state, MotionSearch &search)
 {
   for (double &P_i : state.P)
@@ -128,8 +126,8 @@ void judge(const MotionProblem &problem, MotionState state, MotionSearch &search
   }
 }
 
-/** P - W/C_ii, nowhere positive: patches that pull leave the set, those with penetration join it.
- */
+/** Returns P - W/C_ii, cut off at zero: patches that pull leave the set, those with penetration
+ * join it. */
 Vector exchange(const MotionProblem &problem, const MotionState &state)
 {
   const Vector W = opening(problem, state);
@@ -140,11 +138,9 @@ Vector exchange(const MotionProblem &problem, const MotionState &state)
   return P;
 }
 
-/**
- * Computes exactly on the patches that press; keeps the stiffness, and better motions. Then patches
- * are exchanged until @p attempts did not help: inner problems know W up to the rounding of large
- * motions only, in which small patches beside large ones have no sign.
- */
+/** Computes exactly on the patches that press; keeps the stiffness, and better motions. Then
+ * patches are exchanged until @p attempts attempts have failed: inner problems compute W only up to
+ * the rounding of large motions, in which small patches beside large ones have no sign. */
 void solve_exactly(const MotionProblem &problem, const unsigned int attempts, MotionSearch &search)
 {
   MotionState trial = search.state;
@@ -169,7 +165,8 @@ void solve_exactly(const MotionProblem &problem, const unsigned int attempts, Mo
   }
 }
 
-/** E: part of the stiffness of the contact; motions that it does not see get some, too. */
+/** Returns E: part of the stiffness of the contact; motions that it does not resist get some, too.
+ */
 Matrix proximal_stiffness(const Matrix &stiffness, const double part)
 {
   double trace = 0.;
@@ -182,7 +179,7 @@ Matrix proximal_stiffness(const Matrix &stiffness, const double part)
   return E;
 }
 
-/** What the inner problem is solved with, in the iterations that are left. */
+/** Returns the options of the inner problem, with the iterations that are left. */
 DualSolverOptions inner_options(const MotionProblem &problem,
                                 const MotionSearch &search,
                                 const bool by_sweeps)
@@ -202,7 +199,8 @@ DualSolverOptions inner_options(const MotionProblem &problem,
   return options;
 }
 
-/** The dual problem with C + B (K + E)^{-1} B^T, and the motions that belong to its pressure. */
+/** Solves the dual problem with C + B (K + E)⁻¹ Bᵀ, and computes the motions that belong to its
+ * pressure. */
 void solve_inner(const MotionProblem &problem, MotionSearch &search)
 {
   const SeenMotions &motions = problem.motions;
@@ -212,7 +210,7 @@ void solve_inner(const MotionProblem &problem, MotionSearch &search)
   Q.add(1., motions.K);
   const SmallCholesky solver(Q);
   MotionState next = search.state;
-  // z = z_old + Q^{-1}(b - K z_old + B^T P).
+  // z = z_old + Q⁻¹(b - K z_old + Bᵀ P).
   next.z += solver.solve(motions.imbalance(Vector(next.P.size()), next.z));
   Vector load = problem.F;
   load -= times(motions.B, next.z);
@@ -232,7 +230,7 @@ void solve_inner(const MotionProblem &problem, MotionSearch &search)
     search.inner.active_set_failure = failure;
 }
 
-/** Whether P is the only one: C with motions is regular on the patches that touch. */
+/** Returns whether P is the only solution: C with motions is regular on the patches that touch. */
 bool is_only_solution(const MotionProblem &problem, const MotionState &state)
 {
   const Vector W = opening(problem, state);
@@ -247,7 +245,7 @@ bool is_only_solution(const MotionProblem &problem, const MotionState &state)
   double size = 0.;
   for (unsigned int i = 0; i < C_TT.m(); ++i)
     size = std::max(size, C_TT(i, i));
-  // Two solutions differ by a P with C P = 0 and B^T P = 0.
+  // Two solutions differ by a P with C P = 0 and Bᵀ P = 0.
   for (unsigned int i = 0; i < C_TT.m(); ++i)
     for (unsigned int j = 0; j < C_TT.m(); ++j)
       for (unsigned int l = 0; l < n; ++l)
@@ -258,7 +256,7 @@ bool is_only_solution(const MotionProblem &problem, const MotionState &state)
   return BoundConstrainedQP(C_TT, Vector(touching.size())).has_unique_solution(pressing);
 }
 
-/** Where the search begins: the given pressure, or that of separate springs. */
+/** Returns the begin of the search: the given pressure, or that of separate springs. */
 MotionSearch begin(const MotionProblem &problem, const Vector &start)
 {
   MotionSearch search;
@@ -277,7 +275,7 @@ MotionSearch begin(const MotionProblem &problem, const Vector &start)
   return search;
 }
 
-/** Until the residual is that of rounding, or it falls no more. */
+/** Iterates until the residual is that of rounding, or does not fall further. */
 void iterate(const MotionProblem &problem, MotionSearch &search)
 {
   const double tolerance = problem.options.tolerance;
@@ -303,7 +301,7 @@ std::string describe_failure(const MotionProblem &problem, const MotionSearch &s
          std::to_string(search.inner.iterations) + " iterations";
 }
 
-/** Columns of norm one; zero columns stay. */
+/** Returns the matrix with columns of norm one; zero columns stay. */
 Matrix normalised(Matrix B)
 {
   const Vector norms = column_norms(B);
@@ -313,7 +311,7 @@ Matrix normalised(Matrix B)
   return B;
 }
 
-/** The sum of |B_i|^2/C_ii; 1/C_ii where B is zero. */
+/** Returns the sum of |B_i|²/C_ii; 1/C_ii where B is zero. */
 double contact_stiffness(const Vector &norms, const Vector &diagonal)
 {
   double sum = 0.;
@@ -327,7 +325,7 @@ bool is_zero(const Vector &v)
   return v.size() == 0 || v.all_zero();
 }
 
-/** Where there is at least one patch and one motion that it or K sees. */
+/** Solves where there is at least one patch, and one motion that the patches or K resist. */
 void solve_seen(const MotionProblem &problem, const Vector &start, MotionResult &result)
 {
   MotionSearch search = begin(problem, start);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Z = k - A^{-1} A k for the lifts k of free motions.
+// Z = k - A⁻¹ A k for the lifts k of free motions.
 
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/elasticity/traces.h>
@@ -15,14 +15,14 @@ namespace Signorini
 {
 namespace
 {
-/** The nodal values of a rigid motion. */
+/** Returns the nodal values of a rigid motion. */
 NodalVector interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space)
 {
   return interpolate_at_nodes(
     space, FieldFunction([&](const dealii::Point<2> &x) { return motion.velocity(x); }));
 }
 
-/** What the motion says about plates, pins and other supports; zero elsewhere. */
+/** Returns the values of the motion on plates, pins and other supports; zero elsewhere. */
 NodalVector lift(const FreeMotion &motion, const DisplacementSpace<2> &space, const Scene<2> &scene)
 {
   NodalVector k = space.prescribed(with_only_plates_moved(scene, motion.plates));
@@ -32,7 +32,8 @@ NodalVector lift(const FreeMotion &motion, const DisplacementSpace<2> &space, co
   return k;
 }
 
-/** The forces of a mode; empty where all of them are rounding: V^h contains the rigid motion. */
+/** Returns the forces of a mode; empty where all of them are rounding: V^h contains the rigid
+ * motion. */
 NodalVector forces_of_mode(const NodalVector &z,
                            const DisplacementSpace<2> &space,
                            const Scene<2> &scene)
@@ -58,7 +59,7 @@ struct WorkSum
     value += term;
     magnitude += std::abs(term);
   }
-  /** factor a.b. */
+  /** Adds the terms of factor a.b. */
   void add_product(const NodalVector &a, const NodalVector &b, const double factor)
   {
     for (unsigned int i = 0; i < a.size(); ++i)
@@ -66,7 +67,7 @@ struct WorkSum
   }
 };
 
-/** k - A^{-1} A k. */
+/** Returns k - A⁻¹ A k. */
 NodalVector extend(const NodalVector &k,
                    const DisplacementSpace<2> &space,
                    const Scene<2> &scene,
@@ -77,7 +78,7 @@ NodalVector extend(const NodalVector &k,
   return solve_prescribed(inverse, space, k, r);
 }
 
-/** Of plates, and of a body that only contact holds. */
+/** Returns the modes of plates, and of a body that only contact holds. */
 MotionModes<2> modes_of_plane(const DisplacementSpace<2> &space,
                               const Scene<2> &scene,
                               const StiffnessInverse &inverse)
@@ -200,7 +201,7 @@ template MotionModes<3> make_motion_modes(const DisplacementSpace<3> &,
                                           const Scene<3> &,
                                           const StiffnessInverse &);
 
-// What a body does that neither supports nor contact stop.
+// The motion of a body that neither supports nor contact stop.
 
 std::string word_for_escape(const RigidMotion &motion, const bool opens)
 {

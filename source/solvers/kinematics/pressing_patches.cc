@@ -19,7 +19,7 @@ using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 using Columns = std::vector<unsigned int>;
 
-/** The y with the smallest |b - A_S y| without regard to signs. */
+/** Returns the y with the smallest |b - A_S y| regardless of signs. */
 Vector least_squares(const Matrix &A, const Columns &S, const Vector &b)
 {
   Matrix A_S(A.m(), S.size());
@@ -31,7 +31,7 @@ Vector least_squares(const Matrix &A, const Columns &S, const Vector &b)
   return y;
 }
 
-/** The way from y to the wanted values ends where the first entry vanishes, which then leaves. */
+/** Moves y towards the wanted values until the first entry vanishes, which then leaves the set. */
 void step_back(Columns &S, Vector &y, const Vector &wanted)
 {
   double part = 2.;
@@ -60,7 +60,7 @@ bool all_positive(const Vector &y)
   return std::all_of(y.begin(), y.end(), [](const double value) { return value > 0.; });
 }
 
-/** b - A_S y. */
+/** Returns b - A_S y. */
 Vector remainder(const Matrix &A, const Columns &S, const Vector &y, const Vector &b)
 {
   Vector r = b;
@@ -131,7 +131,10 @@ void add_to_diagonal(Matrix &Q, const double part)
     Q(i, i) += part * sum / Q.m();
 }
 
-/** Factorises C_AA by Cholesky. @return whether it is regular, all pivots are above rounding. */
+/**
+ * Factorises C_AA by Cholesky's method.
+ * @return whether it is regular: all pivots are above rounding.
+ */
 bool try_to_factorise(const Matrix &C_AA, Factor &factor)
 {
   factor.reinit(C_AA.m());
@@ -151,7 +154,7 @@ bool try_to_factorise(const Matrix &C_AA, Factor &factor)
   return true;
 }
 
-/** Of C_AA, or of C_AA with a little more on the diagonal where it is singular. */
+/** Factorises C_AA, or C_AA with a little more on the diagonal where it is singular. */
 bool factorise_nearly(Matrix C_AA, Factor &factor)
 {
   if (try_to_factorise(C_AA, factor))
@@ -160,7 +163,8 @@ bool factorise_nearly(Matrix C_AA, Factor &factor)
   return try_to_factorise(C_AA, factor);
 }
 
-/** The remainders of both equations are solved for and added, several times. X = C_AA^{-1} B_A. */
+/** Refines the solution: solves for the remainders of both equations several times and adds the
+ * result. X = C_AA⁻¹ B_A. */
 void refine(const ComplianceOperator &C,
             const Vector &F,
             const SeenMotions &motions,
@@ -210,7 +214,7 @@ std::optional<PressingSolution> solve_on_pressing(const ComplianceOperator &C,
   Factor C_AA;
   if (!factorise_nearly(submatrix(C, A), C_AA))
     return std::nullopt;
-  // Columns of C_AA^{-1} B_A.
+  // Columns of C_AA⁻¹ B_A.
   std::vector<Vector> X(n, Vector(A.size()));
   PressingSolution found{start, Matrix(n, n)};
   for (double &P_i : found.state.P)

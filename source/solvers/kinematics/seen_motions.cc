@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Free motions without units, without those that nothing sees, and whether there is a balance.
+// Free motions without units and without those that nothing resists, and their balance.
 
 #include <signorini/solvers/kinematics/pressing_patches.h>
 #include <signorini/solvers/kinematics/seen_motions.h>
@@ -16,7 +16,7 @@ namespace
 using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 
-/** One unit of each motion without units: 1/|B_j|, or by its resistance, or as large as others. */
+/** Returns the unit of each motion: 1/|B_j|, or by its resistance, or as large as the others. */
 Vector units_of(const FreeMotions &motions, const Vector &norms, const double stiffness)
 {
   const unsigned int k = motions.b.size();
@@ -34,7 +34,7 @@ Vector units_of(const FreeMotions &motions, const Vector &norms, const double st
   return units;
 }
 
-/** The vectors as columns, with n rows. */
+/** Returns the vectors as columns, with n rows. */
 Matrix as_columns(const std::vector<Vector> &vectors, const unsigned int n)
 {
   Matrix columns(n, vectors.size());
@@ -44,7 +44,7 @@ Matrix as_columns(const std::vector<Vector> &vectors, const unsigned int n)
   return columns;
 }
 
-/** M N, also without rows or columns. */
+/** Returns M N, also without rows or columns. */
 Matrix product(const Matrix &M, const Matrix &N)
 {
   Matrix result(M.m(), N.n());
@@ -55,7 +55,7 @@ Matrix product(const Matrix &M, const Matrix &N)
   return result;
 }
 
-/** M^T N. */
+/** Returns Mᵀ N. */
 Matrix transpose_product(const Matrix &M, const Matrix &N)
 {
   Matrix result(M.n(), N.n());
@@ -66,7 +66,8 @@ Matrix transpose_product(const Matrix &M, const Matrix &N)
   return result;
 }
 
-/** An orthonormal basis of what is orthogonal to the orthonormal columns, as columns. */
+/** Returns an orthonormal basis of the orthogonal complement of the orthonormal columns, as
+ * columns. */
 Matrix complement(const Matrix &columns, const unsigned int k)
 {
   Matrix rows(std::max<unsigned int>(columns.n(), 1), k);
@@ -76,7 +77,7 @@ Matrix complement(const Matrix &columns, const unsigned int k)
   return as_columns(split_by_size(rows, 0.5).null, k);
 }
 
-/** units_i v_i, the largest |v_i| made one. */
+/** Returns units_i v_i, where v is scaled so that the largest |v_i| is one. */
 Vector with_units(Vector v, const Vector &units)
 {
   const double largest = v.linfty_norm();
@@ -85,7 +86,7 @@ Vector with_units(Vector v, const Vector &units)
   return v;
 }
 
-/** The transposes of the rows of B that are not zero within rounding, with norm one. */
+/** Returns the transposes of the rows of B that are not zero within rounding, with norm one. */
 Matrix directions(const Matrix &B)
 {
   std::vector<double> norms(B.m());
@@ -110,11 +111,11 @@ Matrix directions(const Matrix &B)
 /** Free motions without units: columns of B have norm one or are zero. */
 struct Unitless
 {
-  /** At least one row. */
+  /** The coupling, with at least one row. */
   Matrix B;
   Matrix K;
   Vector b, units;
-  /** What is rounding of b, and of K. */
+  /** The levels of rounding of b and of K. */
   double noise = 0., resistance = 0.;
 };
 
@@ -143,7 +144,8 @@ Unitless without_units(const FreeMotions &motions, const unsigned int m, const d
   return all;
 }
 
-/** Through hidden motions, or through those that contact sees and K does not resist. */
+/** Returns an escape through hidden motions, or through those that close patches and K does not
+ * resist. */
 std::optional<Vector> find_escape(const Unitless &all, const Matrix &hidden, const Matrix &seen)
 {
   const Vector unseen_part = transpose_times(hidden, all.b);
@@ -152,7 +154,7 @@ std::optional<Vector> find_escape(const Unitless &all, const Matrix &hidden, con
   const Vector b = transpose_times(seen, all.b);
   if (b.size() == 0 || b.l2_norm() <= all.noise)
     return std::nullopt;
-  // -P >= 0, so the cone is that of the rows of B.
+  // -P ≥ 0, so the cone is that of the rows of B.
   const Vector left = remainder_outside_cone(directions(product(all.B, seen)), b, 1e-13);
   if (left.l2_norm() <= all.noise)
     return std::nullopt;

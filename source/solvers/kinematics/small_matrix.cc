@@ -12,10 +12,8 @@ namespace Signorini
 {
 namespace
 {
-/**
- * R of M = Q R, k x k, by Gram and Schmidt, each column made orthogonal twice. A column that
- * depends on those before it has R_jj = 0, and no column of Q.
- */
+/** Returns R of M = Q R, k x k, by Gram and Schmidt, each column made orthogonal twice. A column
+ * that depends on those before it has R_jj = 0, and no column of Q. */
 dealii::FullMatrix<double> triangle_of(const dealii::FullMatrix<double> &M)
 {
   constexpr double dependent = 1e-15;

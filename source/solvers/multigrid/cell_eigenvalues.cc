@@ -17,12 +17,12 @@ namespace Signorini
 {
 namespace
 {
-/** Steps of the power method, more of them for matrices of many cells, and the factor for what they
- * do not find. */
+/** The numbers of steps of the power method, more of them for matrices of many cells, and the
+ * safety factor of its result. */
 constexpr unsigned int n_steps_stored = 40, n_steps_shared = 400;
 constexpr double safety = 1.05;
 
-/** n cells side by side: values[i][lane] and K[entry][lane]. */
+/** The pencils of n cells side by side: values[i][lane] and K[entry][lane]. */
 template <int dim, unsigned int n>
 class CellPencils
 {
@@ -30,7 +30,10 @@ public:
   static constexpr unsigned int n_dofs = dim << dim;
   using Matrices = CellMatrices<dim, float>;
 
-  /** @param K with distance n between entries. */
+  /**
+   * Inverts the diagonal blocks.
+   * @param K with distance n between entries.
+   */
   SIGNORINI_INLINE explicit CellPencils(const float *K)
     : K_(K)
   {
@@ -48,12 +51,12 @@ public:
       }
   }
 
-  /** The largest of the first @p n_cells cells. */
+  /** Returns the largest eigenvalue of the first @p n_cells cells. */
   SIGNORINI_INLINE double largest_eigenvalue(const unsigned int n_cells,
                                              const unsigned int n_steps) const
   {
     float x[n_dofs][n], y[n_dofs][n], quotient[n];
-    // Without pattern: no eigenvector is orthogonal to it.
+    // The vector has no pattern: no eigenvector is orthogonal to it.
     for (unsigned int i = 0; i < n_dofs; ++i)
       for (unsigned int l = 0; l < n; ++l)
         y[i][l] = static_cast<float>((i * i * 7919 + 104729 * i + 1) % 101) - 47.3F;
@@ -72,7 +75,7 @@ public:
   }
 
 private:
-  /** x = B y, and both divided by (y.B y)^{1/2}. */
+  /** Computes x = B y, and divides both by (y.B y)^{1/2}. */
   SIGNORINI_INLINE void scale(float (&y)[n_dofs][n], float (&x)[n_dofs][n]) const
   {
     float size[n] = {};
@@ -110,7 +113,7 @@ private:
   const float *K_;
   float B_[1U << dim][dim][dim][n];
 };
-/** The largest eigenvalue of n_lanes cells, [entry][lane]. */
+/** Returns the largest eigenvalue of n_lanes cells, [entry][lane]. */
 template <int dim>
 double of_batch_basic(const float *const K)
 {

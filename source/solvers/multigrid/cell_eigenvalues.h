@@ -5,11 +5,9 @@
 
 namespace Signorini
 {
-/**
- * A bound of the eigenvalues of B A, with the inverse B of the diagonal blocks of nodes: the
- * largest of all cells. With the diagonal blocks D_K of the matrix A_K of a cell, x.A x = sum x.A_K
- * x <= lambda sum x.D_K x = lambda x.D x, whatever conditions hold.
- */
+/** Returns a bound of the eigenvalues of B A, with the inverse B of the diagonal blocks of nodes:
+ * the largest eigenvalue of all cells. With the diagonal blocks D_K of the matrix A_K of a cell,
+ * x.A x = sum x.A_K x ≤ λ sum x.D_K x = λ x.D x, whatever conditions hold. */
 template <int dim>
 double largest_eigenvalue_of_cells(const CellMatrices<dim, float> &matrices,
                                    const BlockGrid<dim> &grid);

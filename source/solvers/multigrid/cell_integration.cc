@@ -19,16 +19,16 @@ namespace
 template <int dim, typename Number>
 struct PointOfCells
 {
-  /** [vertex dim + component][lane]. */
+  /** The positions of the vertices, [vertex dim + component][lane]. */
   const Number (*vertices)[n_lanes];
-  /** Of the shape functions on the reference cell. */
+  /** The derivatives of the shape functions on the reference cell. */
   const Number *gradients;
   Number weight;
-  /** [modulus][lane]. */
+  /** The moduli, [modulus][lane]. */
   const Number (*moduli)[n_lanes];
 };
 
-/** Gradients of the shape functions, and the weight times the determinant. */
+/** Computes the gradients of the shape functions, and the weight times the determinant. */
 template <int dim, typename Number, typename V>
 SIGNORINI_INLINE void map_gradients(V (&g)[1 << dim][dim],
                                     V &weight,
@@ -58,7 +58,7 @@ SIGNORINI_INLINE void map_gradients(V (&g)[1 << dim][dim],
     }
 }
 
-/** K += B^T C B times the weight of the point, for all cells of a batch. */
+/** Adds Bᵀ C B times the weight of the point to K, for all cells of a batch; C are the moduli. */
 template <int dim, typename Number, int bytes>
 SIGNORINI_INLINE void add_point(Number *const K, const PointOfCells<dim, Number> &point)
 {

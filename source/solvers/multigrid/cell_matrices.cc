@@ -10,7 +10,7 @@ namespace Signorini
 {
 namespace
 {
-/** The value of the parent's shape function V at vertex v of a child. */
+/** Returns the value of the parent's shape function V at vertex v of a child. */
 template <int dim>
 double parent_shape(const unsigned int child, const unsigned int v, const unsigned int V)
 {
@@ -23,7 +23,7 @@ double parent_shape(const unsigned int child, const unsigned int v, const unsign
   return value;
 }
 
-/** K += P^T K_child P for n lanes, [i][j][lane]. */
+/** Adds Pᵀ K_child P to K for n lanes, [i][j][lane]. */
 template <int dim, unsigned int n>
 void add_child(const unsigned int child, const std::vector<double> &K_child, std::vector<double> &K)
 {
@@ -32,7 +32,7 @@ void add_child(const unsigned int child, const std::vector<double> &K_child, std
     for (unsigned int j = 0; j < n_dofs * n; ++j)
       target[j] += weight * source[j];
   };
-  // Rows: half = P^T K_child, and by its transpose K = half P.
+  // Rows: half = Pᵀ K_child, and by its transpose K = half P.
   std::vector<double> half(n_dofs * n_dofs * n, 0.);
   for (unsigned int V = 0; V < n_vertices; ++V)
     for (unsigned int v = 0; v < n_vertices; ++v)
@@ -73,7 +73,7 @@ private:
   std::size_t n_, n_fine_;
 };
 
-/** The parent of cells that all have the same matrix. */
+/** Returns the matrix of the parent of cells that all have the same matrix. */
 template <int dim>
 std::vector<double> parent_of_equals(const double *const matrix)
 {
@@ -85,7 +85,7 @@ std::vector<double> parent_of_equals(const double *const matrix)
   return K;
 }
 
-/** The matrix that all children of a batch share, or -1. */
+/** Returns the number of the matrix that all children of a batch share, or -1. */
 template <int dim>
 int common_matrix(const CellMatrices<dim, double> &fine,
                   const Children<dim> &children,
@@ -102,7 +102,7 @@ int common_matrix(const CellMatrices<dim, double> &fine,
   return first;
 }
 
-/** Matrices of a batch of cells whose children differ. */
+/** Computes the matrices of a batch of cells whose children differ. */
 template <int dim>
 void store_parents(const CellMatrices<dim, double> &fine,
                    const Children<dim> &children,

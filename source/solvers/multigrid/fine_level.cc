@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// From deal.II's mesh and unknowns to blocks.
+// The blocks of the finest level, from deal.II's mesh and degrees of freedom.
 
 #include "fine_level.h"
 
@@ -17,8 +17,8 @@ namespace Signorini
 {
 namespace
 {
-/** Gauss points per direction where products are integrated: those of the assembly, and those that
- * V-cycles need. */
+/** The numbers of Gauss points per direction where products are integrated: those of the assembly,
+ * and those that V-cycles need. */
 constexpr unsigned int n_points_of_products = 4, n_points_of_cycles = 2;
 
 template <int dim>
@@ -43,7 +43,7 @@ void for_descendants(const Cell &cell, const Place<dim> &place, const Function &
   }
 }
 
-/** Lexicographic number of a place in a block with n places per direction. */
+/** Returns the lexicographic number of a place in a block with n places per direction. */
 template <int dim>
 std::size_t number(const Place<dim> &place, const std::size_t n)
 {
@@ -90,7 +90,7 @@ void for_nodes(const DisplacementSpace<dim> &space, const Function &f)
   }
 }
 
-/** Degrees of freedom divided by dim at all places of all blocks. */
+/** Returns the degrees of freedom divided by dim at all places of all blocks. */
 template <int dim>
 std::vector<NodeNumber> node_identities(const DisplacementSpace<dim> &space)
 {
@@ -104,7 +104,10 @@ std::vector<NodeNumber> node_identities(const DisplacementSpace<dim> &space)
   return places;
 }
 
-/** Where the nodes lie in the body of size one. @param numbers of nodes by place. */
+/**
+ * Returns the positions of the nodes in the body of size one.
+ * @param numbers of nodes by place.
+ */
 template <int dim>
 NodePlaces<dim> node_places(const DisplacementSpace<dim> &space,
                             const std::vector<NodeNumber> &numbers,
@@ -120,8 +123,8 @@ NodePlaces<dim> node_places(const DisplacementSpace<dim> &space,
   return result;
 }
 
-/** Whether all descendants of a cell are congruent: it is a parallelogram or parallelepiped, and
- * nothing but halving of straight edges was done to it. */
+/** Returns whether all descendants of a cell are congruent: it is a parallelogram or
+ * parallelepiped, and only straight edges were halved. */
 template <int dim, typename Cell>
 bool has_congruent_descendants(const Mesh<dim> &mesh, const Cell &cell)
 {
@@ -139,7 +142,7 @@ bool has_congruent_descendants(const Mesh<dim> &mesh, const Cell &cell)
   return true;
 }
 
-/** Fills the matrices of a level, with the unknowns of a cell in our order. */
+/** Fills the matrices of a level, with the unknowns of a cell in the order of the kernels. */
 template <int dim>
 class MatrixFiller
 {
@@ -161,7 +164,10 @@ public:
         theirs_[v * dim + c] = space.element().component_to_system_index(c, v);
   }
 
-  /** @param numbers of nodes by place. */
+  /**
+   * Fills the matrices.
+   * @param numbers of nodes by place.
+   */
   void fill(const std::vector<NodeNumber> &numbers)
   {
     find_shared();
@@ -191,7 +197,8 @@ public:
   }
 
 private:
-  /** One by one, those that the condition is true of, and copies of shared ones. */
+  /** Integrates the matrices of the cells that satisfy the condition one by one, and copies shared
+   * ones. */
   template <typename Condition>
   void integrate_cells(const Condition &condition)
   {
@@ -211,7 +218,7 @@ private:
     }
   }
 
-  /** One matrix for each shape of blocks with congruent cells. */
+  /** Finds one matrix for each shape of blocks with congruent cells. */
   void find_shared()
   {
     std::vector<typename CellStiffness<dim>::Matrix> known;
@@ -237,7 +244,10 @@ private:
       shared_by_block_.push_back(found);
     }
   }
-  /** Which batches have one matrix; @return whether all have. */
+  /**
+   * Chooses the batches with one matrix.
+   * @return whether all have one.
+   */
   bool choose_shared()
   {
     const std::size_t per_block = power<dim>(grid_.n());
@@ -255,7 +265,7 @@ private:
     }
     return all_shared;
   }
-  /** Room for the matrices of all other batches. */
+  /** Allocates the matrices of all other batches. */
   void store_others()
   {
     std::size_t n_stored = 0;
@@ -298,13 +308,14 @@ private:
   const BlockGrid<dim> &grid_;
   Matrices &matrices_;
   CellStiffness<dim> stiffness_;
-  /** deal.II's number of an unknown. */
+  /** The number of each unknown in deal.II's order. */
   std::array<unsigned int, Matrices::n_dofs> theirs_;
-  /** The number of the matrix that its cells share, or -1. */
+  /** The number of the matrix that the cells of a block share, or -1. */
   std::vector<int> shared_by_block_;
 };
 
-/** The constraints of the space, which never join two nodes on a mesh without hanging nodes. */
+/** Returns the constraints of the space, which never join two nodes on a mesh without hanging
+ * nodes. */
 template <int dim>
 NodeConditions<dim> conditions_of(const DisplacementSpace<dim> &space,
                                   const std::vector<NodeNumber> &identities)

@@ -18,12 +18,13 @@ struct FineLevel
 {
   FineLevel(const DisplacementSpace<dim> &space, const Scene<dim> &scene);
 
-  /** The same for V-cycles. */
+  /** Returns the matrices for V-cycles. */
   CellMatrices<dim, float> matrices_in_single_precision() const;
 
-  /** Of the finest level by place; then numbers of nodes, from which coarser grids are made. */
+  /** The identities of the finest level by place; then the numbers of nodes, from which coarser
+   * grids are made. */
   std::vector<NodeNumber> places;
-  /** Its identities are degrees of freedom divided by dim. */
+  /** The grid. Its identities are degrees of freedom divided by dim. */
   std::shared_ptr<const BlockGrid<dim>> grid;
   CellMatrices<dim, double> matrices;
   NodeConditions<dim> conditions;

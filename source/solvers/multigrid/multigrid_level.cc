@@ -15,10 +15,10 @@ namespace Signorini
 {
 namespace
 {
-/** Applications of A in one smoothing, one less from zero. */
+/** The number of applications of A in one smoothing; there is one less if x starts from zero. */
 constexpr unsigned int n_smoothing_steps = 3;
 
-/** Entries of NodeBlocks, by place. */
+/** Returns the place of an entry in NodeBlocks. */
 template <int dim>
 unsigned int place_of(const unsigned int c, const unsigned int d)
 {
@@ -102,11 +102,11 @@ template class MultigridLevel<3>;
 
 namespace
 {
-/** Levels with more unknowns are factorised. */
+/** The number of unknowns above which a level is factorised. */
 constexpr unsigned int most_unknowns_of_matrix = 1200;
 
-/** Calls f(row, column, value) for the entries of all cells, projected onto what conditions leave,
- * and with a diagonal for the rest. */
+/** Calls f(row, column, value) for the entries of all cells, projected onto the displacements that
+ * the conditions allow, and with a diagonal for the others. */
 template <int dim, typename Function>
 void for_entries(const BlockGrid<dim> &grid,
                  const CellMatrices<dim, double> &matrices,
@@ -245,7 +245,7 @@ void CoarsestInverse<dim>::apply(LevelVector<dim, float> &x, LevelVector<dim, fl
 template class CoarsestInverse<2>;
 template class CoarsestInverse<3>;
 
-// Between two levels, row by row.
+// Transfer between two levels, row by row.
 
 namespace
 {
@@ -274,7 +274,8 @@ struct CoarseRows
   float weight;
 };
 
-/** values_i = x at the places of a row; with @p owned zero where the row does not own the node. */
+/** Sets values_i = x at the places of a row; with @p owned zero where the row does not own the
+ * node. */
 template <int dim>
 void read(std::vector<float> &values,
           const float *const x,
@@ -324,7 +325,7 @@ void add(float *const x,
     x[row.last] += factor * values[n];
 }
 
-/** Whether a row owns no node. */
+/** Returns whether a row owns no node. */
 template <int dim>
 bool owns_nothing(const BlockGrid<dim> & /*grid*/, const NodeRow &row)
 {

@@ -37,17 +37,19 @@ public:
   {
     return conditions_;
   }
-  /** An upper bound of the eigenvalues of B A. */
+  /** Returns an upper bound of the eigenvalues of B A. */
   double largest_eigenvalue() const
   {
     return largest_eigenvalue_;
   }
 
-  /** Steps of Chebyshev's iteration of the fourth kind (J. Lottes, Numer. Linear Algebra Appl. 30
-   * (2023) e2518): x changes by a polynomial in B A that depends on the largest eigenvalue only.
-   * @param from_zero x counts as zero. */
+  /**
+   * Does steps of Chebyshev's iteration of the fourth kind (J. Lottes, Numer. Linear Algebra Appl.
+   * 30 (2023) e2518): x changes by a polynomial in B A that depends on the largest eigenvalue only.
+   * @param from_zero x is assumed to be zero.
+   */
   void smooth(bool from_zero);
-  /** y = A x. */
+  /** Computes y = A x. */
   void multiply();
 
   std::size_t memory() const
@@ -57,7 +59,7 @@ public:
            y.memory() + d_.memory() + B_.memory();
   }
 
-  /** Solution, right-hand side, and A x. */
+  /** The solution, the right-hand side, and A x. */
   LevelVector<dim, float> x, b, y;
 
 private:
@@ -69,43 +71,46 @@ private:
   Instructions instructions_;
   /** The last change of x. */
   LevelVector<dim, float> d_;
-  /** Inverses of the diagonal blocks on what conditions leave. */
+  /** The inverses of the diagonal blocks on the displacements that the conditions allow. */
   NodeBlocks<dim> B_;
   double largest_eigenvalue_ = 1.;
 };
 
-/** The inverse of A on the displacements that conditions leave, on one level: a matrix if the level
- * is small, else factors. */
+/** The inverse of A on the displacements that the conditions allow, on one level: a matrix if the
+ * level is small, else factors. */
 template <int dim>
 class CoarsestInverse
 {
 public:
-  /** @throws ComputationError if A is not positive definite, by rounding. */
+  /**
+   * Inverts or factorises A.
+   * @throws ComputationError if A is not positive definite, by rounding.
+   */
   CoarsestInverse(const BlockGrid<dim> &grid,
                   const CellMatrices<dim, double> &matrices,
                   const NodeConditions<dim> &conditions);
 
-  /** x = A^{-1} b, with the projections of both. */
+  /** Computes x = A⁻¹ b, with the projections of both. */
   void apply(LevelVector<dim, float> &x, LevelVector<dim, float> &b) const;
 
 private:
   unsigned int n_nodes_;
   const NodeConditions<dim> &conditions_;
-  /** Of small levels: the inverse, row by row. */
+  /** The inverse of a small level, row by row. */
   std::vector<double> inverse_;
   dealii::TrilinosWrappers::SparseMatrix matrix_;
   std::unique_ptr<const StiffnessInverse> factors_;
 };
 
-/** x += P x_H: functions that are linear along the edges of the coarse cells, at the nodes of the
- * fine level. */
+/** Adds P x_H to x: functions that are linear along the edges of the coarse cells, at the nodes of
+ * the fine level. */
 template <int dim>
 void prolongate(LevelVector<dim, float> &x,
                 const LevelVector<dim, float> &x_H,
                 const BlockGrid<dim> &fine,
                 const BlockGrid<dim> &coarse);
 
-/** b_H = P^T (b - y). */
+/** Computes b_H = Pᵀ (b - y). */
 template <int dim>
 void restrict_residual(LevelVector<dim, float> &b_H,
                        const LevelVector<dim, float> &b,

@@ -5,7 +5,8 @@
 
 #include <cstring>
 
-/** Bodies of kernels are inlined into functions that are compiled for several instruction sets. */
+/** The bodies of kernels are inlined into functions that are compiled for several instruction sets.
+ */
 #define SIGNORINI_INLINE [[gnu::always_inline]] inline
 
 #ifdef __x86_64__
@@ -27,15 +28,15 @@ struct Wide
   typedef Number Type __attribute__((vector_size(width * sizeof(Number)), may_alias));
 };
 
-/** Values of a batch, [dof][lane]. */
+/** The values of a batch, [dof][lane]. */
 template <int dim, typename Number>
 struct alignas(64) BatchValues
 {
   Number values[dim << dim][n_lanes];
 };
 
-/** The place of the component (c, d) of a strain in Voigt's notation: those on the diagonal, then
- * 12, 13, 23. */
+/** Returns the place of the component (c, d) of a strain in Voigt's notation: those on the
+ * diagonal, then 12, 13, 23. */
 template <int dim>
 constexpr int voigt(const int c, const int d)
 {
@@ -47,7 +48,7 @@ constexpr int lower(const int i, const int j)
   return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i;
 }
 
-/** The inverse of J, and its determinant. */
+/** Computes the inverse of J and its determinant. */
 template <typename V>
 SIGNORINI_INLINE void invert(const V (&J)[2][2], V (&inverse)[2][2], V &determinant)
 {
@@ -74,8 +75,8 @@ SIGNORINI_INLINE void invert(const V (&J)[3][3], V (&inverse)[3][3], V &determin
       inverse[i][j] *= factor;
 }
 
-/** Derivatives with respect to reference coordinates: D[c][e] = sum over the vertices of values
- * times derivatives of their shape functions. */
+/** Computes the derivatives with respect to reference coordinates: D[c][e] = sum over the vertices
+ * of values times derivatives of their shape functions. */
 template <int dim, typename Number, typename V>
 SIGNORINI_INLINE void reference_gradients(V (&D)[dim][dim],
                                           const BatchValues<dim, Number> &values,
@@ -99,7 +100,7 @@ SIGNORINI_INLINE void reference_gradients(V (&D)[dim][dim],
     }
 }
 
-/** S = weight E:eps(G), symmetric. */
+/** Computes S = weight E:ε(G), which is symmetric. */
 template <int dim, typename Number, typename V>
 SIGNORINI_INLINE void
 stress(V (&S)[dim][dim], const V (&G)[dim][dim], const Number *const moduli, const V &weight)
@@ -124,7 +125,7 @@ stress(V (&S)[dim][dim], const V (&G)[dim][dim], const Number *const moduli, con
     }
 }
 
-/** y = sum over points of B^T E B x, with the places of the vertices of a batch. */
+/** Computes y = sum over points of Bᵀ E B x, with the positions of the vertices of a batch. */
 template <int dim, typename Number, int width>
 SIGNORINI_INLINE void multiply_integrated(BatchValues<dim, Number> &y,
                                           const PointRule<dim, Number> &rule,

@@ -12,7 +12,7 @@ namespace Signorini
 {
 namespace
 {
-/** n_lanes values along a row, from the place i on. */
+/** Loads n_lanes values along a row, from the place i on. */
 template <int dim, typename Number>
 SIGNORINI_INLINE void load_row(BatchValues<dim, Number> &values,
                                const unsigned int vertex,
@@ -45,7 +45,7 @@ SIGNORINI_INLINE void load_row(BatchValues<dim, Number> &values,
   }
 }
 
-/** The transpose: adds to y. */
+/** Adds values to y along a row: the transpose of load_row(). */
 template <int dim, typename Number, int width>
 SIGNORINI_INLINE void add_to_row(LevelVector<dim, Number> &y,
                                  const BatchValues<dim, Number> &values,
@@ -93,7 +93,10 @@ SIGNORINI_INLINE void add_to_row(LevelVector<dim, Number> &y,
   }
 }
 
-/** y = K x with one K for all lanes. @tparam n_sums how many sums registers hold. */
+/**
+ * Computes y = K x with one K for all lanes.
+ * @tparam n_sums the number of sums that registers hold.
+ */
 template <int dim, typename Number, int width, int n_sums>
 SIGNORINI_INLINE void multiply_shared(BatchValues<dim, Number> &y,
                                       const Number *const K,
@@ -121,7 +124,7 @@ SIGNORINI_INLINE void multiply_shared(BatchValues<dim, Number> &y,
     }
 }
 
-/** y = K x with one K for each lane, [entry][lane]. */
+/** Computes y = K x with one K for each lane, [entry][lane]. */
 template <int dim, typename Number, int width>
 SIGNORINI_INLINE void multiply_stored(BatchValues<dim, Number> &y,
                                       const Number *const K,
@@ -166,7 +169,7 @@ SIGNORINI_INLINE void multiply_batch(BatchValues<dim, Number> &y,
     multiply_stored<dim, Number, width>(y, matrices.stored_matrices(batch), x);
 }
 
-/** All batches of a grid with long rows. */
+/** Multiplies all batches of a grid with long rows. */
 template <int dim, typename Number, int width, int n_sums>
 SIGNORINI_INLINE void multiply_rows(LevelVector<dim, Number> &y,
                                     const LevelVector<dim, Number> &x,
@@ -204,7 +207,7 @@ SIGNORINI_INLINE void multiply_rows(LevelVector<dim, Number> &y,
       }
 }
 
-/** Values of a batch at listed nodes, [vertex][lane]. */
+/** Gathers the values of a batch at listed nodes, [vertex][lane]. */
 template <int dim, typename Number>
 SIGNORINI_INLINE void gather(BatchValues<dim, Number> &values,
                              const LevelVector<dim, Number> &x,
@@ -219,7 +222,7 @@ SIGNORINI_INLINE void gather(BatchValues<dim, Number> &values,
     }
 }
 
-/** All batches of a grid with short rows. */
+/** Multiplies all batches of a grid with short rows. */
 template <int dim, typename Number, int width, int n_sums>
 SIGNORINI_INLINE void multiply_lists(LevelVector<dim, Number> &y,
                                      const LevelVector<dim, Number> &x,
@@ -251,7 +254,10 @@ SIGNORINI_INLINE void multiply_lists(LevelVector<dim, Number> &y,
   }
 }
 
-/** See multiply(). @tparam bytes of a vector register. */
+/**
+ * Multiplies, see multiply().
+ * @tparam bytes of a vector register.
+ */
 template <int dim, typename Number, int bytes, int n_sums>
 SIGNORINI_INLINE void multiply_body(LevelVector<dim, Number> &y,
                                     const LevelVector<dim, Number> &x,

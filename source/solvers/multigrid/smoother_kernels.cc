@@ -11,19 +11,19 @@ namespace Signorini
 {
 namespace
 {
-/** The entry of a symmetric matrix as NodeBlocks has it. */
+/** Returns the position of the entry of a symmetric matrix in NodeBlocks. */
 template <int dim>
 constexpr int block_entry(const int i, const int j)
 {
   return i == j ? i : dim + i + j - 1;
 }
 
-/** See SmootherStep. */
+/** Does the step, see SmootherStep. */
 template <int dim, int width>
 SIGNORINI_INLINE void smooth_body(const SmootherStep<dim> &step)
 {
   using V = typename Wide<float, width>::Type;
-  // Whole vectors: what lies behind the last node is zero, and stays so.
+  // The loop takes whole vectors: the entries behind the last node are zero, and stay so.
   for (unsigned int node = 0; node < step.n_nodes; node += width)
   {
     V r[dim];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The V-cycle, and what is needed between the unknowns of the space and the levels.
+// The V-cycle, and the transfer between the unknowns of the space and the levels.
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
@@ -18,7 +18,7 @@ namespace Signorini
 {
 namespace
 {
-/** The coarsest level is the finest one with at most so many nodes, or the coarse mesh. */
+/** The maximal number of nodes of the coarsest level, unless it is the coarse mesh. */
 constexpr unsigned int most_coarsest_nodes = 200;
 } // namespace
 
@@ -83,7 +83,7 @@ public:
     return result;
   }
 
-  /** y = T^T K T x. */
+  /** Computes y = Tᵀ K T x. */
   void apply(Vector &y, const Vector &x)
   {
     copy_free_values(x_, x, 1.);
@@ -95,8 +95,8 @@ public:
     copy_free_values(y, y_, unit_);
   }
 
-  /** z = V r. With the projection onto what conditions leave the functional r is the vector
-   * projection r, and its entries at free components are those of z. */
+  /** Computes z = V r. The vector projection r represents the functional r on the displacements
+   * that the conditions allow, and its entries at free components are those of z. */
   void precondition(Vector &z, const Vector &r)
   {
     const double size = r.linfty_norm();
@@ -116,7 +116,11 @@ public:
   }
 
 private:
-  /** @param matrices of the coarsest level so far. @return those of the new one. */
+  /**
+   * Adds the next coarser level.
+   * @param matrices of the coarsest level so far.
+   * @return those of the new one.
+   */
   CellMatrices<dim, double> add_coarser_level(const CellMatrices<dim, double> &matrices)
   {
     const MultigridLevel<dim> &finer = *levels_.back();
@@ -145,7 +149,7 @@ private:
     MultigridLevel<dim> &coarser = *levels_[l + 1];
     level.smooth(true);
     level.multiply();
-    // What conditions forbid exerts no force: y becomes b there.
+    // Residuals at constrained components exert no force: y becomes b there.
     for (const NodeCondition<dim> &condition : level.conditions())
       for_node_residual(level, condition);
     restrict_residual(coarser.b, level.b, level.y, level.grid(), coarser.grid());
@@ -165,7 +169,7 @@ private:
       level.y[c][condition.node] = level.b[c][condition.node] - static_cast<float>(r[c]);
   }
 
-  /** u = T u at a node. */
+  /** Computes u = T u at a node. */
   template <typename Number>
   static void transform(LevelVector<dim, Number> &u,
                         const NodeNumber node,
@@ -179,7 +183,7 @@ private:
       u[c][node] = static_cast<Number>(value[c]);
   }
 
-  /** Zero at constrained components. */
+  /** Copies the values of the free components, and zero at constrained ones. */
   template <typename Number>
   void copy_free_values(LevelVector<dim, Number> &to, const Vector &from, const double factor) const
   {
@@ -216,9 +220,9 @@ private:
   Instructions instructions_;
   FineLevel<dim> fine_;
   std::shared_ptr<const BlockGrid<dim>> grid_;
-  /** For products in double precision. */
+  /** The vectors for products in double precision. */
   LevelVector<dim, double> x_, y_;
-  /** From the finest to the coarsest. */
+  /** The levels from the finest to the coarsest. */
   std::vector<std::unique_ptr<MultigridLevel<dim>>> levels_;
   std::unique_ptr<const CoarsestInverse<dim>> inverse_;
 };
@@ -277,9 +281,9 @@ template class StiffnessMultigrid<3>;
 namespace
 {
 constexpr unsigned int most_cycles = 500;
-/** Rounding of products with A, relative to a smooth load: 1e-16 / h^2. */
+/** The rounding error of products with A, relative to a smooth load: 1e-16 / h². */
 constexpr double refine_solves_above = 1e-8;
-/** Solves to a goal above this are not refined. */
+/** The tolerance above which solves are not refined. */
 constexpr double loose_goal = 1e-10;
 constexpr double refuse_solves_above = 1e-4;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Static condensation of the unknowns that only one cell sees.
+// Static condensation of the unknowns inside of single cells.
 
 #include "cell_interiors.h"
 
@@ -15,7 +15,7 @@ namespace Signorini
 {
 namespace
 {
-/** Smaller groups are left to the sparse factorisation. */
+/** The size below which groups are left to the sparse factorisation. */
 constexpr int smallest_group = 8;
 
 constexpr int one = 1;

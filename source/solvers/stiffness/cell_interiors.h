@@ -8,7 +8,7 @@
 
 namespace Signorini
 {
-/** The rows of a matrix on one rank, with columns in increasing order. */
+/** The rows of a serial matrix, with columns in increasing order. */
 struct Rows
 {
   Rows() = default;
@@ -27,10 +27,10 @@ struct Rows
 };
 
 /**
- * The unknowns G inside cells of high degree, eliminated by dense matrices: with A_GG = L L^T and
- * W = L^{-1} A_GR for each cell,
+ * The unknowns G inside cells of high degree, eliminated by dense matrices: with A_GG = L Lᵀ and
+ * W = L⁻¹ A_GR for each cell,
  *
- *     A_RR - sum W^T W
+ *     A_RR - sum Wᵀ W
  *
  * is left for the other unknowns R. These dense blocks are nearly all of the entries of A, of which
  * a sparse factorisation makes several copies before it computes anything.
@@ -40,29 +40,30 @@ class CellInteriors
 public:
   /**
    * Finds groups of unknowns that follow each other and have the same couplings, of which none is
-   * in @p kept; without any of a worthwhile size nothing is eliminated and rest() is A.
+   * in @p kept; if none has a worthwhile size, nothing is eliminated and rest() is A.
    * @throws ComputationError if A is not positive definite.
    */
   CellInteriors(const Rows &A, const std::vector<bool> &kept);
 
-  /** A_RR - sum W^T W. */
+  /** Returns A_RR - sum Wᵀ W. */
   const Rows &rest() const
   {
     return rest_;
   }
-  /** The unknown of A that an unknown of rest() is, in increasing order. */
+  /** Returns the unknown of A that belongs to each unknown of rest(), in increasing order. */
   const std::vector<int> &unknowns() const
   {
     return unknowns_;
   }
-  /** The smallest L_jj^2 / A_jj of the eliminated unknowns, at most 1. */
+  /** Returns the smallest L_jj² / A_jj of the eliminated unknowns, at most 1. */
   double smallest_pivot() const
   {
     return smallest_pivot_;
   }
-  /** From a right-hand side of A to that of rest(); @p b keeps L^{-1} b_G in its place. */
+  /** Computes the right-hand side of rest() from that of A; @p b keeps L⁻¹ b_G in its place. */
   void reduce(double *b, double *rest) const;
-  /** From what reduce() left in @p x and the solution for rest() to that for A. */
+  /** Computes the solution for A from that for rest(), and from the values that reduce() left in @p
+   * x. */
   void expand(double *x, const double *rest) const;
 
 private:
@@ -70,9 +71,9 @@ private:
   {
     int first;
     int size;
-    /** R by numbers of rest(). */
+    /** The unknowns R by numbers of rest(). */
     std::vector<int> others;
-    /** L and W by columns. */
+    /** The matrices L and W by columns. */
     std::vector<double> L, W;
   };
 
@@ -85,7 +86,7 @@ private:
   std::vector<Group> groups_;
   Rows rest_;
   std::vector<int> unknowns_;
-  /** For every unknown of A its number in rest(), or -1. */
+  /** The number in rest() of every unknown of A, or -1. */
   std::vector<int> numbers_;
   std::vector<int> start_, column_;
   std::vector<double> value_;

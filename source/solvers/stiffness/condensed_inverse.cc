@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A = L L^T by CHOLMOD, the insides of cells first, chosen unknowns last.
+// A = L Lᵀ by CHOLMOD, the insides of cells first, chosen unknowns last.
 
 #include <signorini/base/errors.h>
 #include <signorini/solvers/stiffness/condensed_inverse.h>
@@ -15,14 +15,14 @@ namespace Signorini
 {
 namespace
 {
-/** CHOLMOD's long integers: factors of more than 2^31 entries are within reach. */
+/** CHOLMOD's long integers, which allow factors of more than 2^31 entries. */
 using Long = SuiteSparse_long;
 
-/** Pivots below this part of their diagonal entry are doubtful: a solve has to show what they are
- * worth. */
+/** The part of its diagonal entry below which a pivot is doubtful: a solve has to show whether it
+ * can be used. */
 constexpr double doubtful_pivot = 1e-9;
 
-/** The workspace of CHOLMOD, and what it says about failures. */
+/** The workspace of CHOLMOD, with its error states. */
 struct Workspace
 {
   Workspace()
@@ -41,7 +41,10 @@ struct Workspace
   Workspace(const Workspace &) = delete;
   Workspace &operator=(const Workspace &) = delete;
 
-  /** @throws after a failed call. */
+  /**
+   * Checks the state.
+   * @throws after a failed call.
+   */
   void check() const
   {
     if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
@@ -96,7 +99,7 @@ private:
   cholmod_sparse *matrix_;
 };
 
-/** A without the zeros that the sparsity pattern holds. */
+/** Copies A without the zeros that the sparsity pattern holds. */
 void fill(const Rows &A, const UpperTriangle &matrix)
 {
   Long k = 0;
@@ -112,16 +115,14 @@ void fill(const Rows &A, const UpperTriangle &matrix)
   }
 }
 
-/** Graphs with more couplings per node than this are those of bodies in space, where a node of a
+/** The number of couplings per node above which a graph is that of a 3-D body, where a node of a
  * brick has 26 neighbours: nested dissection (METIS) there needs a third of the operations of
- * minimum degree. In the plane, where a node has 8 neighbours, it costs more than it saves. */
+ * minimum degree. In 2-D, where a node has 8 neighbours, it costs more than it saves. */
 constexpr double couplings_in_space = 20.;
 
-/**
- * An ordering of A with little fill: approximate minimum degree, in space METIS. Unknowns that
- * follow each other with the same couplings (those of one node) are ordered as one: this takes a
- * quarter of the time, and the factor gets smaller.
- */
+/** Returns an ordering of A with little fill: approximate minimum degree, in 3-D METIS. Unknowns
+ * that follow each other with the same couplings (those of one node) are ordered as one: this takes
+ * a quarter of the time, and the factor gets smaller. */
 std::vector<Long> fill_reducing_order(Workspace &workspace, const Rows &A)
 {
   std::vector<int> first = {0}, node(A.n, 0);
@@ -171,7 +172,7 @@ void move_to_end(std::vector<Long> &order, const std::vector<bool> &chosen)
 }
 } // namespace
 
-/** L with the workspace it lives in. */
+/** The factor L with the workspace it lives in. */
 class CondensedInverse::Factor
 {
 public:
@@ -197,7 +198,7 @@ public:
   Factor(const Factor &) = delete;
   Factor &operator=(const Factor &) = delete;
 
-  /** Calls @p visit(i, j, L_ij) for every i >= j of the columns from @p first_column on. */
+  /** Calls @p visit(i, j, L_ij) for every i ≥ j of the columns from @p first_column on. */
   template <typename Visitor>
   void for_each_entry(const Long first_column, const Visitor &visit) const
   {
@@ -220,7 +221,7 @@ public:
     }
   }
 
-  /** The unknown of A that is eliminated at this place, after the insides of cells. */
+  /** Returns the unknown of A that is eliminated at this place, after the insides of cells. */
   Long unknown_at(const Long place) const
   {
     return interiors_.unknowns()[order()[place]];
@@ -230,7 +231,8 @@ public:
     return n_ - n_last_;
   }
 
-  /** The smallest L_jj^2 / A_jj: what is left of a diagonal entry when its turn comes. */
+  /** Returns the smallest L_jj² / A_jj: the part of a diagonal entry that is left when it is
+   * eliminated. */
   double smallest_pivot(const dealii::TrilinosWrappers::SparseMatrix &A) const
   {
     const Long *const super = static_cast<Long *>(L_->super);
@@ -247,7 +249,7 @@ public:
     return smallest;
   }
 
-  /** X = A^{-1} X for n right-hand sides, one column after another. */
+  /** Computes X = A⁻¹ X for n right-hand sides, one column after another. */
   void solve(std::vector<double> &X, const Long n)
   {
     const std::size_t n_rows = X.size() / n;
@@ -277,14 +279,15 @@ private:
     return chosen;
   }
 
-  /** The unknowns of the rest in the order of their elimination. */
+  /** Returns the unknowns of the rest in the order of their elimination. */
   const Long *order() const
   {
     return static_cast<Long *>(L_->Perm);
   }
 
-  /** Postordering makes supernodes large; it keeps the chosen unknowns last wherever the others are
-   * connected. Elsewhere they are moved once more, behind the trees that came after them. */
+  /** Analyses the pattern. Postordering makes supernodes large; it keeps the chosen unknowns last
+   * wherever the others are connected. Elsewhere they are moved once more, behind the trees that
+   * came after them. */
   void analyse(const Rows &A, const UpperTriangle &matrix)
   {
     std::vector<bool> chosen(n_, false);

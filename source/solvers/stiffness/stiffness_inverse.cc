@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A^{-1} by the sparse direct solvers of Trilinos (Amesos), and the choice of a solver.
+// A⁻¹ by the sparse direct solvers of Trilinos (Amesos), and the choice of a solver.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/parallel.h>
@@ -26,14 +26,16 @@ namespace Signorini
 {
 namespace
 {
-/** A number in [-1, 1) without a pattern that a kernel could be orthogonal to (a hash of i). */
+/** Returns a number in [-1, 1) without a pattern that a kernel could be orthogonal to (a hash of
+ * i). */
 double irregular_number(const dealii::types::global_dof_index i)
 {
   const unsigned long long hash = (static_cast<unsigned long long>(i) + 1) * 0x9E3779B97F4A7C15ULL;
   return std::ldexp(static_cast<double>((hash ^ (hash >> 29U)) & 0xFFFFFFFFULL), -31) - 1.;
 }
 
-/** Keeps what libraries print on std::cerr while it lives: the user reads one sentence instead. */
+/** Keeps the output of libraries on std::cerr while it lives: the user reads one sentence instead.
+ */
 class CapturedErrors
 {
 public:
@@ -58,10 +60,9 @@ private:
   std::streambuf *screen_;
 };
 
-/**
- * The cause of a failure from what Amesos prints about MUMPS: "INFOG(1) = -13", a negative number.
- * The codes of section "Error diagnostics" of the users' guide of MUMPS that speak of memory.
- */
+/** Returns the cause of a failure from the output of Amesos about MUMPS: "INFOG(1) = -13", a
+ * negative number. The codes that mean a lack of memory are those of section "Error diagnostics" of
+ * the users' guide of MUMPS. */
 std::string cause_of_failure(const std::string &printed)
 {
   static const std::set<int> out_of_memory = {
@@ -87,7 +88,7 @@ StiffnessInverse::Vector diagonal_of(const dealii::TrilinosWrappers::SparseMatri
   return diagonal;
 }
 
-/** KLU (gathers the matrix on one rank) or MUMPS (distributed), through Amesos. */
+/** The inverse by KLU (gathers the matrix on one rank) or MUMPS (distributed), through Amesos. */
 class AmesosInverse final : public MatrixInverse
 {
 public:
@@ -186,7 +187,7 @@ void MatrixInverse::residual(Vector &r, const Vector &x, const Vector &b, const 
 void MatrixInverse::accurate_residual(Vector &r, const Vector &x, const Vector &b) const
 {
   const Epetra_CrsMatrix &A = matrix_.trilinos_matrix();
-  // x where the rows of this rank need it.
+  // The entries of x that the rows of this rank need.
   Epetra_Vector columns(A.ColMap());
   if (A.Importer() != nullptr)
     columns.Import(*x.trilinos_vector()(0), *A.Importer(), Insert);

@@ -11,12 +11,12 @@
 namespace Signorini
 {
 /**
- * a(phi_j, phi_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
+ * Integrates a(φ_j, φ_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
  *
  * For elements of degree p, p + 1 Gauss points per direction are exact for a constant tensor on a
  * parallelogram or parallelepiped; p + 3 are taken otherwise. With a constant tensor, similar
- * parallelograms share one matrix, which in the plane does not depend on their size: on a mesh of
- * squares it is integrated once per degree.
+ * parallelograms share one matrix, which in 2-D does not depend on their size: on a mesh of squares
+ * it is integrated once per degree.
  */
 template <int dim>
 class CellStiffness
@@ -29,9 +29,9 @@ public:
   /** A matrix that similar cells share. */
   using Matrix = std::shared_ptr<const dealii::FullMatrix<double>>;
 
-  /** The matrix of the cell. */
+  /** Returns the matrix of the cell, to be shared. */
   Matrix share(const CellIterator &cell);
-  /** The same, valid until the next call. */
+  /** Returns the matrix of the cell, valid until the next call. */
   const dealii::FullMatrix<double> &operator()(const CellIterator &cell)
   {
     last_ = share(cell);
@@ -49,7 +49,7 @@ private:
   };
 
   Matrix integrate(const dealii::FEValues<dim> &values);
-  /** The sample of the same element and shape, if there is one. */
+  /** Returns the sample of the same element and shape, if there is one. */
   const Sample *find_sample(unsigned int element_number,
                             const std::vector<dealii::Tensor<1, dim>> &shape,
                             double tolerance) const;
@@ -59,22 +59,21 @@ private:
   const Material<dim> &material_;
   StrainOperator strain_operator_;
   bool constant_;
-  /** Whether vertices alone do not tell the shape of a cell. */
+  /** Whether vertices alone do not determine the shape of a cell. */
   bool curved_;
-  /** None for a constant tensor, which is smooth across all lines. */
+  /** The kinks of the data; none for a constant tensor, which is smooth across all lines. */
   Kinks<dim> kinks_;
   CellValues<dim> affine_values_;
   CellValues<dim> general_values_;
   Matrix last_;
   dealii::FullMatrix<double> strains_, stresses_;
-  /** Of a constant tensor; the first are the first that were asked for. */
+  /** The samples of a constant tensor, in the order of their first use. */
   std::vector<Sample> samples_;
 };
 
-/**
- * The unit in which a(phi_j, phi_i) is computed: E_0 l^{dim-2}, with the material's modulus E_0 and
- * the body's size l. Matrices are those of a body of size one and modulus one, so that neither
- * units nor sizes of numbers matter (force/length per thickness in the plane: force/area).
+/** Returns the unit in which a(φ_j, φ_i) is computed: E_0 l^{dim-2}, with the material's
+ * modulus E_0 and the body's size l. Matrices are those of a body of size one and modulus one, so
+ * that neither units nor sizes of numbers matter (force/length per thickness, in 2-D: force/area).
  */
 template <int dim>
 double stiffness_unit(const DisplacementSpace<dim> &space, const Material<dim> &material)
@@ -82,18 +81,18 @@ double stiffness_unit(const DisplacementSpace<dim> &space, const Material<dim> &
   return material.modulus() * std::pow(space.mesh().size(), dim - 2);
 }
 
-/** What the stress of a displacement does to the nodes. */
+/** The nodal forces of the stress of a displacement. */
 template <int dim>
 struct InternalForces
 {
-  /** (a(phi_j, phi_i))_ij U for all i, constrained or not (force per thickness). */
+  /** The forces (a(φ_j, φ_i))_ij U for all i, constrained or not (force per thickness). */
   DistributedVector forces;
-  /** |A| |U|, summed up cell by cell: times the unit roundoff, what the rounding of U and of sums
-   * makes of the forces. */
+  /** The sums |A| |U|, cell by cell. Times the unit roundoff they bound the rounding errors of the
+   * forces. */
   DistributedVector magnitudes;
 };
 
-/** Collective. */
+/** Integrates the forces. Collective. */
 template <int dim>
 InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
                                     const Scene<dim> &scene,

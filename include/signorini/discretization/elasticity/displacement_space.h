@@ -17,24 +17,22 @@ namespace Signorini
 /** A vector whose rows are distributed over the ranks like those of A. */
 using DistributedVector = dealii::TrilinosWrappers::MPI::Vector;
 
-/** Nodal values U that every rank knows as a whole. */
+/** Nodal values U; every rank stores all of them. */
 using NodalVector = dealii::Vector<double>;
 
-/** How a(.,.) takes the strain of a function of V^h. */
+/** The operator by which a(.,.) takes the strain of a function of V^h. */
 enum class StrainOperator
 {
-  /** eps(v) = (grad v + grad v^T)/2: the conforming element, which locks as Poisson's ratio tends
-   * to 1/2. */
+  /** The strain ε(v) = (grad v + grad vᵀ)/2: the conforming element, which locks as Poisson's
+   * ratio tends to 1/2. */
   symmetric_gradient,
-  /**
-   * B-bar: eps(v) + (m - tr eps(v))/dim I, where m is the mean of tr eps(v) over the cell. It keeps
-   * the order of V^h for all Poisson's ratios. (Hughes, Int. J. Numer. Methods Eng. 15 (1980)
-   * 1413-1418, with the dilatation in the plane.)
-   */
+  /** The B-bar strain ε(v) + (m - tr ε(v))/dim I, where m is the mean of tr ε(v) over the
+   * cell. It keeps the order of V^h for all Poisson's ratios. (Hughes, Int. J. Numer. Methods Eng.
+   * 15 (1980) 1413-1418, with the 2-D dilatation.) */
   mean_dilatation
 };
 
-/** The strain with the trace @p dilatation instead of its own, the same deviator. */
+/** Replaces the trace of @p strain by @p dilatation and keeps the deviator. */
 template <int dim>
 void replace_trace(dealii::SymmetricTensor<2, dim> &strain, const double dilatation)
 {
@@ -43,22 +41,25 @@ void replace_trace(dealii::SymmetricTensor<2, dim> &strain, const double dilatat
     strain[d][d] += change;
 }
 
-/**
- * V^h: FE_Q for each component, with the essential conditions of clamped, prescribed and roller
- * sides. Cells may have different degrees, and hanging nodes; u_h is continuous all the same. (On
- * an edge between two degrees it has the lower one.)
- */
+/** The space V^h: FE_Q for each component, with the essential conditions of clamped, prescribed and
+ * roller sides. Cells may have different degrees, and hanging nodes; u_h is continuous all the
+ * same. (On an edge between two degrees it has the lower one.) */
 template <int dim>
 class DisplacementSpace
 {
 public:
-  /** @param degree of the element per direction; the method of the paper and its orders are those
-   * of degree one. */
+  /**
+   * Makes the space with one element.
+   * @param degree of the element per direction; the method of the paper and its orders are those of
+   * degree one.
+   */
   DisplacementSpace(const Mesh<dim> &mesh,
                     const Scene<dim> &scene,
                     StrainOperator strain_operator = StrainOperator::symmetric_gradient,
                     unsigned int degree = 1);
-  /** @param degrees of the active cells, in their order; all from 2 to the largest have an element.
+  /**
+   * Makes the space with several elements.
+   * @param degrees of the active cells, in their order; all from 2 to the largest have an element.
    */
   DisplacementSpace(const Mesh<dim> &mesh,
                     const Scene<dim> &scene,
@@ -74,17 +75,17 @@ public:
   }
   using CellIterator = typename dealii::Triangulation<dim>::active_cell_iterator;
 
-  /** The elements that cells may have. */
+  /** Returns the elements that cells may have. */
   const dealii::hp::FECollection<dim> &elements() const
   {
     return dofs_.get_fe_collection();
   }
-  /** Whether cells have different elements. */
+  /** Returns whether cells have different elements. */
   bool has_several_elements() const
   {
     return elements().size() > 1;
   }
-  /** The number of the element of one of the mesh's cells. */
+  /** Returns the number of the element of one of the mesh's cells. */
   unsigned int element_number(const CellIterator &cell) const
   {
     return has_several_elements() ? dof_cell(cell)->active_fe_index() : 0;
@@ -93,13 +94,13 @@ public:
   {
     return elements()[element_number(cell)];
   }
-  /** The element of all cells. Where they have different ones, ask element(cell). */
+  /** Returns the element of all cells. Where cells have different ones, call element(cell). */
   const dealii::FiniteElement<dim> &element() const
   {
     Assert(!has_several_elements(), dealii::ExcInternalError());
     return elements()[0];
   }
-  /** The highest degree of an element. */
+  /** Returns the highest degree of an element. */
   unsigned int largest_degree() const
   {
     return elements().max_degree();
@@ -108,13 +109,13 @@ public:
   {
     return dofs_;
   }
-  /** Constrained degrees of freedom: U = T U_free + k. */
+  /** Returns the constraints of the degrees of freedom: U = T U_free + k. */
   const dealii::AffineConstraints<double> &constraints() const
   {
     return constraints_;
   }
-  /** The degrees of freedom through which clamped, prescribed and roller sides hold the body: the
-   * only ones that carry reactions. (Other constraints keep u_h continuous.) */
+  /** Returns the degrees of freedom through which clamped, prescribed and roller sides hold the
+   * body: the only ones that carry reactions. (Other constraints keep u_h continuous.) */
   const dealii::IndexSet &supports() const
   {
     return supports_;
@@ -127,59 +128,58 @@ public:
     dealii::Point<dim> node;
     unsigned int component;
   };
-  /** One for each rigid motion that supports leave free, where Scene::is_held_by_contact. They are
-   * no supports: the solution leaves no reaction there. */
+  /** Returns one pin for each rigid motion that supports leave free, where
+   * Scene::is_held_by_contact. Pins are no supports: the solution leaves no reaction there. */
   const std::vector<Pin> &pins() const
   {
     return pins_;
   }
-  /** What a scene with the same roles prescribes: k at constrained degrees of freedom (those on
-   * pins are zero), zero at all others. */
+  /** Returns the prescribed values of a scene with the same roles: k at constrained degrees of
+   * freedom (those on pins are zero), zero at all others. */
   NodalVector prescribed(const Scene<dim> &scene) const;
   const dealii::IndexSet &locally_owned() const
   {
     return dofs_.locally_owned_dofs();
   }
-  /** Zero vector with the distribution of the rows of A. */
+  /** Returns a zero vector with the distribution of the rows of A. */
   DistributedVector make_vector() const;
-  /** All nodal values on every rank, the constrained ones filled in from the others. */
+  /** Returns all nodal values on every rank, the constrained ones computed from the others. */
   NodalVector complete(const DistributedVector &free_values) const;
-  /** Constrained values of a difference of two displacements: T w_free, zero where displacements
-   * are prescribed. */
+  /** Sets the constrained values of a difference of two displacements: T w_free, zero where
+   * displacements are prescribed. */
   void distribute_homogeneous(NodalVector &w) const;
-  /** The same where pins let go: the body may move as a whole. */
+  /** Sets the same values without pins: the body may move as a whole. */
   void distribute_without_pins(NodalVector &w) const;
-  /** constraints() without pins. */
+  /** Returns constraints() without pins. */
   const dealii::AffineConstraints<double> &constraints_without_pins() const
   {
     return pins_.empty() ? constraints_ : constraints_without_pins_;
   }
-  /**
-   * The functional restricted to V^h: T^T r, where v = T v_free for v in V^h. r_j = r(phi_j) for
-   * all j; zero at constrained degrees of freedom, whatever is prescribed there.
-   */
+  /** Returns the functional restricted to V^h: Tᵀ r, where v = T v_free for v in V^h. r_j =
+   * r(φ_j) for all j; the result is zero at constrained degrees of freedom, whatever is
+   * prescribed there. */
   NodalVector condense(const NodalVector &functional) const;
-  /**
-   * Carries r_j of degrees of freedom that only keep u_h continuous over to those that they follow:
-   * the same functional on continuous functions. Reactions are then at supports and nowhere else.
-   */
+  /** Adds r_j of degrees of freedom that only keep u_h continuous to those of their masters: the
+   * functional is the same on continuous functions. Reactions are then at supports and nowhere
+   * else. */
   void carry_to_masters(NodalVector &functional) const;
-  /** One of the mesh's cells with its degrees of freedom. */
+  /** Returns one of the mesh's cells with its degrees of freedom. */
   typename dealii::DoFHandler<dim>::active_cell_iterator dof_cell(const CellIterator &cell) const;
-  /** The degrees of freedom of one of the mesh's cells. */
+  /** Returns the degrees of freedom of one of the mesh's cells. */
   std::vector<dealii::types::global_dof_index> cell_dofs(const CellIterator &cell) const;
 
 private:
-  /** After the elements are chosen. */
+  /** Distributes the degrees of freedom after the elements are chosen. */
   void distribute(const Scene<dim> &scene, const dealii::hp::FECollection<dim> &elements);
 
   const Mesh<dim> &mesh_;
   StrainOperator strain_operator_;
   dealii::DoFHandler<dim> dofs_;
   dealii::AffineConstraints<double> constraints_;
-  /** Only where there are pins. */
+  /** The constraints without pins, set only where there are pins. */
   dealii::AffineConstraints<double> constraints_without_pins_;
-  /** Those that keep u_h continuous; empty where no node hangs and all degrees are equal. */
+  /** The constraints that keep u_h continuous; empty where no node hangs and all degrees are equal.
+   */
   dealii::AffineConstraints<double> continuity_;
   dealii::IndexSet supports_;
   std::vector<Pin> pins_;

@@ -18,7 +18,7 @@ namespace Signorini
 template <int dim>
 using Cells = std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator>;
 
-/** The cells of this rank, in their order, in chunks that one thread works on at a time. */
+/** Returns the cells of this rank, in their order, in chunks that one thread works on at a time. */
 template <int dim>
 std::vector<Cells<dim>> chunks_of_owned_cells(const DisplacementSpace<dim> &space)
 {
@@ -34,11 +34,9 @@ std::vector<Cells<dim>> chunks_of_owned_cells(const DisplacementSpace<dim> &spac
   return chunks;
 }
 
-/**
- * consume(integrate(chunk)) for the cells of this rank, with all threads given. The chunks are the
- * same for any number of threads, none depends on another (FEValues looks back to the cell before),
- * and they are consumed in order: so the digits are the same, too.
- */
+/** Calls consume(integrate(chunk)) for the cells of this rank, with all threads given. The chunks
+ * are the same for any number of threads, none depends on another (FEValues reads the cell before),
+ * and they are consumed in order: so the digits are the same, too. */
 template <typename Result, int dim>
 void integrate_by_chunks(const DisplacementSpace<dim> &space,
                          const std::function<Result(const Cells<dim> &)> &integrate,
@@ -52,13 +50,16 @@ void integrate_by_chunks(const DisplacementSpace<dim> &space,
     consume);
 }
 
-/** FEValues or FEFaceValues with Gauss' rules, one object for every element of a space. Cells of
- * degree p have p - 1 points per direction more than those of degree one. */
+/** The FEValues or FEFaceValues with Gauss' rules, one object for every element of a space. Cells
+ * of degree p have p - 1 points per direction more than those of degree one. */
 template <int dim, int rule_dim, typename Values>
 class ValuesByElement
 {
 public:
-  /** @param n_points per direction, for degree one. */
+  /**
+   * Stores the arguments.
+   * @param n_points per direction, for degree one.
+   */
   ValuesByElement(const dealii::Mapping<dim> &mapping,
                   const DisplacementSpace<dim> &space,
                   const Kinks<dim> &kinks,
@@ -79,7 +80,7 @@ protected:
   {
     return n_points_ + space_.element(cell).degree - 1;
   }
-  /** With Gauss' rule. */
+  /** Returns the values with Gauss' rule. */
   template <typename CellIterator>
   Values &plain(const CellIterator &cell)
   {
@@ -88,7 +89,7 @@ protected:
       values = make(cell, dealii::QGauss<rule_dim>(n_points(cell)));
     return *values;
   }
-  /** With another rule; valid until the next one. */
+  /** Returns the values with another rule; valid until the next call. */
   template <typename CellIterator>
   Values &cut(const CellIterator &cell, const dealii::Quadrature<rule_dim> &rule)
   {
@@ -113,15 +114,18 @@ private:
   std::unique_ptr<Values> cut_;
 };
 
-/** Shape functions at the Gauss points of a cell; on the pieces of a cell that a kink crosses, at
- * the Gauss points of each piece. */
+/** The shape functions at the Gauss points of a cell; on the pieces of a cell that a kink crosses,
+ * at the Gauss points of each piece. */
 template <int dim>
 class CellValues : public ValuesByElement<dim, dim, dealii::FEValues<dim>>
 {
 public:
   using ValuesByElement<dim, dim, dealii::FEValues<dim>>::ValuesByElement;
 
-  /** @param cell of the mesh, or of a DoFHandler where functions shall be evaluated. */
+  /**
+   * Computes the values on a cell.
+   * @param cell of the mesh, or of a DoFHandler where functions are to be evaluated.
+   */
   template <typename CellIterator>
   const dealii::FEValues<dim> &reinit(const CellIterator &cell)
   {
@@ -134,8 +138,8 @@ public:
   }
 };
 
-/** Shape functions at the Gauss points of a face; where a kink cuts the face, at the Gauss points
- * of its parts. */
+/** The shape functions at the Gauss points of a face; where a kink cuts the face, at the Gauss
+ * points of its parts. */
 template <int dim>
 class FaceValues : public ValuesByElement<dim, dim - 1, dealii::FEFaceValues<dim>>
 {
@@ -146,7 +150,7 @@ public:
   const dealii::FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no)
   {
     dealii::FEFaceValues<dim> *values = nullptr;
-    // In space, planes do not cut faces yet.
+    // In 3-D planes do not cut faces yet.
     if constexpr (dim == 2)
     {
       const auto face = cell->face(face_no);
@@ -162,21 +166,18 @@ public:
   }
 };
 
-/**
- * |||u_h||| = a(u_h, u_h)^{1/2} with the strain of the element (root of force x length^{dim-1}),
- * from displacements relative to a corner of each cell: a rigid translation, however large, has no
- * energy. Collective.
- */
+/** Returns |||u_h||| = a(u_h, u_h)^{1/2} with the strain of the element (root of force x
+ * length^{dim-1}), from displacements relative to a corner of each cell: a rigid translation,
+ * however large, has no energy. Collective. */
 template <int dim>
 double energy_norm(const DisplacementSpace<dim> &space,
                    const Scene<dim> &scene,
                    const NodalVector &U);
 
-/**
- * Where the body moves as a whole, the energy norm that such a displacement has if it strains the
- * body: max|u_h| E_0^{1/2} l^{(dim-2)/2} with the unit of stiffness_unit(); max|u_h| counts as at
- * least 1e-10 of the body's size. |||u_h|||, forces and their errors are nothing but rounding then,
- * or what the linear solver leaves. None where the body is strained. Collective.
+/** Returns, where the body moves as a whole, the energy norm that such a displacement has if it
+ * strains the body: max|u_h| E_0^{1/2} l^{(dim-2)/2} with the unit of stiffness_unit(); max|u_h|
+ * counts as at least 1e-10 of the body's size. |||u_h|||, forces and their errors are only rounding
+ * then, or the remainder of the linear solver. Returns none where the body is strained. Collective.
  */
 template <int dim>
 std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
@@ -184,9 +185,9 @@ std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
                                            const NodalVector &U);
 
 /**
- * What an error in the energy norm is compared with: |||u_h|||. Where the body moves rigidly,
- * |||u_h||| is rounding; an error that is rounding, too, is compared with norm_of_rigid_motion(),
- * and a larger one is all of |||u|||. Collective.
+ * Returns the scale of an error in the energy norm: |||u_h|||. Where the body moves rigidly,
+ * |||u_h||| is rounding; the scale of an error that is rounding, too, is norm_of_rigid_motion(),
+ * and a larger error is all of |||u|||. Collective.
  *
  * @param norm |||u_h|||
  */

@@ -8,14 +8,14 @@
 
 namespace Signorini
 {
-/** A matrix of V^h with the couplings of A, rows distributed, entries zero. Collective. */
+/** Returns a matrix of V^h with the couplings of A, rows distributed, entries zero. Collective. */
 template <int dim>
 dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space);
 
 /**
  * Adds matrices of cells to a matrix of V^h that make_matrix() made, condensing the constraints.
  *
- * On one rank, entries are added to the stored rows directly, which is several times faster than
+ * In serial runs, entries are added to the stored rows directly, which is several times faster than
  * Trilinos' own search.
  */
 template <int dim>
@@ -24,13 +24,14 @@ class MatrixScatter
 public:
   using Indices = std::vector<dealii::types::global_dof_index>;
 
-  /** Both must outlive the object. */
+  /** Prepares the rows. Both arguments must outlive the object. */
   MatrixScatter(const DisplacementSpace<dim> &space,
                 dealii::TrilinosWrappers::SparseMatrix &matrix);
 
-  /** matrix(indices, indices) += cell_matrix. */
+  /** Adds cell_matrix to matrix(indices, indices). */
   void add(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
-  /** The same, with vector(indices) += cell_vector, reduced by prescribed displacements. */
+  /** Adds cell_matrix to matrix(indices, indices), and cell_vector, reduced by prescribed
+   * displacements, to vector(indices). */
   void add(const dealii::FullMatrix<double> &cell_matrix,
            const dealii::Vector<double> &cell_vector,
            const Indices &indices,
@@ -39,18 +40,16 @@ public:
 private:
   bool has_constraints(const Indices &indices) const;
   void add_to_rows(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
-  /**
-   * T^T K T and T^T (b - K k) of a cell with constraints, U = T U_free + k, in condensed_ and
-   * condensed_vector_, for the indices in masters_.
-   */
+  /** Computes Tᵀ K T and Tᵀ (b - K k) of a cell with constraints, U = T U_free + k, in condensed_
+   * and condensed_vector_, for the indices in masters_. */
   void condense(const dealii::FullMatrix<double> &cell_matrix,
                 const dealii::Vector<double> &cell_vector,
                 const Indices &indices);
-  /** condense(), with the matrix added to the rows. */
+  /** Calls condense() and adds the matrix to the rows. */
   void add_condensed(const dealii::FullMatrix<double> &cell_matrix,
                      const dealii::Vector<double> &cell_vector,
                      const Indices &indices);
-  /** A positive number on the diagonal of a constrained row. */
+  /** Adds a positive number to the diagonal of a constrained row. */
   void add_diagonals(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
 
   const dealii::AffineConstraints<double> &constraints_;
@@ -65,29 +64,28 @@ private:
   Indices masters_;
 };
 
-/**
- * A U = f. The matrix is that of a body of size one and modulus one, A = unit × matrix, so that
- * neither units nor sizes of numbers matter to a factorisation. All vectors are in the user's
- * units.
- */
+/** The system A U = f. The matrix is that of a body of size one and modulus one, A = unit × matrix,
+ * so that neither units nor sizes of numbers matter to a factorisation. All vectors are in the
+ * user's units. */
 template <int dim>
 struct LinearSystem
 {
-  /** A/unit with the essential conditions eliminated. Symmetric positive definite; constrained rows
-   * hold a diagonal entry only. Empty where A is not assembled. */
+  /** The matrix A/unit with the essential conditions eliminated. It is symmetric positive definite;
+   * constrained rows hold a diagonal entry only. It is empty where A is not assembled. */
   dealii::TrilinosWrappers::SparseMatrix matrix;
-  /** stiffness_unit(). */
+  /** The unit stiffness_unit(). */
   double unit = 1.;
-  /** f_j, reduced by what the prescribed displacements contribute; zero in constrained rows. */
+  /** The right-hand side f_j, reduced by the contribution of the prescribed displacements; zero in
+   * constrained rows. */
   DistributedVector f;
-  /** f_j = int f.phi_j + int t.phi_j for all j, nothing eliminated (force). */
+  /** The loads f_j = ∫ f.φ_j + ∫ t.φ_j for all j, nothing eliminated (force). */
   DistributedVector loads;
-  /** Their resultant, by quadrature of f and t. */
+  /** The resultant of the loads, by quadrature of f and t. */
   Resultant<dim> applied;
 };
 
 /**
- * Assembles A_ij = a(phi_j, phi_i) and f_i = int f.phi_i + int_{Gamma_F} t.phi_i with @p n_points
+ * Assembles A_ij = a(φ_j, φ_i) and f_i = ∫ f.φ_i + ∫_{Γ_F} t.φ_i with @p n_points
  * Gauss points per direction for the loads. Collective.
  * @throws InputError where the data has no value.
  */
@@ -96,13 +94,13 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
                                          const Scene<dim> &scene,
                                          unsigned int n_points);
 
-/** The same without the matrix. One rank, no hanging nodes. */
+/** Assembles the same system without the matrix. Serial, no hanging nodes. */
 template <int dim>
 LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
                                            const Scene<dim> &scene,
                                            unsigned int n_points);
 
-/** LinearSystem::loads alone. Collective. */
+/** Assembles LinearSystem::loads alone. Collective. */
 template <int dim>
 DistributedVector assemble_loads(const DisplacementSpace<dim> &space,
                                  const Scene<dim> &scene,

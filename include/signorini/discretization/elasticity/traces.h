@@ -15,24 +15,27 @@
 
 namespace Signorini
 {
-/** Shape functions of V^h at points of contact faces. Faces that are asked for the same reference
- * points one after another share one table. */
+/** The shape functions of V^h at points of contact faces. Consecutive faces with the same reference
+ * points share one table. */
 template <int dim>
 class TraceValues
 {
 public:
   explicit TraceValues(const DisplacementSpace<dim> &space);
 
-  /** @param on_face points in the reference coordinates of the face. */
+  /**
+   * Computes the shape functions on a face.
+   * @param on_face points in the reference coordinates of the face.
+   */
   const dealii::FEFaceValues<dim> &reinit(const ContactFace<dim> &face,
                                           const std::vector<dealii::Point<dim - 1>> &on_face);
 
-  /** u_h at the points of a rule on the face. */
+  /** Returns u_h at the points of a rule on the face. */
   std::vector<dealii::Tensor<1, dim>> displacement(const ContactFace<dim> &face,
                                                    const SurfaceRule<dim> &rule,
                                                    const NodalVector &U);
 
-  /** u_h.n at the points of a rule on the face. */
+  /** Returns u_h.n at the points of a rule on the face. */
   std::vector<double> normal_displacement(const ContactFace<dim> &face,
                                           const SurfaceRule<dim> &rule,
                                           const NodalVector &U);
@@ -44,7 +47,7 @@ private:
   std::unique_ptr<dealii::FEFaceValues<dim>> values_;
 };
 
-/** Where the nodes of a cell lie in space, in the order of the cell's scalar shape functions. */
+/** The positions of the nodes of a cell, in the order of the cell's scalar shape functions. */
 template <int dim>
 class NodePositions
 {
@@ -55,7 +58,7 @@ public:
   {
   }
 
-  /** Valid until the next call. */
+  /** Returns the positions, valid until the next call. */
   const std::vector<dealii::Point<dim>> &
   operator()(const typename DisplacementSpace<dim>::CellIterator &cell)
   {
@@ -76,20 +79,20 @@ public:
 
 private:
   const DisplacementSpace<dim> &space_;
-  /** By element. */
+  /** The values by element. */
   std::vector<std::unique_ptr<dealii::FEValues<dim>>> values_;
 };
 
-/** I^h u: the values of u at the nodes of V^h, all of them on every rank. */
+/** Returns I^h u: the values of u at the nodes of V^h, all of them on every rank. */
 template <int dim>
 NodalVector interpolate_at_nodes(const DisplacementSpace<dim> &space,
                                  const dealii::Function<dim> &u);
 
-/** A moment: a number in the plane, a vector in space. */
+/** A moment: a number in 2-D, a vector in 3-D. */
 template <int dim>
 using Moment = dealii::Tensor<1, dim == 2 ? 1 : dim>;
 
-/** x × F; in the plane x1 F2 - x2 F1. */
+/** Returns the moment x × F; in 2-D x1 F2 - x2 F1. */
 inline Moment<2> moment_of(const dealii::Tensor<1, 2> &x, const dealii::Tensor<1, 2> &F)
 {
   Moment<2> moment;
@@ -120,14 +123,14 @@ struct Resultant
     moment += other.moment;
     return *this;
   }
-  /** The moment about another point. */
+  /** Returns the moment about another point. */
   Moment<dim> moment_about(const dealii::Point<dim> &x) const
   {
     return moment - moment_of(x, force);
   }
 };
 
-/** The sum over all ranks. Collective. */
+/** Returns the sum over all ranks. Collective. */
 template <int dim>
 Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator)
 {

@@ -10,19 +10,20 @@
 
 namespace Signorini
 {
-/** Whether a line runs through the interior of the cell. */
+/** Returns whether a line runs through the interior of the cell. */
 template <int dim>
 bool lines_cross(const Kinks<dim> &kinks,
                  const typename dealii::Triangulation<dim>::cell_iterator &cell);
 
-/** Whether the plain rule is not enough on a cell: a line crosses it or meets a contact side near
- * it. */
+/** Returns whether the plain rule is not enough on a cell: a line crosses it or meets a contact
+ * side near it. */
 template <int dim>
 bool needs_cuts(const Kinks<dim> &kinks,
                 const typename dealii::Triangulation<dim>::cell_iterator &cell);
 
 /**
- * A rule on the reference cell that integrates on the pieces into which the lines cut a cell, with
+ * Returns a rule on the reference cell that integrates on the pieces into which the lines cut a
+ * cell, with
  * @p n_points Gauss points per direction on each. Near a possible end of contact the pieces shrink
  * towards it. A curved cell is cut like the quadrilateral of its vertices: the rule is as accurate
  * there for smooth functions, and nearly so for others.
@@ -33,15 +34,16 @@ cut_quadrature(const Kinks<dim> &kinks,
                const typename dealii::Triangulation<dim>::cell_iterator &cell,
                unsigned int n_points);
 
-/** The rule from the first to the last of the sorted @p cuts that applies @p rule, a rule on [0,1],
- * between consecutive ones. */
+/** Returns the rule from the first to the last of the sorted @p cuts that applies @p rule, a rule
+ * on [0,1], between consecutive ones. */
 dealii::Quadrature<1> split_quadrature(const dealii::Quadrature<1> &rule,
                                        const std::vector<double> &cuts);
 
-/** How often the distance from a singular point is divided by four: down to 4e-9 of the first. */
+/** The number of divisions of the distance from a singular point by four: down to 4e-9 of the
+ * first. */
 constexpr unsigned int n_graded_layers = 14;
 
-/** The positions s + distance 4^-k, k = 0, ..., n_graded_layers - 1; @p distance may be negative.
- * Between them a function like |x - s|^{1/2} is smooth. */
+/** Returns the positions s + distance 4^-k, k = 0, ..., n_graded_layers - 1; @p distance may be
+ * negative. Between them a function like |x - s|^{1/2} is smooth. */
 std::vector<double> graded_positions(double s, double distance);
 } // namespace Signorini

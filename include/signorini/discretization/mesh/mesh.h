@@ -16,7 +16,8 @@ namespace Signorini
 /**
  * The mesh T^h of one level, quadrilaterals or hexahedra, with T^{2h} as its parents.
  *
- * Every rank knows the whole mesh; METIS decides who owns which cells, and with them rows of A.
+ * Every rank stores the whole mesh; METIS decides which rank owns which cells, and with them rows
+ * of A.
  */
 template <int dim>
 class Mesh
@@ -33,11 +34,11 @@ public:
        MPI_Comm communicator);
 
   /**
-   * A mesh that is refined where @p must_split asks for it, until no cell has to be split. It
-   * begins with @p base_level refinements of the coarse mesh; in a rectangle without distortion the
-   * @p lines x_d = lines[d][k] are lines of that mesh. Cells that share an edge differ by at most
-   * one refinement. The maps of curved cells have the degree @p mapping_degree. One rank.
-   * @param must_split also knows how often the cell was split since the first mesh.
+   * Makes a mesh that is refined where @p must_split returns true, until no cell has to be split.
+   * It begins with @p base_level refinements of the coarse mesh; in a rectangle without distortion
+   * the @p lines x_d = lines[d][k] are lines of that mesh. Cells that share an edge differ by at
+   * most one refinement. The maps of curved cells have the degree @p mapping_degree. Serial.
+   * @param must_split also gets the number of splits of the cell since the first mesh.
    */
   using Splits =
     std::function<bool(const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
@@ -56,26 +57,25 @@ public:
   {
     return *mapping_;
   }
-  /**
-   * The map onto the body of size one, (x - lower)/l with the length l of size(). A stiffness
-   * matrix that is integrated with it depends neither on the unit of length nor on the place of the
-   * origin, to the last digit.
-   */
+  /** Returns the map onto the body of size one, (x - lower)/l with the length l of size(). A
+   * stiffness matrix that is integrated with it depends neither on the unit of length nor on the
+   * position of the origin, to the last digit. */
   const dealii::Mapping<dim> &unit_mapping() const
   {
     return *unit_mapping_;
   }
-  /** The point that unit_mapping() maps to @p x. */
+  /** Returns the point that unit_mapping() maps to @p x. */
   dealii::Point<dim> from_unit_body(const dealii::Point<dim> &x) const
   {
     return lower_ + size_ * (x - dealii::Point<dim>());
   }
-  /** The longest edge of the box around the body (length). */
+  /** Returns the longest edge of the box around the body (length). */
   double size() const
   {
     return size_;
   }
-  /** Whether cells are curved: their edges are parabolas, close to the sides to the order h^4. */
+  /** Returns whether cells are curved: their edges are parabolas, close to the sides to the order
+   * h^4. */
   bool is_curved() const
   {
     return curved_;
@@ -84,34 +84,34 @@ public:
   {
     return triangulation_.get_communicator();
   }
-  /** Number of refinements of the coarse mesh. */
+  /** Returns the number of refinements of the coarse mesh. */
   unsigned int level() const
   {
     return triangulation_.n_global_levels() - 1;
   }
-  /** h: the longest edge (length). */
+  /** Returns h: the longest edge (length). */
   double longest_edge() const;
-  /** The shortest one. */
+  /** Returns the shortest edge (length). */
   double shortest_edge() const;
-  /** How often a cell was split since the mesh was uniform. */
+  /** Returns the number of splits of a cell since the mesh was uniform. */
   unsigned int splits(const typename dealii::Triangulation<dim>::cell_iterator &cell) const
   {
     return cell->level() - uniform_levels_;
   }
-  /** How many levels before this one have cells that are unions of cells of this one: all of them,
-   * or those from the level at which vertices were moved. */
+  /** Returns the number of levels before this one whose cells are unions of cells of this one: all
+   * of them, or those from the level at which vertices were moved. */
   unsigned int n_nested_ancestors() const
   {
     return n_nested_ancestors_;
   }
-  /** Whether T^{2h} exists. */
+  /** Returns whether T^{2h} exists. */
   bool has_parents() const
   {
     return n_nested_ancestors_ > 0;
   }
 
 private:
-  /** The maps of the given degree, for curved bodies. */
+  /** Makes the maps of the given degree, for curved bodies. */
   void make_mappings(unsigned int degree);
 
   dealii::parallel::shared::Triangulation<dim> triangulation_;

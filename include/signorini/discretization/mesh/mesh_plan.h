@@ -11,45 +11,43 @@
 
 namespace Signorini
 {
-/**
- * A place on the boundary next to which u ~ r^lambda: a corner, a kink, or an end of contact. An
- * end of contact is known to lie between two points of a side.
- */
+/** A place on the boundary next to which u ~ r^λ: a corner, a kink, or an end of contact. An
+ * end of contact lies between two points of a side. */
 struct Singularity
 {
   enum class Kind
   {
     corner,
-    /** Where a line of kinks meets a side: a possible end of contact, or the end of an interface.
-     */
+    /** A point where a line of kinks meets a side: a possible end of contact, or the end of an
+     * interface. */
     kink,
     end_of_contact
   };
   Kind kind;
   /** The corner, the kink, or the middle of the bracket. */
   dealii::Point<2> point;
-  /** lambda, as far as it is known. */
+  /** The exponent λ, as far as it is known. */
   double exponent = 1.;
-  /** Of kinks and ends of contact: the side, and the bracket in its arc length (length). */
+  /** The side of kinks and ends of contact, and the bracket in its arc length (length). */
   unsigned int side = 0;
   double from = 0., to = 0.;
-  /** How often the cells at the place are split. */
+  /** The number of splits of the cells at the place. */
   double layers = 0.;
-  /** Whether the data of the scene says that u is singular here, and not only that it may be. */
+  /** Whether u is singular here according to the data of the scene, and not only possibly. */
   bool is_certain = false;
   /** The indicator of the cells at the place when it had the layers before these; 0: not known. */
   double last_error = 0., last_layers = 0.;
 
-  /** Whether the place lies in the closure of a cell, or a part of the bracket does. */
+  /** Returns whether the place, or a part of the bracket, lies in the closure of a cell. */
   bool touches(const Scene<2> &scene,
                const dealii::Triangulation<2>::active_cell_iterator &cell) const;
 };
 
-/** Of the singularities with layers the one that is closest to a point, if there is any. */
+/** Returns the singularity with layers that is closest to a point, if there is any. */
 const Singularity *nearest(const std::vector<Singularity> &singularities,
                            const dealii::Point<2> &x);
 
-/** What the solution on earlier meshes asks of a cell. */
+/** The demands of the solution on earlier meshes on a cell. */
 struct CellDemand
 {
   bool split = false;
@@ -58,8 +56,8 @@ struct CellDemand
 };
 
 /**
- * A mesh and its degrees before they are made: the mesh of the first step, split towards the
- * singularities and where demands say so.
+ * The plan of a mesh and its degrees: the mesh of the first step, split towards the singularities
+ * and where there are demands.
  *
  * A cell that touches a singularity is split until it was split as often as there are layers. The
  * degree falls linearly with the layers, from 2 + rise away from all singularities to 2 next to
@@ -67,31 +65,31 @@ struct CellDemand
  */
 struct MeshPlan
 {
-  /** The mesh of the first step. */
+  /** The number of refinements of the mesh of the first step. */
   unsigned int base_level = 0;
   std::array<std::vector<double>, 2> lines;
-  /** The size of its cells (length). */
+  /** The size of the cells of the mesh of the first step (length). */
   double base_size = 1.;
   std::vector<Singularity> singularities;
   std::map<dealii::CellId, CellDemand> demands;
   double rise = 0.;
-  /** The part of the error of the mesh before that shall be left. */
+  /** The part of the error of the mesh before that should be left. */
   double aim = 1.;
   unsigned int largest_degree = 9;
 
-  /** Whether a cell must be split. */
+  /** Returns whether a cell must be split. */
   bool must_split(const Scene<2> &scene,
                   const dealii::Triangulation<2>::active_cell_iterator &cell,
                   unsigned int n_splits) const;
 };
 
-/** The mesh of a plan. */
+/** Makes the mesh of a plan. */
 Mesh<2> make_mesh(const MeshPlan &plan, const Scene<2> &scene);
 
-/** The degrees of its active cells; those of neighbours differ by one at most. */
+/** Returns the degrees of the active cells of a mesh; those of neighbours differ by one at most. */
 std::vector<unsigned int> plan_degrees(const MeshPlan &plan, const Mesh<2> &mesh);
 
-/** The degree that a plan gives to a cell of a mesh, before neighbours are looked at. */
+/** Returns the degree that a plan gives to a cell of a mesh, regardless of its neighbours. */
 unsigned int planned_degree(const MeshPlan &plan,
                             const Mesh<2> &mesh,
                             const dealii::Triangulation<2>::active_cell_iterator &cell);

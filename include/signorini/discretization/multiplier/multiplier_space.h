@@ -13,18 +13,18 @@
 namespace Signorini
 {
 /**
- * Q^H, the functions that are polynomials on every patch; on most meshes constants.
+ * The space Q^H of functions that are polynomials on every patch; on most meshes constants.
  *
  * With n unknowns a patch has polynomials of degree n - 1 in the coordinate of its side, and the
- * Lagrange basis psi_k at the n Gauss points of the patch: p_H = sum P_k psi_k. For n = 1 that is
- * psi = 1. With n - 1 = p - 2 on the faces of elements of degree p the pair is inf-sup stable. The
- * basis is orthogonal in L2, and P_k is the value of p_H at a Gauss point, where N^H asks for its
+ * Lagrange basis ψ_k at the n Gauss points of the patch: p_H = sum P_k ψ_k. For n = 1 that is
+ * ψ = 1. With n - 1 = p - 2 on the faces of elements of degree p the pair is inf-sup stable. The
+ * basis is orthogonal in L2, and P_k is the value of p_H at a Gauss point, where N^H restricts its
  * sign.
  *
  * On the nodes of the trace of V^h (Nodes::lobatto) p_H is continuous: neighbouring patches share
  * the node between them. With the rules of Gauss and Lobatto on the faces D and G are then those of
- * collocation, u_n <= g at the nodes. Whoever needs unknowns, signs, values or integrals of
- * multipliers asks this space, so that another basis is a matter of this file.
+ * collocation, u_n ≤ g at the nodes. All unknowns, signs, values and integrals of multipliers come
+ * from this space, so that another basis changes only this file.
  */
 template <int dim>
 class MultiplierSpace
@@ -33,21 +33,24 @@ public:
   using Vector = dealii::Vector<double>;
   /** The numbers of the unknowns at the nodes of a patch, in the order of arc length. */
   using Unknowns = std::vector<unsigned int>;
-  /** Stands for a node without an unknown: there p_H is zero. */
+  /** The number of a node without an unknown: there p_H is zero. */
   static constexpr unsigned int no_unknown = dealii::numbers::invalid_unsigned_int;
 
-  /** Where a patch with several unknowns has its nodes. */
+  /** The nodes of a patch with several unknowns. */
   enum class Nodes
   {
     gauss,
     lobatto
   };
 
-  /** Constants. @param surface must outlive the object. */
+  /**
+   * Makes the space of constants.
+   * @param surface must outlive the object.
+   */
   explicit MultiplierSpace(const ContactSurface<dim> &surface);
   /**
-   * @param n_nodes of every patch, at least one, or two of Lobatto. Only in the plane more than
-   * one.
+   * Makes the space of polynomials.
+   * @param n_nodes of every patch, at least one, or two of Lobatto. Only in 2-D more than one.
    * @param without numbers of unknowns, sorted, as they are without this list: these nodes get
    * none.
    */
@@ -60,12 +63,12 @@ public:
   {
     return surface_;
   }
-  /** m, the number of unknowns. */
+  /** Returns m, the number of unknowns. */
   unsigned int n_multipliers() const
   {
     return patch_of_.size();
   }
-  /** Which P are admissible: pressures, P <= 0. */
+  /** Returns the set of admissible P: pressures, P ≤ 0. */
   AdmissibleSet admissible_set() const
   {
     return AdmissibleSet::nonpositive(n_multipliers());
@@ -74,16 +77,17 @@ public:
   {
     return nodes_;
   }
-  /** All unknowns whose functions do not vanish on a patch. */
+  /** Returns all unknowns whose functions do not vanish on a patch. */
   const Unknowns &unknowns_on(const unsigned int patch) const
   {
     return unknowns_[patch];
   }
-  /** The function of the i-th of these at a point of the side. */
+  /** Returns the function of the i-th of these unknowns at a point of the side. */
   double shape_value(unsigned int patch, unsigned int i, const dealii::Point<dim - 1> &s) const;
 
-  /** Every unknown belongs to one patch, which has first_of(patch), ..., first_of(patch + 1) - 1;
-   * of two patches that share a node, to the first. */
+  /** Returns the first unknown of a patch. Every unknown belongs to one patch, which has
+   * first_of(patch), ..., first_of(patch + 1) - 1; of two patches that share a node, to the first.
+   */
   unsigned int first_of(const unsigned int patch) const
   {
     return first_[patch];
@@ -96,46 +100,49 @@ public:
   {
     return first_[patch + 1] - first_[patch];
   }
-  /** Whether every patch has one unknown. */
+  /** Returns whether every patch has one unknown. */
   bool is_piecewise_constant() const
   {
     return n_multipliers() == surface_.patches().size();
   }
-  /** The point of the side at which the unknown is the value of p_H. */
+  /** Returns the point of the side at which the unknown is the value of p_H. */
   dealii::Point<dim - 1> node(unsigned int unknown) const;
 
-  /** psi_k at the point @p s of the side, on the patch to which the unknown belongs. */
+  /** Returns ψ_k at the point @p s of the side, on the patch to which the unknown belongs. */
   double shape_value(unsigned int unknown, const dealii::Point<dim - 1> &s) const;
-  /** p_H at a point of a patch. */
+  /** Returns p_H at a point of a patch. */
   double value(const Vector &P, unsigned int patch, const dealii::Point<dim - 1> &s) const;
 
-  /** The largest P_k that N^H allows: p_H <= 0 at every node. */
+  /** Returns the largest P_k that N^H allows: p_H ≤ 0 at every node. */
   Vector upper_bounds() const;
-  /** int psi_k for all k (length^{dim-1}). */
+  /** Returns ∫ ψ_k for all k (length^{dim-1}). */
   Vector integrals() const;
-  /** R^H q, the L2-projection of a function q, from its moments b_k = int q psi_k. */
+  /** Returns R^H q, the L2-projection of a function q, from its moments b_k = ∫ q ψ_k. */
   Vector project(const Vector &moments) const;
 
 private:
-  /** Whether the last node of a side is its first one, too. */
+  /** Returns whether the last node of a side is its first one, too. */
   bool closes(const Patch<dim> &last) const;
-  /** Whether a corner of the side lies before the patch. */
+  /** Returns whether a corner of the side lies before the patch. */
   bool starts_at_corner(const Patch<dim> &patch) const;
   /** Numbers the unknowns, patch after patch. */
   void number(const std::vector<unsigned int> &n_nodes, const std::vector<unsigned int> &without);
 
   const ContactSurface<dim> &surface_;
   Nodes nodes_;
-  /** By patch. */
+  /** The unknowns by patch. */
   std::vector<Unknowns> unknowns_;
-  /** By patch, and the number of all. */
+  /** The first unknown by patch, and the number of all. */
   std::vector<unsigned int> first_;
-  /** By unknown: its patch, and its node there. */
+  /** The patch of every unknown, and its node there. */
   std::vector<unsigned int> patch_of_, node_of_;
 };
 
-/** int q psi_k for all k, where @p values_on (piece, rule) is a function q at the points
- * of a rule on a piece. @param n_points per direction, for constants; one more per degree. */
+/**
+ * Returns ∫ q ψ_k for all k, where @p values_on (piece, rule) is a function q at the points of
+ * a rule on a piece.
+ * @param n_points per direction, for constants; one more per degree.
+ */
 template <int dim, typename Function>
 dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> &space,
                                                      const unsigned int n_points,
@@ -161,16 +168,18 @@ dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> 
   return moments;
 }
 
-/** G_k = int g psi_k (length^dim), with @p n_points Gauss points per direction and part of a piece
- * for constants; @p grading of the rules. @p boundary holds the gap of every side. @throws
- * InputError where g has no value. */
+/**
+ * Returns G_k = ∫ g ψ_k (length^dim), with @p n_points Gauss points per direction and part of a
+ * piece for constants; @p grading of the rules. @p boundary holds the gap of every side.
+ * @throws InputError where g has no value.
+ */
 template <int dim>
 dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
                                     const std::vector<BoundaryCondition<dim>> &boundary,
                                     unsigned int n_points,
                                     Grading grading = Grading::towards_kinks);
 
-/** The same for the gap of the surface's own scene. */
+/** Returns G for the gap of the surface's own scene. */
 template <int dim>
 dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
                                     const unsigned int n_points,
@@ -179,10 +188,8 @@ dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
   return assemble_gap(space, space.surface().scene().boundary, n_points, grading);
 }
 
-/**
- * D, n x m: one sparse column per multiplier, nonzero at the degrees of freedom near its patch.
- * Small, and known to every rank as a whole.
- */
+/** The coupling D, n x m: one sparse column per multiplier, nonzero at the degrees of freedom near
+ * its patch. It is small, and every rank stores all of it. */
 class Coupling
 {
 public:
@@ -198,24 +205,23 @@ public:
   {
     return columns_[k];
   }
-  /** vector += D P, the locally owned rows. The caller compresses. */
+  /** Adds D P to the locally owned rows of @p vector. The caller compresses. */
   void add_product(const dealii::Vector<double> &P, DistributedVector &vector) const;
-  /** D^T U. */
+  /** Returns Dᵀ U. */
   dealii::Vector<double> transpose_product(const NodalVector &U) const;
-  /** D^T U from the locally owned rows of a distributed U; summed over the ranks it is D^T U. */
+  /** Returns Dᵀ U from the locally owned rows of a distributed U; summed over the ranks it is Dᵀ
+   * U. */
   dealii::Vector<double> local_transpose_product(const DistributedVector &U) const;
 
 private:
   std::vector<Column> columns_;
 };
 
-/**
- * D_jk = int_{Gamma_c} phi_j.n psi_k, integrated exactly on the pieces face ∩ patch.
- */
+/** Assembles D_jk = ∫_{Γ_c} φ_j.n ψ_k, integrated exactly on the pieces face ∩ patch. */
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,
                            const MultiplierSpace<dim> &multipliers);
 
-/** T^T D: the coupling seen from the unconstrained degrees of freedom. */
+/** Returns Tᵀ D: the coupling of the unconstrained degrees of freedom. */
 Coupling condense(const Coupling &D, const dealii::AffineConstraints<double> &constraints);
 } // namespace Signorini

@@ -14,52 +14,52 @@ namespace Signorini
 {
 /**
  * A guaranteed bound of the error of u_h in the energy norm |||v||| = a(v,v)^{1/2}, from a stress
- * tau in equilibrium (EquilibratedStress) and a lift w of what penetrates (ContactLift):
+ * τ in equilibrium (EquilibratedStress) and a lift w of what penetrates (ContactLift):
  *
- *     |||u - u_h|||² <= sum_K (‖sigma(u_h) - tau‖_{C^{-1},K} + osc_K)² + |||w|||²
- *                       + 2 int_{Gamma_c} p_H (u_{h,n} - g - w_n).
+ *     |||u - u_h|||² ≤ Σ_K (‖σ(u_h) - τ‖_{E⁻¹,K} + osc_K)² + |||w|||²
+ *                     + 2 ∫_{Γ_c} p_H (u_{h,n} - g - w_n).
  *
  * Where u_h only interpolates prescribed displacements, |||z|||_K is added to osc_K and |||z||| to
- * the bound (PrescribedRest).
+ * the bound (PrescribedLift).
  *
- * The same tau and another w bound the error of pi^{2h} u_h. There tau_n, a linear function on
+ * The same τ and another w bound the error of π^{2h} u_h. There τ_n, a linear function on
  * edges that press, takes the place of p_H.
  *
- * Norms are roots of energies (force x length per thickness).
+ * E is Hooke's tensor. Norms are roots of energies (force x length per thickness).
  */
 struct ErrorBound
 {
-  /** Why there is no bound, one sentence; empty if there is one. Then nothing else is known but the
-   * penetration. */
+  /** The reason why there is no bound, one sentence; empty if there is a bound. Without a bound,
+   * only the penetration is set. */
   std::string missing;
   /** The bound of |||u - u_h|||. */
   std::optional<double> absolute;
-  /** The same divided by |||u_h|||, or by what rounding makes of it where that is larger; infinite
+  /** The bound divided by |||u_h|||, or by what rounding makes of it where that is larger; infinite
    * where u_h vanishes. */
   std::optional<double> relative;
-  /** The bound of |||u - pi^{2h} u_h|||, and the same divided like relative; none where cells have
-   * no parents and on curved sides. */
+  /** The bound of |||u - π^{2h} u_h|||, and the same divided like relative. There is none where
+   * cells have no parents and on curved sides. */
   std::optional<double> post_absolute, post_relative;
   /** The parts of the bound for u_h: the first sum without oscillation, the oscillation of loads
    * and of prescribed displacements, and the contact part. */
   std::optional<double> mesh, oscillation, contact;
   /** Whether the bound is guaranteed; on curved sides it is an estimate (EquilibratedStress). */
   bool guaranteed = true;
-  /** What curved sides add, an estimate; 0 for straight sides. */
+  /** The part that curved sides add, an estimate; 0 for straight sides. */
   std::optional<double> geometry;
-  /** The same as a share, like relative. */
+  /** The geometry part as a share, like relative. */
   std::optional<double> relative_geometry;
-  /** What the linear solver left unbalanced at nodes, relative to the forces there. */
+  /** The forces that the linear solver left unbalanced at nodes, relative to the forces there. */
   std::optional<double> algebra;
-  /** Between these lies J(u); none on curved sides. */
+  /** The bounds between which J(u) lies; none on curved sides. */
   std::optional<double> energy_lower, energy_upper;
-  /** Bound of the error of the contact force (force); none where contact meets a held side, and on
-   * curved sides. */
+  /** The bound of the error of the contact force (force); none where contact meets a held side, and
+   * on curved sides. */
   std::optional<double> force_error;
-  /** max (u_{h,n} - g)_+ (length), and its place in words. */
+  /** The penetration max (u_{h,n} - g)_+ (length), and its place in words. */
   double penetration = 0.;
   std::string place_of_penetration;
-  /** Which of the parts is the largest. */
+  /** The parts of the bound; largest_part() returns the largest one. */
   enum class Part
   {
     mesh,
@@ -67,49 +67,50 @@ struct ErrorBound
     contact
   };
   Part largest_part() const;
-  /** In words: the cell with the largest part, and the contact face. */
+  /** The cell with the largest part and the contact face with the largest part, in words. */
   std::string largest_cell, largest_face;
 
   static Columns<ErrorBound> columns();
 };
 
 /**
- * Where the bound comes from (roots of energies); all empty where there is none:
+ * The parts of the bound by cell and contact face (roots of energies); all are empty where there is
+ * no bound:
  *
- *     sum_K ((mesh_K + oscillation_K)² + lift_K²) + sum_F contact_F² = (absolute - |||z|||)².
+ *     Σ_K ((mesh_K + oscillation_K)² + lift_K²) + Σ_F contact_F² = (absolute - |||z|||)².
  */
 struct BoundFields
 {
-  /** ‖sigma(u_h) - tau‖_{C^{-1},K}, osc_K and |||w|||_K by active cell; the last is zero on cells
-   * of other ranks. */
+  /** The norms ‖σ(u_h) - τ‖_{E⁻¹,K}, osc_K and |||w|||_K by active cell; the last is zero
+   * on cells of other ranks. */
   std::vector<double> mesh, oscillation, lift;
-  /** (2 int_F p_H (u_{h,n} - g - w_n))^{1/2}, in the order of ContactSurface::faces(). */
+  /** The roots (2 ∫_F p_H (u_{h,n} - g - w_n))^{1/2}, in the order of ContactSurface::faces(). */
   std::vector<double> contact;
 };
 
-/** A bound with its parts by cell and contact face. */
+/** A bound, and its parts by cell and contact face. */
 struct LocatedBound
 {
   ErrorBound bound;
   BoundFields fields;
 };
 
-/** What contact_lift needs besides the data of the stress. */
+/** The data of the bound: those of the stress, and those that ContactLift needs. */
 struct BoundData
 {
   StressData stress;
   const StiffnessInverse &inverse;
   const Coupling &condensed_D;
   const dealii::Vector<double> &G;
-  /** J(u_h) = a(u_h, u_h)/2 - f(u_h) (force x length per thickness). */
+  /** The energy J(u_h) = a(u_h, u_h)/2 - f(u_h) (force x length per thickness). */
   double energy;
 };
 
-/** Computes the bound for a plane body, guaranteed if its sides are straight and else an estimated
- * bound; missing says why there is none. Collective. */
+/** Computes the bound of a 2-D body. It is guaranteed if the sides are straight, else an estimate.
+ * ErrorBound::missing has the reason if there is none. Collective. */
 LocatedBound compute_located_bound(const BoundData &data);
 
-/** The same without its places. Collective. */
+/** Computes the same bound without its parts by cell and face. Collective. */
 inline ErrorBound compute_error_bound(const BoundData &data)
 {
   return compute_located_bound(data).bound;

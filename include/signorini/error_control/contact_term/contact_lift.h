@@ -10,27 +10,28 @@
 
 namespace Signorini
 {
-/** How the w of a ContactBound was found. */
+/** The method by which the w of a ContactBound was found. */
 enum class LiftMethod
 {
-  /** Nodal values of a boundary layer, see layer_lift(). */
+  /** The nodal values of a boundary layer, see layer_lift(). */
   layer,
-  /** A small dual problem at the contact nodes, see dual_lift(). */
+  /** The solution of a small dual problem at the contact nodes, see dual_lift(). */
   dual,
-  /** The same with nodes raised so far that nothing is lacking inside of faces, see
+  /** The same, with nodes raised so far that nothing is lacking inside of faces, see
    * raised_values(). */
   raised_dual
 };
 
-/** The contact part of the bound of the energy error, and what it was summed up from. */
+/** The contact part of the bound of the energy error, with its summands. */
 struct ContactBound
 {
-  /** |||w|||² (force x length per thickness). */
+  /** The energy |||w|||² (force x length per thickness). */
   double lift_energy = 0.;
-  /** int_{Gamma_c} tau_n (ũ_n - g - w_n); not negative, up to rounding. */
+  /** The integral ∫_{Γ_c} τ_n (ũ_n - g - w_n). It is not negative, up to rounding. */
   double contact_term = 0.;
   LiftMethod method = LiftMethod::layer;
-  /** 2 int_F tau_n (ũ_n - g - w_n), in the order of ContactSurface::faces(). */
+  /** The terms 2 ∫_F τ_n (ũ_n - g - w_n) of the faces, in the order of ContactSurface::faces().
+   */
   std::vector<double> face_terms;
   /** The part of |||w|||² of every active cell; zero for cells of other ranks. */
   dealii::Vector<double> cell_energies;
@@ -38,7 +39,7 @@ struct ContactBound
    */
   SidePlace largest_part;
 
-  /** c² = |||w|||² + 2 int tau_n (ũ_n - g - w_n). */
+  /** Returns c² = |||w|||² + 2 ∫ τ_n (ũ_n - g - w_n). */
   double square() const
   {
     return lift_energy + 2. * contact_term;
@@ -46,22 +47,22 @@ struct ContactBound
 };
 
 /**
- * The contact part of the guaranteed bound of the energy error |||u - ũ|||, ũ = u_h or pi^{2h} u_h,
+ * The contact part of the guaranteed bound of the energy error |||u - ũ|||, ũ = u_h or π^{2h} u_h,
  *
- *     c² = |||w|||² + 2 int_{Gamma_c} tau_n (ũ_n - g - w_n)
+ *     c² = |||w|||² + 2 ∫_{Γ_c} τ_n (ũ_n - g - w_n)
  *
- * for a w in V (zero on clamped and prescribed sides, w_n = 0 on rollers) with
- * w_n >= d := ũ_n - g on Gamma_c. For plane bodies with straight sides.
+ * for a w in V (zero on clamped and prescribed sides, w_n = 0 on rollers) with w_n ≥ d := ũ_n - g
+ * on Γ_c. The body is two-dimensional with straight sides.
  *
- * w = w_h + sum_F r_F psi_F n, see LiftField. w_h in V^h satisfies w_{h,n} >= d at contact nodes.
- * On a face, d is replaced by a piecewise quadratic q >= d (EdgeFunction); with its chord Iq,
- * b = q - Iq and the linear function e = w_{h,n} - Iq >= 0,
+ * w = w_h + Σ_F r_F ψ_F n, see LiftField. w_h in V^h satisfies w_{h,n} ≥ d at contact nodes.
+ * On a face, d is replaced by a piecewise quadratic q ≥ d (EdgeFunction); with its chord Iq, b = q
+ * - Iq and the linear function e = w_{h,n} - Iq ≥ 0,
  *
- *     r_F >= b - e,   r_F = 0 at both ends.
+ *     r_F ≥ b - e,   r_F = 0 at both ends.
  *
  * Where the face presses, r_F = max(b - e, min(b, 0)): w_n = q where w_h touches at both ends,
- * since -2 tau_n (w_n - d) counts; elsewhere r_F = max(b - e, 0). Both are piecewise quadratic,
- * with breaks at the zeros of b and b - e as well. Hence w_n = Iq + e + r_F >= q >= d, and c² >= 0.
+ * since -2 τ_n (w_n - d) counts; elsewhere r_F = max(b - e, 0). Both are piecewise quadratic,
+ * with breaks at the zeros of b and b - e as well. Hence w_n = Iq + e + r_F ≥ q ≥ d, and c² ≥ 0.
  *
  * The bound is exact up to rounding, the sampling of g (see interpolate_from_above()) and, with
  * moduli that vary or cells that are no parallelograms, the quadrature of |||w|||².
@@ -70,24 +71,24 @@ struct ContactBound
  * smallest c² is kept. The layer is not enough in bending, where it has to be thin.
  *
  * There is none where a held node needs w_n > 0: where contact reaches a clamped side with g < 0,
- * or is pushed into the foundation there. A gap that jumps costs energy but does no harm, since
- * w_n >= d may be smooth.
+ * or is pushed into the foundation there. A gap that jumps costs energy but does no harm, since w_n
+ * ≥ d may be smooth.
  */
 class ContactLift
 {
 public:
-  /** A^{-1} and D, for the dual problem. */
+  /** The data of the dual problem: A⁻¹ and D. */
   struct DualData
   {
     const StiffnessInverse &inverse;
     const Coupling &condensed_D;
-    /** A c² that needs no improvement: the layer is kept if it is not above. */
+    /** The layer is kept without a dual problem if its c² is not above this value. */
     double enough = 0.;
   };
 
   /**
-   * All but @p dual must outlive the object. Collective.
-   * @param dual none: the layer alone.
+   * Computes the bound. All arguments but @p dual must outlive the object. Collective.
+   * @param dual if it is empty, only the layer is tried.
    * @param fields see ContactTrace.
    * @throws InputError where g has no value.
    */
@@ -99,22 +100,24 @@ public:
               const std::optional<DualData> &dual,
               const std::vector<FaceField> &fields = {});
 
-  /** None where no w exists, or none is known: see no_bound(). */
+  /** Returns the bound; none where no w exists or none was found, see no_bound(). */
   const std::optional<ContactBound> &bound() const
   {
     return bound_;
   }
-  /** Why there is no bound: one sentence with the place; empty if there is one. */
+  /** Returns the reason why there is no bound, one sentence with the place; empty if there is one.
+   */
   const std::string &no_bound() const
   {
     return no_bound_;
   }
-  /** d along Gamma_c, with its largest value and its place. Needs straight sides and degree one. */
+  /** Returns d along Γ_c, with its largest value and its place. Needs straight sides and degree
+   * one. */
   const ContactTrace &trace() const
   {
     return *trace_;
   }
-  /** w. Needs bound(). */
+  /** Returns w. Needs bound(). */
   const LiftField &lift() const
   {
     return *lift_;
@@ -132,11 +135,9 @@ private:
   std::optional<ContactBound> bound_;
 };
 
-/**
- * |||z||| of a z in V^h that is zero on essential boundaries and has z_n = 1 on Gamma_c; none where
- * contact meets a side that holds the body. With it, the error of the contact force is bounded: see
- * contact_force_bound(). Collective.
- */
+/** Returns |||z||| of a z in V^h that is zero on essential boundaries and has z_n = 1 on Γ_c;
+ * none where contact meets a side that holds the body. contact_force_bound() bounds the error of
+ * the contact force with it. Collective. */
 std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
                                         const Scene<2> &scene,
                                         const ContactTrace &trace,

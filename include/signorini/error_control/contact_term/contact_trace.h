@@ -18,41 +18,44 @@ namespace Signorini
 /** A place on the boundary. */
 struct SidePlace
 {
-  /** Number of the side in the geometry. */
+  /** The number of the side in the geometry. */
   unsigned int side = 0;
-  /** Arc length from its start (length). */
+  /** The arc length from the start of the side (length). */
   double arc_length = 0.;
 };
 
-/** What ũ and tau have on a contact face other than u_h and p_H. */
+/** The fields ũ and τ on a contact face, as far as they differ from u_h and p_H. */
 struct FaceField
 {
-  /** ũ_n = u_{h,n} + 4 t (1 - t) bubble. */
+  /** The coefficient in ũ_n = u_{h,n} + 4 t (1 - t) bubble. */
   double bubble = 0.;
-  /** tau_n at vertex 0 and vertex 1, linear between them; none: tau_n = p_H. */
+  /** The traction τ_n at vertex 0 and vertex 1, linear between them. If it is empty, τ_n = p_H.
+   */
   std::optional<std::array<double, 2>> traction;
 };
 
-/** A contact face with d = ũ_n - g on it, as a function of t in [0,1] from its vertex
- * 0 to its vertex 1. */
+/** A contact face with d = ũ_n - g on it, as a function of t in [0,1] from vertex 0 to vertex 1 of
+ * the face. */
 struct PenetrationFace
 {
   using Dofs = std::array<dealii::types::global_dof_index, 2>;
 
-  /** Number of the face in the surface. */
+  /** The number of the face in the surface. */
   unsigned int number;
   unsigned int side;
   dealii::Point<2> start, end;
-  /** Outward. */
+  /** The outward unit normal. */
   dealii::Tensor<1, 2> normal;
   double length;
-  /** From the middle of the chord to that of the face, on curved faces. */
+  /** The vector from the middle of the chord to that of the face. It is zero unless the face is
+   * curved. */
   dealii::Tensor<1, 2> bulge;
   /** The degrees of freedom of both ends. */
   std::array<Dofs, 2> dofs;
-  /** The conditions of both ends, see ContactTrace::conditions(). */
+  /** The numbers of the conditions at both ends, see ContactTrace::conditions(). */
   std::array<unsigned int, 2> conditions;
-  /** Where p_H is constant: from, to, p_H, and whether it is below pressing_threshold(); sorted. */
+  /** An interval on which p_H is constant, and whether p is below pressing_threshold(). The
+   * intervals are sorted. */
   struct Pressed
   {
     double from, to, p;
@@ -60,33 +63,35 @@ struct PenetrationFace
   };
   std::vector<Pressed> pressures;
   FaceField field;
-  /** d from above. */
+  /** The upper interpolant of d. */
   EdgeFunction d;
 
   dealii::Point<2> point(const double t) const
   {
     return start + t * (end - start) + 4. * t * (1. - t) * bulge;
   }
-  /** p_H and tau_n at t. */
+  /** pressure() returns p_H at t, traction() τ_n. */
   double pressure(double t) const;
   double traction(const double t) const
   {
     return field.traction ? (1. - t) * (*field.traction)[0] + t * (*field.traction)[1]
                           : pressure(t);
   }
-  /** Whether a part presses, and whether all do. */
+  /** Returns whether p_H presses on a part of the face; presses_everywhere() whether on all parts.
+   */
   bool presses() const;
   bool presses_everywhere() const;
-  /** The component of a function of V^h at t. */
+  /** Returns the component of a function of V^h at t. */
   double component(const NodalVector &V, double t, const dealii::Tensor<1, 2> &direction) const;
-  /** v_n, with the normal of the face. */
+  /** Returns v_n at t, with the normal of the face. */
   double normal_value(const NodalVector &V, const double t) const
   {
     return component(V, t, normal);
   }
 };
 
-/** w_n >= required at a contact node, w in V^h with homogeneous essential conditions. */
+/** The condition w_n ≥ required at a contact node, for w in V^h with homogeneous essential
+ * conditions. */
 struct NodeCondition
 {
   dealii::Tensor<1, 2> normal;
@@ -94,21 +99,21 @@ struct NodeCondition
   double required;
   /** Whether a neighbouring face presses. */
   bool presses = false;
-  /** Whether w_n = 0 there for all such w: the node is held by another side. */
+  /** Whether w_n = 0 there for all such w, because another side holds the node. */
   bool held = false;
 };
 
-/**
- * d = ũ_n - g on Gamma_c, with ũ = u_h or pi^{2h} u_h, face by face, and what a w in V^h with w_n
- * >= d at contact nodes has to satisfy: one condition per contact node and direction of the normal
- * (a corner of two contact sides has two).
- */
+/** The penetration d = ũ_n - g on Γ_c, face by face, with ũ = u_h or π^{2h} u_h. It also holds
+ * the conditions that a w in V^h with w_n ≥ d at contact nodes satisfies: one per contact node and
+ * direction of the normal. A corner of two contact sides has two. */
 class ContactTrace
 {
 public:
-  /** All but the fields must outlive the object.
+  /**
+   * Samples d. All arguments but @p fields must outlive the object.
    * @param fields in the order of ContactSurface::faces(); empty for u_h and p_H.
-   * @throws InputError where g has no value. */
+   * @throws InputError where g has no value.
+   */
   ContactTrace(const DisplacementSpace<2> &space,
                const Scene<2> &scene,
                const MultiplierSpace<2> &multipliers,
@@ -124,7 +129,8 @@ public:
   {
     return conditions_;
   }
-  /** The columns w -> w_n of all conditions, condensed; empty columns where a node is held. */
+  /** Returns the columns of w -> w_n for all conditions, condensed. They are empty where a node is
+   * held. */
   const Coupling &normals() const
   {
     return normals_;
@@ -133,21 +139,24 @@ public:
   {
     return multipliers_.surface();
   }
-  /** d itself, up to the evaluation of g. */
+  /** Returns d itself at t, up to the evaluation of g. */
   double penetration(const PenetrationFace &face, double t) const;
-  /** int (tau_n - p_H) over Gamma_c, the same times n, and int (tau_n - p_H)(g - c_n), with four
-   * Gauss points on every part of d. */
+  /** The integrals of τ_n - p_H, of (τ_n - p_H) n and of (τ_n - p_H)(g - c_n) over Γ_c,
+   * with four Gauss points on every part of d. */
   struct TractionChange
   {
     double normal_force = 0.;
     dealii::Tensor<1, 2> force;
     double work_of_gap = 0.;
   };
-  /** @param c a translation. */
+  /**
+   * Returns these integrals.
+   * @param c a translation.
+   */
   TractionChange traction_change(const dealii::Tensor<1, 2> &c) const;
-  /** int tau_n d over Gamma_c, by the same points. */
+  /** Returns ∫ τ_n d over Γ_c, by the same points. */
   double work_of_penetration() const;
-  /** max (d)_+ over all samples, and where. */
+  /** Returns max (d)_+ over all samples; place_of_largest() returns its place. */
   double largest_penetration() const
   {
     return largest_;
@@ -156,7 +165,8 @@ public:
   {
     return place_of_largest_;
   }
-  /** Why there is no w of finite energy, and where; none if there is one. */
+  /** Returns the reason why there is no w of finite energy, and the place; none if there is such a
+   * w. */
   const std::optional<std::pair<std::string, SidePlace>> &obstacle() const
   {
     return obstacle_;
@@ -166,7 +176,7 @@ private:
   void find_faces(const dealii::Vector<double> &P, const std::vector<FaceField> &fields);
   void find_conditions();
   using ConditionsOfVertices = std::map<unsigned int, std::vector<unsigned int>>;
-  /** The condition of one end of a face, made if it is new. */
+  /** Returns the number of the condition at one end of a face, and makes it if it is new. */
   unsigned int condition_at(const PenetrationFace &face,
                             unsigned int end,
                             ConditionsOfVertices &known);
@@ -185,18 +195,18 @@ private:
   std::optional<std::pair<std::string, SidePlace>> obstacle_;
 };
 
-/** Contact edges on which p_H presses everywhere: all pieces face ∩ patch are below
+/** Returns the contact edges on which p_H presses everywhere: all pieces face ∩ patch are below
  * pressing_threshold(). */
 std::vector<unsigned int> pressing_edges(const EdgeMesh &mesh,
                                          const MultiplierSpace<2> &multipliers,
                                          const dealii::Vector<double> &P);
 
-/** tau_n at both ends of an edge, in the order of Edge::vertices (force/area). */
+/** Returns τ_n at both ends of an edge, in the order of Edge::vertices (force/area). */
 std::array<double, 2> normal_tractions(const Edge &edge,
                                        unsigned int number,
                                        const std::vector<double> &moments);
 
-/** Whether tau_n pulls at an end of the edge. */
+/** Returns whether τ_n pulls at an end of the edge. */
 inline bool pulls(const std::array<double, 2> &tractions)
 {
   return tractions[0] > 0. || tractions[1] > 0.;

@@ -14,17 +14,17 @@
 namespace Signorini
 {
 /**
- * w = w_h + sum_F r_F(t) psi_F n: a function of V^h with homogeneous essential conditions, and for
- * each contact face F what it lacks inside the face.
+ * The lift w = w_h + Σ_F r_F(t) ψ_F n: a function of V^h with homogeneous essential conditions,
+ * and for each contact face F what it lacks inside the face.
  *
  * F is the end of a column of cells, each entered through one edge and left through the opposite
- * one, with t along these edges. r_F vanishes at both ends of F, so on the flanks of the column;
- * psi_F is 1 on F, piecewise linear along the column, and 0 where it ends. So w is continuous and
- * vanishes on essential boundaries like w_h, whatever the shapes of the cells.
+ * one, with t along these edges. r_F vanishes at both ends of F, and so on the flanks of the
+ * column; ψ_F is 1 on F, piecewise linear along the column, and 0 where it ends. So w is
+ * continuous and vanishes on essential boundaries like w_h, whatever the shapes of the cells.
  *
- * The depth of a column is D = (3 C_nn int r² / (C_nt int r'²))^{1/2}, C_nn and C_nt the moduli of
- * stretch along n and of shear at F: for r(t) (1 - y/D) n on a strip the energy is at most
- * 1/2 (C_nn int r²/D + C_nt D/3 int r'²) + mixed terms, least for this D. Any D is right; it is cut
+ * The depth of a column is D = (3 C_nn ∫ r² / (C_nt ∫ r'²))^{1/2}, C_nn and C_nt the moduli of
+ * stretch along n and of shear at F: for r(t) (1 - y/D) n on a strip the energy is at most 1/2
+ * (C_nn ∫ r²/D + C_nt D/3 ∫ r'²) + mixed terms, least for this D. Any D is right; it is cut
  * where the column meets the boundary or cells of another size.
  */
 class LiftField
@@ -32,33 +32,36 @@ class LiftField
 public:
   using CellIterator = dealii::DoFHandler<2>::active_cell_iterator;
 
-  /** @param remainders r_F in the order of trace.faces(); zero at 0 and 1. Space, scene and trace
-   * must outlive the object. */
+  /**
+   * Builds the columns below all faces with a remainder. Space, scene and trace must outlive the
+   * object.
+   * @param remainders r_F in the order of trace.faces(); zero at 0 and 1.
+   */
   LiftField(const DisplacementSpace<2> &space,
             const Scene<2> &scene,
             const ContactTrace &trace,
             NodalVector w_h,
             std::vector<EdgeFunction> remainders);
 
-  /** w_n at t of a face. */
+  /** Returns w_n at t of a face. */
   double normal_value(unsigned int face, double t) const;
-  /** r_F. */
+  /** Returns r_F of a face. */
   const EdgeFunction &remainder(const unsigned int face) const
   {
     return remainders_[face];
   }
-  /** w at a point of the reference cell. */
+  /** Returns w at a point of the reference cell. */
   dealii::Tensor<1, 2> value(const CellIterator &cell, const dealii::Point<2> &reference) const;
 
   /**
-   * int_K eps(w):E:eps(w) for every active cell K (force x length per thickness); zero for cells of
-   * other ranks.
+   * Returns ∫_K ε(w):E:ε(w) for every active cell K (force x length per thickness), and zero
+   * for cells of other ranks.
    *
-   * By Gauss' formula on the parts of a cell on which w is a polynomial of degree two in reference
-   * coordinates: exact on parallelograms with constant E, otherwise up to quadrature, with four
-   * points per direction and part, the parts also cut where kinks of the data cross edges of the
-   * cell; where E varies by more than a factor of 1.5 in a cell (LawSampling), it is cut into m/4
-   * parts per direction, too.
+   * It is integrated by Gauss' formula on the parts of a cell on which w is a polynomial of degree
+   * two in reference coordinates. This is exact on parallelograms with constant E. Elsewhere the
+   * rule has four points per direction and part, and the parts are also cut where kinks of the data
+   * cross edges of the cell. Where E varies by more than a factor of 1.5 in a cell (LawSampling),
+   * the cell is cut into m/4 parts per direction, too.
    */
   dealii::Vector<double> cell_energies() const;
 
@@ -70,10 +73,11 @@ private:
     /** The edge through which the column enters, and whether t runs against that edge. */
     unsigned int entry;
     bool flipped;
-    /** psi = (top - slope eta)_+, eta in [0,1] across the cell from the entry. */
+    /** The coefficients of ψ = (top - slope η)_+, η in [0,1] across the cell from the entry.
+     */
     double top, slope;
   };
-  /** w_h, the vertices, and what passes through the cell. */
+  /** The values of w_h, the vertices and the columns that pass through a cell. */
   struct LocalField
   {
     std::array<dealii::Point<2>, 4> vertices;
@@ -84,16 +88,17 @@ private:
   void add_column(unsigned int face);
   double depth(unsigned int face) const;
   LocalField local_field(const CellIterator &cell) const;
-  /** The gradient with respect to reference coordinates. */
+  /** Returns the gradient of w with respect to reference coordinates. */
   dealii::Tensor<2, 2> reference_gradient(const LocalField &field, const dealii::Point<2> &x) const;
   double energy_of(const CellIterator &cell, const LocalField &field) const;
-  /** Where pieces of w or of the material begin and end in reference coordinate @p d, with those of
-   * @p n_equal parts. */
+  /** Returns the positions at which pieces of w or of the material begin and end in reference
+   * coordinate @p d, with those of @p n_equal parts. */
   std::vector<double> cuts(const CellIterator &cell,
                            const LocalField &field,
                            unsigned int d,
                            unsigned int n_equal) const;
-  /** Into how many parts per direction the cell is cut because the material varies in it. */
+  /** Returns the number of parts per direction into which the cell is cut because the material
+   * varies in it. */
   unsigned int n_equal_parts(const LocalField &field) const;
 
   const DisplacementSpace<2> &space_;
@@ -101,11 +106,11 @@ private:
   const ContactTrace &trace_;
   NodalVector w_h_;
   std::vector<EdgeFunction> remainders_;
-  /** Of two, three and four points. */
+  /** The Gauss rules of two, three and four points. */
   std::array<dealii::QGauss<1>, 3> rules_;
-  /** Where the law varies. */
+  /** The samples of the material, if it varies. */
   std::optional<LawSampling> sampling_;
-  /** By active cell index. */
+  /** The passages through each cell, by active cell index. */
   std::map<unsigned int, std::vector<Passage>> passages_;
 };
 } // namespace Signorini

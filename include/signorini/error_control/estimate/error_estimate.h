@@ -11,67 +11,71 @@
 
 namespace Signorini
 {
-/** What u_h lacks because p_H is constant on patches: z_h in V^h, and its energy norm. */
+/** The correction z_h in V^h of u_h for p_H being constant on patches, and its energy norm. */
 struct PressureCorrection
 {
-  /** Nodal values of z_h, zero where displacements are prescribed; empty: zero. */
+  /** The nodal values of z_h, zero where displacements are prescribed; if there are none, z_h = 0.
+   */
   NodalVector z;
-  /** |||z_h||| (root of force x length^{dim-1}). */
+  /** The energy norm |||z_h||| (root of force x length^{dim-1}). */
   double energy_norm = 0.;
 };
 
-/** P of the dual problem with C = D^T A^{-1} D for a D and its condensed form, with F, from a
- * start; none where the solver fails. */
+/** Returns P of the dual problem with C = Dᵀ A⁻¹ D, for a D, its condensed form, F and a start;
+ * nothing where the solver fails. */
 using DualProblem =
   std::function<std::optional<dealii::Vector<double>>(const Coupling &D,
                                                       const Coupling &condensed_D,
                                                       const dealii::Vector<double> &F,
                                                       const dealii::Vector<double> &start)>;
 
-/** What a correction is computed from; all must outlive the call. */
+/** The data that a correction is computed from. Everything must outlive the call. */
 template <int dim>
 struct PressureData
 {
   const DisplacementSpace<dim> &space;
   const Scene<dim> &scene;
   const MultiplierSpace<dim> &multipliers;
-  /** U_0 = A^{-1} f, complete, and P. */
+  /** The complete nodal values U_0 = A⁻¹ f. */
   const NodalVector &U_free;
   const dealii::Vector<double> &P;
   const Coupling &condensed_D;
   const StiffnessInverse &inverse;
-  /** Gauss points per direction for the gap, as in the dual problem. */
+  /** The number of Gauss points per direction for the gap, as in the dual problem. */
   unsigned int n_points;
-  /** For patches longer than two faces; empty: their own pressure is recovered. */
+  /** The solver of the dual problem on finer patches, where patches are longer than two faces. If
+   * it is empty, the pressure of the given patches is recovered. */
   DualProblem solve_dual;
 };
 
-/** b_j = int_{Gamma_c} p v_n for v = phi_j, condensed, for the recovered pressure p of @p P,
- * shifted to the means of @p P and cut off at zero: a coupling with a single column. */
+/** Returns b_j = ∫_{Γ_c} p v_n for v = φ_j, condensed, as a coupling with a single column.
+ * p is the recovered pressure of @p P, shifted to the means of @p P and cut off at zero. */
 template <int dim>
 Coupling recovered_load(const DisplacementSpace<dim> &space,
                         const MultiplierSpace<dim> &multipliers,
                         const dealii::Vector<double> &P);
 
 /**
- * z_h = A^{-1}(b - D P) for b = int p v_n: with p = sigma_n(u), u_h + z_h would be the best
- * approximation of u in V^h. p is the RecoveredPressure of p_H with the means of p_H, see
- * recovered_load(). Where patches are longer than two faces, V^h sees more of the pressure than p_H
- * does. Then p is recovered from the solution on patches of two faces per direction (the same A,
- * one more dual problem). It does not penetrate between the means of the given patches, either.
+ * Returns z_h = A⁻¹(b - D P) with b_j = ∫ p v_n: with p = σ_n(u), u_h + z_h would be the
+ * best approximation of u in V^h. p is the RecoveredPressure of p_H with the means of p_H, see
+ * recovered_load(). Where patches are longer than two faces, V^h resolves more of the pressure than
+ * p_H does. Then p is recovered from the solution on patches of two faces per direction, which
+ * costs one more dual problem with the same A. That solution does not penetrate between the means
+ * of the given patches, either.
  *
- * One solve; none, and zero, where the pressure vanishes. Patches shorter than two faces are not
- * corrected: p_H swings on them, and no function of V^h sees the difference. Collective.
+ * The correction costs one solve. It is zero, without a solve, where the pressure vanishes. Patches
+ * shorter than two faces are not corrected: p_H oscillates on them, and no function of V^h sees the
+ * difference. Collective.
  */
 template <int dim>
 PressureCorrection correct_pressure(const PressureData<dim> &data);
 
-/** Parts of an error that neither pi^{2h} nor a recovered pressure show (energy norms). */
+/** The parts of an error that neither π^{2h} nor a recovered pressure shows (energy norms). */
 struct OtherErrors
 {
-  /** What the contact solver leaves, see algebraic_error(). */
+  /** The error that the contact solver leaves, see algebraic_error(). */
   double algebra = 0.;
-  /** energy_of_missed_contact(). */
+  /** The error where u_h misses contact, see energy_of_missed_contact(). */
   double contact = 0.;
 };
 
@@ -82,33 +86,32 @@ struct OtherErrors
  *
  *     |||u - u_h|||² = |||u - (u_h + z_h)|||² + |||z_h|||².
  *
- * The first part is estimated by the distance to pi^{2h}. What u_h and p_H lack of the solution on
+ * The first part is estimated by the distance to π^{2h}. What u_h and p_H lack of the solution on
  * this mesh, and what no recovered pressure shows, comes on top (OtherErrors). Energy norms are
  * roots of force x length^{dim-1}. An estimate that comes from elsewhere has no parts.
  */
 struct ErrorEstimate
 {
-  /** ‖pi^{2h} u_h - u_h‖_{1,Omega}, of ‖u - u_h‖_1; asymptotically exact where pi^{2h} u_h
-   * superconverges and |||z_h||| is small. */
+  /** The distance ‖π^{2h} u_h - u_h‖_{1,Ω}, which estimates ‖u - u_h‖_1. It is asymptotically
+   * exact where π^{2h} u_h superconverges and |||z_h||| is small. */
   std::optional<double> h1;
-  /** Of |||u - u_h|||: the root of the sum of the squares of all parts. */
+  /** The estimate of |||u - u_h|||: the root of the sum of the squares of all parts. */
   double energy = 0.;
-  /** The same divided by energy_scale(): it depends neither on units nor on translations. */
+  /** The estimate divided by energy_scale(): it depends neither on units nor on translations. */
   double relative = 0.;
-  /** |||pi^{2h} v - v||| for v = u_h + z_h. */
+  /** The part of the mesh, |||π^{2h} v - v||| for v = u_h + z_h. */
   std::optional<double> mesh;
-  /** |||z_h|||. */
+  /** The part of the pressure, |||z_h|||. */
   std::optional<double> pressure;
-  /** Those of OtherErrors. */
+  /** The parts of OtherErrors. */
   std::optional<double> algebra = {}, contact = {};
 
   static Columns<ErrorEstimate> columns();
 };
 
-/**
- * Compares u_h and u_h + z_h with their interpolations on T^{2h}. Needs Mesh::has_parents(). Runs
- * on all threads given, with the same sums for any number of them. Collective.
- */
+/** Estimates the error: compares u_h and u_h + z_h with their interpolations on T^{2h}. Needs
+ * Mesh::has_parents(). Runs on all threads given, and the sums do not depend on their number.
+ * Collective. */
 template <int dim>
 ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
                              const Scene<dim> &scene,
@@ -116,12 +119,10 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
                              const PressureCorrection &correction = {},
                              const OtherErrors &others = {});
 
-/**
- * The number of generations with which PatchInterpolation comes closest to u: 2 (degree four) where
- * it changes pi^{2h} u_h by less than 2/3 of what pi^{2h} changes u_h, else 1 (degree two, pi^{2h}
- * itself); 0 (u_h) where there is no T^{2h}. On meshes that are too coarse for a solution the
- * quartic swings more than that. Collective.
- */
+/** Returns the number of generations with which PatchInterpolation comes closest to u: 2 (degree
+ * four) where it changes π^{2h} u_h by less than 2/3 of what π^{2h} changes u_h, else 1 (degree
+ * two, π^{2h} itself); 0 (u_h) where there is no T^{2h}. On meshes that are too coarse for the
+ * solution the quartic oscillates more than that. Collective. */
 template <int dim>
 unsigned int best_interpolation(const DisplacementSpace<dim> &space, const NodalVector &U);
 } // namespace Signorini

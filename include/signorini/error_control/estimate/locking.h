@@ -7,11 +7,11 @@
 namespace Signorini
 {
 /**
- * K/mu (h/l)^2 with the largest ratio of bulk to shear modulus K = I:E:I/dim^2 and mu, half the
- * smallest d:E:d of a deviator d of norm one, the longest edge h and the body's size l. Where
- * bodies are nearly incompressible (K/mu > 10, Poisson's ratio above 0.45), bilinear elements with
- * the full strain need it to be well below one: their pressures exceed the true ones by about that
- * part.
+ * Returns the locking number K/μ (h/l)² with the largest ratio of bulk to shear modulus K =
+ * I:E:I/dim² and μ, half the smallest d:E:d of a deviator d of norm one, the longest edge h and
+ * the body's size l. Where bodies are nearly incompressible (K/μ > 10, Poisson's ratio above
+ * 0.45), bilinear elements with the full strain need the number to be well below one: their
+ * pressures exceed the true ones by about that part.
  * @return 0 for other bodies.
  */
 template <int dim>

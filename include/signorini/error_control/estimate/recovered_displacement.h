@@ -6,7 +6,7 @@
 namespace Signorini
 {
 /**
- * The patch interpolation of u_h that comes closest to u, pi^{2h} u_h or the one of degree four
+ * The patch interpolation of u_h that comes closest to u, π^{2h} u_h or the one of degree four
  * (best_interpolation()), as a function of degree 2 p per direction on T^h, for elements of degree
  * p. Stresses come from it.
  */
@@ -14,14 +14,15 @@ template <int dim>
 class RecoveredDisplacement
 {
 public:
-  /** The space must outlive the object, and Mesh::has_parents() be true. Collective. */
+  /** Interpolates u_h. The space must outlive the object, and Mesh::has_parents() must be true.
+   * Collective. */
   RecoveredDisplacement(const DisplacementSpace<dim> &space, const NodalVector &U);
 
   const dealii::DoFHandler<dim> &dofs() const
   {
     return dofs_;
   }
-  /** Set on the cells that this rank knows. */
+  /** Returns the nodal values, set on the cells that this rank stores. */
   const NodalVector &values() const
   {
     return values_;

@@ -10,13 +10,13 @@
 namespace Signorini
 {
 /**
- * Adds to the indicators what contact leaves open: where all multipliers of a face press, u_n = g
- * in the exact solution, but u_h fulfils it in the mean only. On a face of length h and degree p
- * the difference r has about p half-waves, and to press the body flat takes about the energy
+ * Adds the misfit of contact to the indicators: where all multipliers of a face press, u_n = g in
+ * the exact solution, but u_h fulfils it in the mean only. On a face of length h and degree p the
+ * difference r has about p half-waves, and to press the body flat takes about the energy
  *
- *     modulus pi/2 p/h ‖r‖_0^2,
+ *     modulus π/2 p/h ‖r‖_0²,
  *
- * that of a half-space with waves of the number pi p/h. @throws InputError where g has no value.
+ * that of a half-space with waves of the number π p/h. @throws InputError where g has no value.
  */
 void add_contact_misfit(const DisplacementSpace<2> &space,
                         const MultiplierSpace<2> &multipliers,
@@ -25,19 +25,17 @@ void add_contact_misfit(const DisplacementSpace<2> &space,
                         const dealii::Vector<double> &P,
                         std::vector<CellIndicator> &indicators);
 
-/**
- * The active cells with a contact face on which the body penetrates the foundation although no
- * multiplier there or on a neighbouring face presses: the nodes of the multipliers have missed the
- * contact. Where nothing presses at all, every penetration counts, else those deeper than a
- * thousandth of the largest |u_n - g|. @throws InputError where g has no value.
- */
+/** Returns the active cells with a contact face on which the body penetrates the foundation
+ * although no multiplier there or on a neighbouring face presses: the nodes of the multipliers have
+ * missed the contact. Where nothing presses at all, every penetration counts, else those deeper
+ * than a thousandth of the largest |u_n - g|. @throws InputError where g has no value. */
 std::vector<unsigned int> unseen_contact(const DisplacementSpace<2> &space,
                                          const MultiplierSpace<2> &multipliers,
                                          const NodalVector &U,
                                          const dealii::Vector<double> &P);
 
-/** The values of p_H at the nodes of other multipliers on the same sides, cut off at zero: a start
- * for an active set. */
+/** Returns the values of p_H at the nodes of other multipliers on the same sides, cut off at zero,
+ * as a start for an active set. */
 dealii::Vector<double> transfer_pressure(const MultiplierSpace<2> &from,
                                          const dealii::Vector<double> &P,
                                          const MultiplierSpace<2> &to);

@@ -9,7 +9,7 @@
 namespace Signorini
 {
 /**
- * Splits cells of a first plan until rules of 4 x 4 Gauss points see what the data does in them.
+ * Splits cells of a first plan until rules of 4 x 4 Gauss points resolve the data in them.
  *
  * Hooke's tensor is sampled along five lines per direction of every cell, and the data of sides
  * along every boundary face, at up to a thousand equal distances, and ever closer towards both
@@ -22,13 +22,11 @@ namespace Signorini
  */
 std::optional<dealii::Point<2>> show_hidden_data(const Scene<2> &scene, MeshPlan &plan);
 
-/**
- * Adds to the indicators what a jump of the moduli inside of a cell leaves open: u_h has no kink
- * there. Where layers lie one behind the other the body is as stiff as the harmonic mean E_h of its
+/** Adds the misfit of jumps of the moduli inside of cells to the indicators: u_h has no kink at a
+ * jump. Where layers lie one behind the other the body is as stiff as the harmonic mean E_h of its
  * moduli, and u_h, whose strain does not jump, as the arithmetic mean E_a. Under the same stress
  * the energy of the cell is wrong by (E_a/E_h - 1) times that of u_h, which counts as error,
- * whatever the direction of the layers.
- */
+ * whatever the direction of the layers. */
 void add_jump_misfit(const DisplacementSpace<2> &space,
                      const Scene<2> &scene,
                      const NodalVector &U,

@@ -7,13 +7,13 @@
 
 namespace Signorini
 {
-/** What a step tells about the next one. */
+/** The results of a step that determine the next one. */
 struct StepFindings
 {
-  /** By active cell. */
+  /** The indicators, by active cell. */
   std::vector<CellIndicator> indicators;
   std::vector<ContactBracket> brackets;
-  /** Faces on which the body penetrates though nothing presses: the numbers of their cells. */
+  /** The numbers of the cells with a face on which the body penetrates though nothing presses. */
   std::vector<unsigned int> unseen_contact;
   /** The estimated error, where there is an estimate, and the one that is aimed at, (force
    * length)^{1/2}. */
@@ -29,16 +29,15 @@ struct StepFindings
   }
 };
 
-/** The plan of the first step: a uniform mesh with degree 2, and what is singular by the data. */
+/** Returns the plan of the first step: a uniform mesh of degree 2, and the places that are singular
+ * by the data. */
 MeshPlan first_plan(const Scene<2> &scene, unsigned int base_level, unsigned int largest_degree);
 
-/**
- * The plan of the next step, for an error that is smaller by a factor of about twelve, or for the
- * target where that is near: ends of contact are those of this step and get three more layers,
- * corners and kinks as many as their exponents need for the same effect, if they matter; the degree
- * rises. A cell whose error would still be too large is split where the coefficients of u_h fall
- * slowly, or its degree rises further where they fall fast.
- */
+/** Returns the plan of the next step. Its error should be smaller by a factor of about twelve, or
+ * reach the target where that is near. Ends of contact are those of this step and get three more
+ * layers. Corners and kinks get as many as their exponents need for the same effect, if they
+ * matter. The degree rises. A cell whose error would still be too large is split where the
+ * coefficients of u_h fall slowly; its degree rises further where they fall fast. */
 MeshPlan next_plan(const MeshPlan &plan,
                    const Scene<2> &scene,
                    const Mesh<2> &mesh,

@@ -11,20 +11,24 @@
 
 namespace Signorini
 {
-/** Lagrange's polynomials at the nodes of an element's edge, at points between 0 and 1. */
+/** The values and derivatives of Lagrange's polynomials at the nodes of an element's edge, at
+ * points between 0 and 1. */
 struct LineTable
 {
-  /** points × nodes. */
+  /** The matrices points × nodes. */
   dealii::FullMatrix<double> values, derivatives;
 };
 
-/** @param degree of the element: FE_Q, whose nodes are those of Gauss and Lobatto. */
+/**
+ * Tabulates the polynomials.
+ * @param degree of the element FE_Q, whose nodes are those of Gauss and Lobatto.
+ */
 LineTable make_line_table(unsigned int degree, const std::vector<double> &points);
 
-/** The nodes of an edge, ascending from 0 to 1. */
+/** Returns the nodes of an edge, ascending from 0 to 1. */
 const std::vector<double> &nodes_of_edge(unsigned int degree);
 
-/** u_h on one cell as products of polynomials in the two reference coordinates. */
+/** The solution u_h on one cell as products of polynomials in the two reference coordinates. */
 class CellField
 {
 public:
@@ -34,49 +38,49 @@ public:
   {
     return degree_;
   }
-  /** Component c at node (i, j): node i along the first coordinate, j along the second. */
+  /** Returns component c at node (i, j): node i along the first coordinate, j along the second. */
   double operator()(const unsigned int c, const unsigned int i, const unsigned int j) const
   {
     return values_[c](j, i);
   }
-  /** The derivatives by the reference coordinates of the cell at the points (x_i, y_j), point i +
-   * n_x j; [c][d] is that of component c by coordinate d. */
+  /** Returns the derivatives with respect to the reference coordinates of the cell at the points
+   * (x_i, y_j), point i + n_x j; [c][d] is that of component c with respect to coordinate d. */
   std::vector<dealii::Tensor<2, 2>> gradients(const LineTable &x, const LineTable &y) const;
 
 private:
   unsigned int degree_;
-  /** By component: second times first coordinate. */
+  /** The nodal values by component: second times first coordinate. */
   std::array<dealii::FullMatrix<double>, 2> values_;
 };
 
-/** What the coefficients of u_h tell about a cell. */
+/** The error and the smoothness of u_h on a cell, from its coefficients. */
 struct CellIndicator
 {
-  /** About the energy norm of the error on the cell, (force length)^{1/2}. */
+  /** An approximation of the energy norm of the error on the cell, (force length)^{1/2}. */
   double error = 0.;
-  /** By which factor it falls when the degree grows by one: near 0 where u is analytic, near 1
-   * where it is singular. */
+  /** The factor by which the error falls when the degree grows by one: near 0 where u is analytic,
+   * near 1 where it is singular. */
   double decay = 0.;
 };
 
 /**
- * The indicator of every active cell, in their order.
+ * Returns the indicator of every active cell, in their order.
  *
  * On a cell of degree p let s_i be the part of the derivative of u_h along a reference coordinate
  * that has Legendre's degree i in that coordinate, i = 0, ..., p - 1, measured in the energy norm.
- * A line through the last log s_i gives the decay rho and the first part that is missing, s_p. The
- * missing parts amount to s_p (1 + rho^2 + rho^4 + ...)^{1/2}. It steers; it is not a bound.
- * (Decay of Legendre coefficients as a measure of smoothness: C. Mavriplis, Comput. Methods Appl.
- * Mech. Eng. 116 (1994) 77-86; P. Houston, E. Suli, ibid. 194 (2005) 229-243.)
+ * A line through the last log s_i gives the decay ρ and the first part that is missing, s_p. The
+ * missing parts amount to s_p (1 + ρ² + rho⁴ + ...)^{1/2}. The indicator steers the mesh; it is
+ * not a bound. (Decay of Legendre coefficients as a measure of smoothness: C. Mavriplis, Comput.
+ * Methods Appl. Mech. Eng. 116 (1994) 77-86; P. Houston, E. Suli, ibid. 194 (2005) 229-243.)
  */
 std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
                                     const Scene<2> &scene,
                                     const NodalVector &U);
 
-/** A modulus for the energy of all strains but those that incompressible bodies avoid
+/** Returns a modulus for the energy of all strains but those that incompressible bodies avoid
  * (force/area). */
 double indicator_modulus(const Scene<2> &scene, const dealii::Point<2> &x);
 
-/** The root of the sum of the squares of the errors. */
+/** Returns the root of the sum of the squares of the errors. */
 double total(const std::vector<CellIndicator> &indicators);
 } // namespace Signorini

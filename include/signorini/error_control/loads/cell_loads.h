@@ -7,30 +7,28 @@
 
 namespace Signorini
 {
-/** The body force of a cell: what its nodes feel, and the part f_h that stresses balance exactly.
- */
+/** The body force of a cell: its nodal forces, and the part f_h that stresses balance exactly. */
 struct CellLoad
 {
-  /** int f phi_i at the four corners, with the quadrature of the system. */
+  /** The nodal forces ∫ f φ_i at the four corners, with the quadrature of the system. */
   std::array<dealii::Tensor<1, 2>, 4> nodal;
-  /** d_k, the part that is constant on triangle k. */
+  /** The loads d_k, the part of f_h that is constant on triangle k. */
   CompositeCell::Loads constant{};
-  /**
-   * On parallelograms, what f_h varies linearly by: with the half edges g_1 = (x_1 - x_0)/2 and
-   * g_2 = (x_3 - x_0)/2 and the coordinates xi, eta in [-1,1], it is
-   * g_1 (slope[0] xi + slope[1] eta) + g_2 (slope[2] xi + slope[3] eta).
-   */
+  /** The linear part of f_h on parallelograms. With the half edges g_1 = (x_1 - x_0)/2 and g_2 =
+   * (x_3 - x_0)/2 and the coordinates ξ, η in [-1,1], it is g_1 (slope[0] ξ + slope[1] η) +
+   * g_2 (slope[2] ξ + slope[3] η). */
   std::array<double, 4> slope{};
-  /** ‖f - f_h‖_{L2(K)}. The rest has neither force nor moment. */
+  /** The norm ‖f - f_h‖_{L2(K)}. f - f_h has neither force nor moment. */
   double rest = 0.;
 
-  /** Components of a stress with the divergence -(what varies linearly). */
+  /** Returns the components of a stress whose divergence is minus the linear part of f_h. */
   Components stress(const CellShape &shape, const dealii::Point<2> &reference) const;
-  /** The moments of its tractions on the edges of the cell. They are linear along edges. */
+  /** Returns the moments of the tractions of that stress on the edges of the cell. The tractions
+   * are linear along edges. */
   CellMoments moments(const CellShape &shape) const;
 };
 
-/** A force density f and the values that it takes at points of a cell. */
+/** The values of a force density f at points of a cell. */
 struct ForceAtPoints
 {
   std::vector<dealii::Tensor<1, 2>> offsets;
@@ -39,28 +37,27 @@ struct ForceAtPoints
   std::vector<dealii::Vector<double>> values;
 };
 
-/**
- * f_h is the L2-projection of f onto linear functions on parallelograms. On other cells it is
- * constant on each of the four triangles: the value of that projection at its centre, plus a
- * multiple of the rotation of centres, such that the moment of f_h is that of f.
- */
+/** Returns the load of a cell. f_h is the L2-projection of f onto linear functions on
+ * parallelograms. On other cells it is constant on each of the four triangles: the value of that
+ * projection at its centre, plus a multiple of the rotation of centres, such that the moment of f_h
+ * is that of f. */
 CellLoad make_load(const CellShape &shape, const ForceAtPoints &force);
 
-/** Adds a rotation about the centre, constant on triangles, with the given moment. @return its norm
- * in L2(K). */
+/**
+ * Adds a rotation about the centre, constant on triangles, with the given moment.
+ * @return the norm of the rotation in L2(K).
+ */
 double add_couple(const CellShape &shape, double moment, CellLoad &load);
 
-/** All active cells in their order, the order of EdgeMesh::cells(). */
+/** Returns all active cells in their order, which is that of EdgeMesh::cells(). */
 std::vector<dealii::Triangulation<2>::active_cell_iterator>
 cells_in_order(const DisplacementSpace<2> &space);
 
-/**
- * The loads of all cells, with @p n_points Gauss points per direction as in the system; empty
- * without a body force. On meshes below 500000/n_points² cells a rule of about 500000 points checks
- * them, with at most 96 per direction and 8 on the parts of cells that are cut, and takes their
- * place in cells where nodal forces differ by more than 10^-4. The moments of EdgeMoments then
- * leave a rest, which balance_cells() removes.
- */
+/** Returns the loads of all cells, with @p n_points Gauss points per direction as in the system;
+ * empty without a body force. On meshes below 500000/n_points² cells a rule of about 500000 points
+ * checks them, with at most 96 per direction and 8 on the parts of cells that are cut, and takes
+ * their place in cells where nodal forces differ by more than 10^-4. Then EdgeMoments leave a rest,
+ * which balance_cells() removes. */
 std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
                                  const Scene<2> &scene,
                                  const EdgeMesh &mesh,

@@ -18,36 +18,39 @@ struct Law
   Components strain(const Components &stress) const;
 
   std::array<Components, 3> stiffness, compliance;
-  /** The smallest c with e:E:e >= c e:e. */
+  /** The smallest c with e:E:e ≥ c e:e. */
   double smallest_eigenvalue;
 };
 
-/** A quadrature point of a cell with what does not depend on the place of the cell. */
+/** A quadrature point of a cell. Its data do not depend on the position of the cell. */
 struct StressPoint
 {
-  /** The triangle, and psi there (see midpoint_functions()). */
+  /** The number of the triangle, and the functions ψ at the point (see midpoint_functions()). */
   unsigned int triangle;
   std::array<double, 3> psi;
   double weight;
-  /** From corner 0, on curved cells that of the image. */
+  /** The vector from corner 0 to the point, or on curved cells to its image. */
   dealii::Tensor<1, 2> offset;
-  /** Of the shape functions of the four corners. */
+  /** The gradients of the shape functions of the four corners. */
   std::array<dealii::Tensor<1, 2>, 4> gradients;
-  /** Reference coordinates in [-1,1]^2: corners are (-1,-1), (1,-1), (1,1), (-1,1). */
+  /** The reference coordinates in [-1,1]². The corners are (-1,-1), (1,-1), (1,1), (-1,1). */
   dealii::Point<2> reference;
-  /** The part of the rule that the point belongs to, if the law is not resolved there; else
-   * resolved. Points of a part follow each other. */
+  /** The part of the rule that the point belongs to, if the law is not resolved there; otherwise
+   * the constant resolved. Points of a part follow each other. */
   unsigned int unresolved_part = resolved;
 
   static constexpr unsigned int resolved = static_cast<unsigned int>(-1);
 };
 
-/** The integral of a function that is not negative; where the law is not resolved, from above: the
- * largest value in a part counts for all of it. */
+/** The integral of a function that is not negative. Where the law is not resolved, it is taken from
+ * above: the largest value in a part counts for all of the part. */
 class UpperSum
 {
 public:
-  /** @param from_above false: the sum over the points, everywhere. */
+  /**
+   * Begins an empty sum.
+   * @param from_above false: the sum over the points is taken everywhere.
+   */
   explicit UpperSum(const bool from_above = true)
     : from_above_(from_above)
   {
@@ -82,40 +85,41 @@ private:
   unsigned int part_ = StressPoint::resolved;
 };
 
-/** Strain (e11, e22, 2 e12) from gradients of the shape functions and values at the corners. */
+/** Returns the strain (e11, e22, 2 e12) from gradients of the shape functions and values at the
+ * corners. */
 Components strain_of(const std::array<dealii::Tensor<1, 2>, 4> &gradients,
                      const std::array<dealii::Tensor<1, 2>, 4> &values);
 
 /** A point on the edge from corner k to corner k + 1. */
 struct EdgePoint
 {
-  /** Share of the edge between corner k and the point. */
+  /** The share of the edge between corner k and the point. */
   double position;
-  /** From corner 0. */
+  /** The vector from corner 0 to the point. */
   dealii::Tensor<1, 2> offset;
   std::array<dealii::Tensor<1, 2>, 4> gradients;
 };
 
-/** Two Gauss points on every edge. */
+/** Returns two Gauss points on every edge. */
 std::array<std::array<EdgePoint, 2>, 4> edge_points(const CellShape &shape);
 
-/** How a rule is chosen. */
+/** The properties by which a rule is chosen. */
 struct RuleKind
 {
-  /** Hooke's tensor is the same everywhere. */
+  /** Whether Hooke's tensor is the same everywhere. */
   bool constant_law;
-  /** The stress has quadratic parts. */
+  /** Whether the stress has quadratic parts. */
   bool quadratic;
-  /** Gauss points per direction and triangle for laws that vary. */
+  /** The number of Gauss points per direction and triangle for laws that vary. */
   unsigned int n_points = 5;
-  /** Displacements are more than bilinear: six points at least. */
+  /** Whether displacements are more than bilinear: then there are at least six points. */
   bool fine = false;
 };
 
 /** A part of one of the triangles of a cell. */
 struct RulePart
 {
-  /** Counter-clockwise. */
+  /** A triangle with its corners counter-clockwise. */
   using Triangle = std::array<dealii::Point<2>, 3>;
 
   Triangle corners;
@@ -123,24 +127,22 @@ struct RulePart
   bool resolved = true;
 };
 
-/** The parts of a triangle. */
+/** Divides a triangle into parts. */
 using TriangleDivision = std::function<std::vector<RulePart>(const RulePart::Triangle &)>;
 
-/**
- * Points on the four triangles of a cell. On curved cells they are the images of those of the
- * quadrilateral, with weights and gradients of the curved cell. With a constant law on a
- * parallelogram squares of stresses and strains are integrated exactly: with the three mid-points
- * per triangle, six points where stresses are quadratic. Otherwise 4 x 4 Gauss points per triangle
- * for a constant law and n_points x n_points for others, on each of the parts into which the lines
- * cut a triangle. With @p divide these parts are divided further, and each part has 3 x 3 points
- * (6 x 6 if fine).
- */
+/** Makes the points on the four triangles of a cell. On curved cells they are the images of those
+ * of the quadrilateral, with weights and gradients of the curved cell. With a constant law on a
+ * parallelogram, squares of stresses and strains are integrated exactly, by the three mid-points
+ * per triangle, or by six points where stresses are quadratic. Otherwise there are 4 x 4 Gauss
+ * points per triangle for a constant law and n_points x n_points for others, on each of the parts
+ * into which the lines cut a triangle. With @p divide these parts are divided further, and each
+ * part has 3 x 3 points (6 x 6 if fine). */
 std::vector<StressPoint> make_rule(const CellShape &shape,
                                    const RuleKind &kind,
                                    const std::vector<KinkLine<2>> &lines,
                                    const TriangleDivision &divide = {});
 
-/** s:e. */
+/** Returns s:e. */
 inline double contraction(const Components &a, const Components &b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -156,7 +158,8 @@ inline Components sum(const Components &a, const Components &b)
   return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
 }
 
-/** dual += weight psi e: what the strain e at a point adds to int psi e, by triangle and vertex. */
+/** Adds weight ψ e to @p dual: the contribution of the strain e at a point to ∫ ψ e, by
+ * triangle and vertex. */
 inline void add_dual(const StressPoint &point, const Components &e, CompositeCell::Stresses &dual)
 {
   for (unsigned int m = 0; m < 3; ++m)
@@ -164,7 +167,7 @@ inline void add_dual(const StressPoint &point, const Components &e, CompositeCel
       dual[9 * point.triangle + 3 * m + l] += point.weight * point.psi[m] * e[l];
 }
 
-/** The law at point number @p i; one law is that of all points. */
+/** Returns the law at point number @p i; a single law holds at all points. */
 inline const Law &law_at(const std::vector<Law> &laws, const std::size_t i)
 {
   return laws[laws.size() == 1 ? 0 : i];

@@ -9,10 +9,10 @@
 
 namespace Signorini
 {
-/** A plane stress or strain as (s11, s22, s12) or (e11, e22, 2 e12): s:e is their product. */
+/** A 2-D stress (s11, s22, s12) or strain (e11, e22, 2 e12): s:e is their scalar product. */
 using Components = std::array<double, 3>;
 
-/** a1 b2 - a2 b1. */
+/** Returns a1 b2 - a2 b1. */
 inline double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
 {
   return a[0] * b[1] - a[1] * b[0];
@@ -22,17 +22,18 @@ inline double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b
 struct CellShape
 {
   explicit CellShape(const std::array<dealii::Point<2>, 4> &corners);
-  /** With what tells a curved cell from the quadrilateral. */
+  /** Takes the corners of a cell, and the bulges if it is curved. */
   explicit CellShape(const EdgeCell &cell);
 
   std::array<dealii::Point<2>, 4> corners;
   Bulges bulges{};
   bool is_curved = false;
-  /** Where the diagonals meet: x_c = z + t (x_0 - z) for c = 2 with t = -p, and so on. */
+  /** The point z in which the diagonals meet: x_c = z + t (x_0 - z) for c = 2 with t = -p, and so
+   * on. */
   dealii::Point<2> crossing;
-  /** x_2 = z - p (x_0 - z), x_3 = z - q (x_1 - z). */
+  /** The ratios in x_2 = z - p (x_0 - z) and x_3 = z - q (x_1 - z). */
   double p, q;
-  /** Areas of the triangles (x_k, x_{k+1}, z). */
+  /** The areas of the triangles (x_k, x_{k+1}, z). */
   std::array<double, 4> areas;
   /** Whether the cell is a parallelogram. */
   bool affine;
@@ -41,26 +42,26 @@ struct CellShape
   {
     return areas[0] + areas[1] + areas[2] + areas[3];
   }
-  /** The longest diagonal or edge. */
+  /** Returns the longest diagonal or edge. */
   double diameter() const;
-  /** The centre of mass of triangle k. */
+  /** Returns the centre of mass of triangle k. */
   dealii::Point<2> centre(unsigned int k) const;
-  /** The centre of mass. */
+  /** Returns the centre of mass of the cell. */
   dealii::Point<2> centre() const;
 };
 
 /**
- * Stresses of the composite quadrilateral of Johnson and Mercier (Numer. Math. 30 (1978) 103-116):
- * symmetric, linear on each of the four triangles into which the diagonals divide the cell, with
- * continuous tractions.
+ * The stresses of the composite quadrilateral of Johnson and Mercier (Numer. Math. 30 (1978)
+ * 103-116): symmetric, linear on each of the four triangles into which the diagonals divide the
+ * cell, with continuous tractions.
  *
  * Such a stress is determined by the moments of its tractions on the four edges and by the loads
- * d_k with div tau + d_k = 0 on triangle k, if they are in balance. It is stored as the components
+ * d_k with div τ + d_k = 0 on triangle k, if they are in balance. It is stored as the components
  * at the mid-points of the edges of the triangles: entry 9 k + 3 m + i is component i on triangle k
  * opposite vertex m of (x_k, x_{k+1}, z).
  *
  * The equations are solved on the affine image of the cell whose crossing is the origin and whose
- * corners 0 and 1 are the unit points. With F the matrix of the map and tau = F tau' F^T, moments
+ * corners 0 and 1 are the unit points. With F the matrix of the map and τ = F τ' Fᵀ, moments
  * are det(F) F b' and loads F d'. So thin cells are as good as squares, and all parallelograms have
  * the same equations.
  */
@@ -73,15 +74,15 @@ public:
 
   explicit CompositeCell(const CellShape &shape);
 
-  /** The stress with the given moments of tractions and loads, which are in balance. */
+  /** Returns the stress with the given moments of tractions and loads, which are in balance. */
   Stresses stress(const CellMoments &moments, const Loads &loads) const;
-  /** The same without loads. */
+  /** Returns the stress with the given moments, without loads. */
   Stresses stress(const CellMoments &moments) const;
-  /** The transposed of stress(moments). */
+  /** Applies the transpose of stress(moments). */
   CellMoments transposed(const Stresses &values) const;
 
-  /** The stress with the moment @p j equal to one, moments first, then loads. Only sums in balance
-   * mean something. */
+  /** Returns the stress with the moment @p j equal to one, moments first, then loads. Only sums of
+   * columns whose moments and loads are in balance have a meaning. */
   const Stresses &column(const unsigned int j) const
   {
     return columns_[j];
@@ -91,14 +92,14 @@ private:
   std::array<Stresses, n_moments + n_loads> columns_;
 };
 
-/** psi_m at a point with barycentric coordinates lambda: the linear function that is one at the
- * mid-point opposite vertex m and zero at the others. */
+/** Returns ψ_m, m = 0, 1, 2, at a point with barycentric coordinates λ. ψ_m is the linear
+ * function that is one at the mid-point opposite vertex m and zero at the others. */
 inline std::array<double, 3> midpoint_functions(const std::array<double, 3> &lambda)
 {
   return {{1. - 2. * lambda[0], 1. - 2. * lambda[1], 1. - 2. * lambda[2]}};
 }
 
-/** Components of the stress on triangle k at a point with psi. */
+/** Returns the components of the stress on triangle k at a point with the values ψ. */
 inline Components stress_at(const CompositeCell::Stresses &stresses,
                             const unsigned int k,
                             const std::array<double, 3> &psi)

@@ -13,8 +13,8 @@ namespace Signorini
 class EdgeFunction
 {
 public:
-  /** On [start, end], with tau = (t - start)/(end - start):
-   * (1 - tau) first + tau last + 4 bulge tau (1 - tau). */
+  /** A part on [start, end]. With τ = (t - start)/(end - start) the function is (1 - τ) first +
+   * τ last + 4 bulge τ (1 - τ). */
   struct Part
   {
     double start, end;
@@ -26,9 +26,12 @@ public:
     double largest() const;
   };
 
-  /** The function zero. */
+  /** Makes the zero function. */
   EdgeFunction() = default;
-  /** @param parts sorted; they cover [0,1]. */
+  /**
+   * Makes the function from its parts.
+   * @param parts sorted; they cover [0,1].
+   */
   explicit EdgeFunction(std::vector<Part> parts)
     : parts_(std::move(parts))
   {
@@ -39,12 +42,12 @@ public:
     return parts_;
   }
   double value(double t) const;
-  /** At a break: from the right. */
+  /** Returns the derivative at t; at a break, that from the right. */
   double slope(double t) const;
   bool is_zero() const;
-  /** The largest value. */
+  /** Returns the largest value. */
   double largest() const;
-  /** int_0^1 r^2 dt, int_0^1 r'^2 dt. Exact. */
+  /** square_integral() returns ∫_0^1 r² dt, slope_integral() ∫_0^1 r'² dt. Both are exact. */
   double square_integral() const;
   double slope_integral() const;
 
@@ -54,7 +57,7 @@ private:
   std::vector<Part> parts_;
 };
 
-/** A function on an edge from above: q >= f, with the largest value that f was seen to take. */
+/** A function q ≥ f on an edge, with the largest sampled value of f and its position. */
 struct UpperInterpolant
 {
   EdgeFunction function;
@@ -62,7 +65,7 @@ struct UpperInterpolant
   double at;
 };
 
-/** Ends of the edge at which q is to be f itself, not more. */
+/** The ends of the edge at which q equals f. */
 struct Pinned
 {
   bool start = false;
@@ -70,23 +73,23 @@ struct Pinned
 };
 
 /**
- * An EdgeFunction q with q >= f at all points where f was sampled, close to f.
+ * Returns an EdgeFunction q close to f with q ≥ f at all points where f was sampled.
  *
  * Between consecutive @p breaks (0, places where f jumps or has a kink, 1) f is sampled on four
  * equal intervals, each at its ends, its middle and its quarters. q is the parabola through the
  * first three, raised by a piecewise linear function where f exceeds the parabola: for smooth f by
- * O(interval^3), since the excess over a parabola is f'''/6 tau (tau - 1/2) (tau - 1) interval^3,
+ * O(interval³), since the excess over a parabola is f'''/6 τ (τ - 1/2) (τ - 1) interval³,
  * of which the quarters show 97 %; it is raised by 5/4 of what they show. Intervals where the
  * quarters differ by more than 1/100 of the range of f - (its chord) are halved, up to six times;
  * where that is not enough, f has a kink or jumps, and q is linear there and not below any sample.
- * @p n_scanned further points in each of the four intervals, and as close ones in the halves, show
- * details between them: what exceeds the parabola there counts like that at the quarters. What is
- * narrower than 1/16 of the edge, or 1/(4 n_scanned), may be missed. At a break q takes the larger
- * of both values.
+ * @p n_scanned further points in each of the four intervals, and as close ones in the halves,
+ * resolve details between them: what exceeds the parabola there counts like that at the quarters.
+ * What is narrower than 1/16 of the edge, or 1/(4 n_scanned), may be missed. At a break q takes the
+ * larger of both values.
  *
- * @param rounding absolute rounding errors of f: what is not larger is nothing. An f that is linear
- * but for rounding gives one part between breaks: other functions may jump there, and integrals
- * with them are taken part by part.
+ * @param rounding absolute rounding errors of f: differences that are not larger are ignored. An f
+ * that is linear but for rounding gives one part between breaks: other functions may jump there,
+ * and integrals with them are taken part by part.
  */
 UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
                                         const std::vector<double> &breaks,

@@ -11,36 +11,35 @@
 
 namespace Signorini
 {
-/** Which tractions an edge may carry. */
+/** The tractions that an edge may carry. */
 enum class EdgeFreedom
 {
-  /** Any: inside the body, and where displacements are prescribed. */
+  /** The edge carries any traction: inside the body, and where displacements are prescribed. */
   any,
-  /** Normal ones: rollers, and contact edges that press once their traction is free. */
+  /** The edge carries normal tractions: rollers, and contact edges that press once their traction
+   * is free. */
   normal,
-  /** Those that are given: traction, free and contact sides. */
+  /** The traction of the edge is given: traction, free and contact sides. */
   none
 };
 
-/** An edge of the mesh; curved edges are taken as their chords. */
+/** An edge of the mesh. The chord replaces a curved edge. */
 struct Edge
 {
-  /** Numbers of its end points in the mesh. */
+  /** The numbers of its end points in the mesh. */
   std::array<unsigned int, 2> vertices;
   EdgeFreedom freedom = EdgeFreedom::any;
-  /** On the boundary: number of the side; else no_side. */
+  /** The number of the side, on the boundary; else no_side. */
   unsigned int side;
-  /** Outward unit normal of the first of its cells. */
+  /** The outward unit normal of the first of its cells. */
   dealii::Tensor<1, 2> normal;
   double length;
 
   static constexpr unsigned int no_side = static_cast<unsigned int>(-1);
 };
 
-/**
- * How the biquadratic image of a cell differs from the bilinear one with the same corners: in the
- * middles of the edges, counter-clockwise, and in the centre.
- */
+/** The difference between the biquadratic image of a cell and the bilinear one with the same
+ * corners: in the middles of the edges, counter-clockwise, and in the centre. */
 using Bulges = std::array<dealii::Tensor<1, 2>, 5>;
 
 /** A quadrilateral with its corners and edges counter-clockwise; edge k runs from corner k to
@@ -50,11 +49,11 @@ struct EdgeCell
   std::array<dealii::Point<2>, 4> corners;
   std::array<unsigned int, 4> vertices;
   std::array<unsigned int, 4> edges;
-  /** 1 for the first cell of an edge, -1 for the second one, which sees the opposite traction. */
+  /** The sign of the traction: 1 for the first cell of an edge, -1 for the second one. */
   std::array<double, 4> sign;
   /** Whether Edge::vertices[0] is corner k + 1. */
   std::array<bool, 4> reversed;
-  /** Zero unless the cell is curved by more than rounding. */
+  /** The bulges of the cell, zero unless it is curved by more than rounding. */
   Bulges bulges{};
   bool is_curved = false;
 };
@@ -66,14 +65,14 @@ struct CellCorner
   unsigned int number;
 };
 
-/** An edge as one of its end points, the centre, sees it. */
+/** An edge in the star of one of its end points, the centre. */
 struct Spoke
 {
   unsigned int edge;
-  /** Which end of the edge is the centre. */
+  /** The end of the edge that is the centre. */
   unsigned int end;
-  /** 1 if the traction of the edge is that on the cell to the left of the way from the centre
-   * outwards, else -1. */
+  /** The sign: 1 if the traction of the edge is that on the cell to the left of the way from the
+   * centre outwards, else -1. */
   double sign;
 };
 
@@ -91,7 +90,7 @@ struct Star
   {
     return spokes.size() == cells.size();
   }
-  /** The spoke to the left of cell j. */
+  /** Returns the spoke to the left of cell j. */
   unsigned int left_of(const unsigned int j) const
   {
     return (j + 1) % spokes.size();
@@ -99,12 +98,12 @@ struct Star
 };
 
 /**
- * Edges, cells and stars of a plane mesh without hanging nodes. Of curved meshes it is the polygon
- * of the vertices; cells know how they are curved.
+ * The edges, cells and stars of a 2-D mesh without hanging nodes. A curved mesh is replaced by the
+ * polygon of its vertices; the cells store their bulges.
  *
  * The traction on an edge is a linear function t along it, that on the first of its cells. It is
- * known by its moments int_e t phi_i with the hat functions of the two end points i, two
- * components each: entries 4 e + 2 end + component of a vector of moments. Every rank has all of
+ * stored by its moments ∫_e t φ_i with the hat functions of the two end points i, two
+ * components each: entries 4 e + 2 end + component of a vector of moments. Every rank stores all of
  * them.
  */
 class EdgeMesh
@@ -112,7 +111,7 @@ class EdgeMesh
 public:
   EdgeMesh(const DisplacementSpace<2> &space, const Scene<2> &scene);
 
-  /** Why there are no moments of tractions for a mesh, one sentence; empty if there are. */
+  /** Returns the reason why a mesh has no moments of tractions, one sentence; empty if it has. */
   static std::string objection(const Mesh<2> &mesh);
 
   const std::vector<EdgeCell> &cells() const
@@ -127,17 +126,17 @@ public:
   {
     edges_[edge].freedom = freedom;
   }
-  /** Of all vertices. */
+  /** Returns the stars of all vertices. */
   const std::vector<Star> &stars() const
   {
     return stars_;
   }
-  /** The first degree of freedom of each vertex for both components. */
+  /** Returns the degrees of freedom of both components at each vertex. */
   const std::vector<std::array<dealii::types::global_dof_index, 2>> &dofs() const
   {
     return dofs_;
   }
-  /** The number of the edge that is a line of the triangulation. */
+  /** Returns the number of the edge that is a line of the triangulation. */
   unsigned int edge_of_line(const unsigned int line) const
   {
     return edge_of_line_[line];
@@ -150,8 +149,8 @@ public:
   {
     return 4 * edges_.size();
   }
-  /** Where in a vector of moments the first component is that edge k of a cell has at its corner
-   * k (@p end 0) or k + 1 (1). */
+  /** Returns the position in a vector of moments of the first component that edge k of a cell has
+   * at its corner k (@p end 0) or k + 1 (1). */
   static unsigned int position(const EdgeCell &cell, const unsigned int k, const unsigned int end)
   {
     return 4 * cell.edges[k] + (cell.reversed[k] == (end == 1) ? 0 : 2);
@@ -160,7 +159,7 @@ public:
 private:
   void collect_cells(const DisplacementSpace<2> &space, const Scene<2> &scene);
   void collect_stars();
-  /** Goes round the vertex from the given corner, the first one on the boundary. */
+  /** Walks round the vertex from the given corner, the first one on the boundary. */
   Star walk(const CellCorner &first,
             const std::vector<std::array<CellCorner, 2>> &neighbours) const;
 
@@ -172,11 +171,11 @@ private:
   std::vector<std::array<dealii::types::global_dof_index, 2>> dofs_;
 };
 
-/** The 16 moments on the edges of a cell, of the tractions on this cell: edge by edge, first at
- * corner k, then at corner k + 1. */
+/** The 16 moments of the tractions on a cell at its edges: edge by edge, first at corner k, then at
+ * corner k + 1. */
 using CellMoments = std::array<double, 16>;
 
 CellMoments moments_on(const EdgeCell &cell, const std::vector<double> &moments);
-/** moments += the transposed of moments_on(). */
+/** Adds the transpose of moments_on(), applied to @p values, to @p moments. */
 void add_moments(const EdgeCell &cell, const CellMoments &values, std::vector<double> &moments);
 } // namespace Signorini

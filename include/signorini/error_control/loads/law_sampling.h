@@ -14,15 +14,15 @@ namespace Signorini
  *
  * Every cell is sampled at m x m points, m = intervals(). Where the tensor varies by more than a
  * factor of 1.5 (a norm, that of the compliance, or a share in the norm), triangles are halved
- * until it does not, or until their longest edge is below 1/m of the cell's diameter. What is left
- * then is marked: the integrals of the bound are taken from above there.
+ * until it does not, or until their longest edge is below 1/m of the cell's diameter. Parts in
+ * which it still varies are marked: there the integrals of the bound are taken from above.
  *
  * Layers and inclusions that are wider than 1/m of the cell are seen; narrower ones may be missed.
  */
 class LawSampling
 {
 public:
-  /** What is compared between points. */
+  /** The features of the tensor that are compared between points. */
   using Features = std::array<double, 8>;
   struct Sample
   {
@@ -33,15 +33,18 @@ public:
 
   LawSampling(const Material<2> &material, std::size_t n_cells);
 
-  /** m: about 500000 points for a mesh, between 6 and 96 per direction of a cell. */
+  /** Returns m: about 500000 points for a mesh, between 6 and 96 per direction of a cell. */
   unsigned int intervals() const
   {
     return intervals_;
   }
   Samples scan(const std::array<dealii::Point<2>, 4> &corners) const;
-  /** Whether the tensor varies by more than a factor of 1.5. */
+  /** Returns whether the tensor varies by more than a factor of 1.5. */
   static bool varies(const Samples &samples);
-  /** The parts of a triangle. @param least the length below which edges are not divided. */
+  /**
+   * Divides a triangle into parts.
+   * @param least the length below which edges are not divided.
+   */
   std::vector<RulePart> divide(const RulePart::Triangle &whole,
                                const Samples &samples,
                                double least) const;

@@ -10,10 +10,10 @@
 namespace Signorini
 {
 /**
- * E, with u_h + E = u_D on sides with prescribed displacements that are not linear along edges. On
- * the cell behind such an edge, E = r(s) (1 - depth) in bilinear coordinates, where r = u_D - u_h
- * is a function of the position s on the edge; it is zero at the end points, and E on all other
- * edges.
+ * The function z with u_h + z = u_D on sides with prescribed displacements that are not linear
+ * along edges. On the cell behind such an edge, z = r(s) (1 - depth) in bilinear coordinates, where
+ * r = u_D - u_h is a function of the position s on the edge. r is zero at the end points of the
+ * edge, and z on all other edges.
  *
  * r is interpolated at nine points on each of 1, 2, 4, ... or 32 equal pieces of an edge: as many
  * as bring it within a thousandth of its size at up to 256 further points per edge (20000 on all).
@@ -23,40 +23,42 @@ class PrescribedLift
 public:
   PrescribedLift(const Scene<2> &scene, const EdgeMesh &mesh, const NodalVector &U);
 
-  /** For every cell, whether E is not zero on it. */
+  /** Returns for every cell whether z is not zero on it. */
   const std::vector<bool> &cells() const
   {
     return cells_;
   }
-  /** The largest difference between r and its interpolation, relative to the largest |r| on the
-   * edge. */
+  /** Returns the largest difference between r and its interpolation, relative to the largest |r| on
+   * the edge. */
   double largest_misfit() const
   {
     return largest_misfit_;
   }
-  /** The lines through the ends of the pieces of edges: E is smooth between them. */
+  /** Returns the lines through the ends of the pieces of edges: z is smooth between them. */
   std::vector<KinkLine<2>> lines(unsigned int cell, const EdgeCell &place) const;
-  /** (e11, e22, 2 e12) of E at a point of a cell. */
+  /** Returns the strain (e11, e22, 2 e12) of z at a point of a cell. */
   Components strain(unsigned int cell, const StressPoint &point) const;
-  /** int_e t.r over the prescribed edges of a cell, t linear with the given moments. */
+  /** Returns ∫_e t.r over the prescribed edges of a cell, for the linear t with the given
+   * moments. */
   double work(unsigned int cell, const CellMoments &moments) const;
 
 private:
   using Values = std::vector<dealii::Tensor<1, 2>>;
   using Rest = std::function<dealii::Tensor<1, 2>(double)>;
-  /** r at the points of interpolation on the equal pieces of edge k, from corner k on. */
+  /** The values of r at the points of interpolation on the equal pieces of edge k, from corner k
+   * on. */
   struct EdgeRest
   {
     EdgeRest(unsigned int k, unsigned int n_pieces, const Rest &r);
 
-    /** r(s), or its derivative. */
+    /** Returns r(s), or its derivative. */
     dealii::Tensor<1, 2> evaluate(double s, bool derivative) const;
     double largest() const;
 
     unsigned int k;
     std::vector<Values> pieces;
   };
-  /** With as many pieces as it takes. */
+  /** Interpolates r, with as many pieces as necessary. */
   EdgeRest interpolate(unsigned int k, const Rest &r, unsigned int n_scanned);
 
   /** The largest displacement. */

@@ -10,9 +10,10 @@ namespace Signorini
 {
 /**
  * Brings cells into exact balance. Around a cell, @p moments balance R_K^i - rest(i) (EdgeMoments),
- * where rest is what the linear solver left of the Galerkin rows. Each cell passes the force and
- * the moment that it lacks through one edge to a neighbour, and so on to an edge that may carry any
- * traction; in a body on rollers, to two rollers with different normals. What remains is rounding.
+ * where rest is the residual of the linear solver in the Galerkin rows. Each cell passes the force
+ * and the moment that it lacks through one edge to a neighbour, and so on to an edge that may carry
+ * any traction; in a body on rollers, to two rollers with different normals. Then only rounding
+ * remains.
  *
  * @return whether such edges exist; if not, moments are not changed.
  */
@@ -21,19 +22,20 @@ bool balance_cells(const EdgeMesh &mesh,
                    std::vector<double> &moments);
 
 /**
- * The change b of moments with the least 1/2 bᵀ S b - rᵀ b among all that disturb the balance of no
- * cell: with the force and moment of every cell as constraints B b = 0,
+ * Returns the change b of moments with the least 1/2 bᵀ S b - rᵀ b among all that disturb the
+ * balance of no cell: with the force and moment of every cell as constraints B b = 0,
  *
  *     ( S  Bᵀ ) ( b )   ( r )
  *     ( B  0  ) ( l ) = ( 0 ),
  *
- * about eleven equations per cell, by sparse LU factors. It is the limit of conjugate gradients
- * with StarSolver, which need many steps where a body or its cells are long and thin.
+ * These are about eleven equations per cell, solved by sparse LU factors. b is the limit of
+ * conjugate gradients with StarSolver, which need many steps where a body or its cells are long and
+ * thin.
  *
- * Where edges that may carry tractions leave rigid motions to the body, B^T vanishes on them: l is
+ * Where edges that may carry tractions leave rigid motions to the body, Bᵀ vanishes on them: l is
  * taken without them in the first cell, which changes nothing of b.
  *
- * @return nothing if the factorisation fails, or leaves more than rounding.
+ * Returns nothing if the factorisation fails, or leaves more than rounding.
  */
 std::vector<double> best_change(const EdgeMesh &mesh,
                                 const CellEnergies &energies,

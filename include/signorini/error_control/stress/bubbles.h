@@ -12,25 +12,26 @@
 namespace Signorini
 {
 /**
- * b = pi^{2h} u_h - u_h on the cells of T^h, in the reference coordinates of each cell.
+ * The difference b = π^{2h} u_h - u_h on the cells of T^h, in the reference coordinates of each
+ * cell.
  *
  * b vanishes at nodes and is of degree two per direction. So it is
  *
- *     sum_k m_k 4 s_k (1 - s_k) (1 - d_k) + c 16 s_0 (1 - s_0) s_1 (1 - s_1),
+ *     Σ_k m_k 4 s_k (1 - s_k) (1 - d_k) + c 16 s_0 (1 - s_0) s_1 (1 - s_1),
  *
  * with s_k the position along edge k and d_k the depth behind it, both in [0,1]; m_k is the value
  * of b in the middle of the edge, the same from both of its cells.
  *
- * On edges with prescribed displacements m_k is held back: there pi^{2h} u_h is not u_D, either,
+ * On edges with prescribed displacements m_k is held back: there π^{2h} u_h is not u_D, either,
  * and PrescribedLift makes up for u_D - u_h.
  */
 class PatchBubbles
 {
 public:
-  /** m_k of the four edges of an EdgeCell, 0 where it is held back, then c. */
+  /** The coefficients m_k of the four edges of an EdgeCell, 0 where m_k is held back, then c. */
   using Coefficients = std::array<dealii::Tensor<1, 2>, 5>;
 
-  /** Needs Mesh::has_parents(). */
+  /** Interpolates u_h. Needs Mesh::has_parents(). */
   PatchBubbles(const DisplacementSpace<2> &space, const EdgeMesh &mesh, const NodalVector &U);
 
   Coefficients on(const unsigned int cell) const
@@ -38,17 +39,17 @@ public:
     const auto &edges = mesh_.cells()[cell].edges;
     return {{edges_[edges[0]], edges_[edges[1]], edges_[edges[2]], edges_[edges[3]], cells_[cell]}};
   }
-  /** Whether the cell has an edge with m_k != 0 that is held back. */
+  /** Returns whether the cell has an edge with m_k != 0 that is held back. */
   bool holds_back(const unsigned int cell) const
   {
     return !held_.empty() && held_.find(cell) != held_.end();
   }
-  /** What is held back on such a cell. */
+  /** Returns the coefficients that are held back on such a cell. */
   const Coefficients &held_back(const unsigned int cell) const
   {
     return held_.at(cell);
   }
-  /** b in the middle of an edge, 0 where it is held back. */
+  /** Returns b in the middle of an edge, 0 where it is held back. */
   const dealii::Tensor<1, 2> &on_edge(const unsigned int edge) const
   {
     return edges_[edge];
@@ -60,36 +61,35 @@ private:
   std::map<unsigned int, Coefficients> held_;
 };
 
-/** The gradients of the five functions at a point. */
+/** The gradients of the five functions at a point, see PatchBubbles. */
 using BubbleGradients = std::array<dealii::Tensor<1, 2>, 5>;
 BubbleGradients bubble_gradients(const StressPoint &point);
 
-/** (e11, e22, 2 e12) of a sum of the five functions. */
+/** Returns the strain (e11, e22, 2 e12) of a sum of the five functions. */
 Components strain_of(const BubbleGradients &gradients,
                      const PatchBubbles::Coefficients &coefficients);
 
-/** What determines sigma(u_h) - tau on a parallelogram with a constant law. */
+/** The data that determine σ(u_h) - τ on a parallelogram with a constant law. */
 struct CellMisfit
 {
-  /** u_h at the corners, relative to one of them. */
+  /** The values of u_h at the corners, relative to one of them. */
   std::array<dealii::Tensor<1, 2>, 4> u;
-  /** tau without the part of CellLoad::slope. */
+  /** The stress τ without the part of CellLoad::slope. */
   CompositeCell::Stresses stresses;
   std::array<double, 4> slope;
 };
 
-/**
- * ‖sigma(u_h + b) - tau‖² - ‖sigma(u_h) - tau‖² = 2 int eps(b):(sigma(u_h) - tau) + |||b|||² on a
- * parallelogram with a constant law, as a form in the ten components of b. Exact: the products have
- * the degree six, the rule ten.
- */
+/** The form ‖σ(u_h + b) - τ‖² - ‖σ(u_h) - τ‖² = 2 ∫ ε(b):(σ(u_h) - τ) +
+ * |||b|||² on a parallelogram with a constant law, in the ten components of b. It is exact: the
+ * products have the degree six, the rule ten. */
 class BubbleForm
 {
 public:
   BubbleForm(const CellShape &shape, const Law &law);
 
   double change(const PatchBubbles::Coefficients &b, const CellMisfit &misfit) const;
-  /** int eps(b) psi: minus half of the derivative of change() by the stresses. */
+  /** Returns ∫ ε(b) ψ, which is minus half of the derivative of change() with respect to the
+   * stresses. */
   CompositeCell::Stresses dual(const PatchBubbles::Coefficients &b) const;
 
 private:
@@ -106,12 +106,13 @@ class BubbleForms
 public:
   explicit BubbleForms(const CellTable &table);
 
-  /** None where the cell is no parallelogram, shares CellData with no other or the law varies. */
+  /** Returns the form of a cell; null where the cell is no parallelogram, shares CellData with no
+   * other cell, or the law varies. */
   const BubbleForm *of(unsigned int cell) const;
 
 private:
   const CellTable &table_;
-  /** By shape. */
+  /** The forms, by shape. */
   std::vector<std::unique_ptr<const BubbleForm>> forms_;
 };
 } // namespace Signorini

@@ -8,21 +8,20 @@
 
 namespace Signorini
 {
-/** The tractions that are given on boundary edges. */
+/** The given tractions on boundary edges. */
 struct GivenTractions
 {
-  /** Their moments on edges of EdgeFreedom::none, zero on others (see EdgeMesh). */
+  /** The moments of the tractions on edges of EdgeFreedom::none, zero on others (see EdgeMesh). */
   std::vector<double> moments;
   /** The norms in L2(e) of the normal component and of the shear of t - t_h for every edge; t_h is
-   * the linear function with the moments of t. What is left has neither force nor moment. */
+   * the linear function with the moments of t. t - t_h has neither force nor moment. */
   std::vector<double> normal_rest, shear_rest;
 };
 
-/**
- * t on traction sides, with @p n_points Gauss points as in the system, or with up to 256 on edges
- * where these give moments that differ by more than 10^-4 (20000 on all edges at most); p_H n on
- * contact sides, exactly, also where patches end inside a face.
- */
+/** Returns the given tractions: t on traction sides, and p_H n on contact sides. t is integrated
+ * with @p n_points Gauss points as in the system, or with up to 256 on edges where these give
+ * moments that differ by more than 10^-4 (20000 on all edges at most). p_H n is exact, also where
+ * patches end inside a face. */
 GivenTractions given_tractions(const DisplacementSpace<2> &space,
                                const Scene<2> &scene,
                                const EdgeMesh &mesh,
@@ -30,11 +29,9 @@ GivenTractions given_tractions(const DisplacementSpace<2> &space,
                                const dealii::Vector<double> &P,
                                unsigned int n_points);
 
-/**
- * Adds to the given tractions of contact edges what was left at their vertices,
- * EdgeMoments::rest(). On curved contact sides that is the difference between p_H n on arcs and on
- * chords: the moments are then those of the system.
- */
+/** Adds EdgeMoments::rest() at the vertices of contact edges to their given tractions. On curved
+ * contact sides this rest is the difference between p_H n on arcs and on chords: the moments are
+ * then those of the system. */
 void give_to_contact(const EdgeMesh &mesh,
                      const Scene<2> &scene,
                      const std::vector<dealii::Tensor<1, 2>> &rest,
@@ -43,32 +40,35 @@ void give_to_contact(const EdgeMesh &mesh,
 /**
  * Solves, for every vertex i, the equations b_i^e - b_i^e' = R_K^i for its cells K, with e and e'
  * the edges of K at i in the order of Star and b_i^e the moments of tractions on the cell to the
- * left. The free number per component, where there is one, brings the moments as close to the
- * guess as can be, in least squares.
+ * left. The free number per component, where there is one, brings the moments as close to the guess
+ * as can be, in least squares.
  *
- * The equations can be solved if sum_K R_K^i is balanced by given tractions: the Galerkin rows.
- * What rounding or an iterative solver leaves of them is divided among the cells of the vertex.
+ * The equations can be solved if Σ_K R_K^i is balanced by given tractions: the Galerkin rows. The
+ * rest that rounding or an iterative solver leaves is divided among the cells of the vertex.
  */
 class EdgeMoments
 {
 public:
   using Vector2 = dealii::Tensor<1, 2>;
-  /** R_K^i at the corners of a cell. */
+  /** The forces R_K^i at the corners of a cell. */
   using CornerForces = std::array<Vector2, 4>;
 
-  /** @param guess moments of any tractions. */
+  /**
+   * Solves the equations of all vertices.
+   * @param guess moments of any tractions.
+   */
   EdgeMoments(const EdgeMesh &mesh,
               const std::vector<CornerForces> &R,
               const std::vector<double> &given,
               const std::vector<double> &guess);
 
-  /** See EdgeMesh. */
+  /** Returns the moments, see EdgeMesh. */
   const std::vector<double> &moments() const
   {
     return moments_;
   }
-  /** What is left at every vertex, per cell: the moments around a cell are those that balance
-   * R_K^i - rest(i). */
+  /** Returns the rest at every vertex, per cell: the moments around a cell balance R_K^i - rest(i).
+   */
   const std::vector<Vector2> &rest() const
   {
     return rest_;

@@ -22,64 +22,67 @@ namespace Signorini
 class CellEnergies;
 class StarSolver;
 
-/** What a stress in equilibrium says about the error of a displacement. All in units of energy
- * (force x length per thickness) or roots of it. */
+/** The bound of the error of a displacement by a stress in equilibrium. All values are energies
+ * (force x length per thickness) or roots of energies. */
 struct StressBound
 {
-  /** ‖sigma(u_h + E) - tau‖_{C^{-1},K} for every cell, in the order of active cells. */
+  /** The misfit ‖σ(u_h + z) - τ‖_{E⁻¹,K} of every cell, in the order of active cells. E is
+   * Hooke's tensor. */
   std::vector<double> misfit;
-  /** osc_K: there is a stress of at most this norm that balances, together with tau, the loads
+  /** The oscillation osc_K: a stress of at most this norm balances, together with τ, the loads
    * themselves. */
   std::vector<double> oscillation;
-  /** sum_K (misfit_K + osc_K)², with what curved sides add. */
+  /** The sum over K of (misfit_K + osc_K)², with the part that curved sides add. */
   double square = 0.;
-  /** sum_K osc_K². */
+  /** The sum over K of osc_K². */
   double oscillation_square = 0.;
-  /** sum_K of the squares of what curved sides add to osc_K, an estimate; zero for straight ones.
-   */
+  /** The sum over K of the squares of the part that curved sides add to osc_K, an estimate; zero
+   * for straight sides. */
   double geometry_square = 0.;
-  /** |||E|||: the bound is for u_h + E, where E makes up for prescribed displacements that are not
-   * linear along edges and is zero elsewhere (PrescribedLift); that for u_h is larger by as much.
-   */
+  /** The norm |||z||| of the PrescribedLift, which makes up for prescribed displacements that are
+   * not linear along edges and is zero elsewhere. The bound is for u_h + z; that for u_h is larger
+   * by |||z|||. */
   double lift = 0.;
-  /** The same for pi^{2h} u_h, where there is one. */
+  /** The same sums for π^{2h} u_h. */
   struct OfPatches
   {
-    /** sum_K (‖sigma(pi^{2h} u_h + z) - tau‖_{C^{-1},K} + osc_K)², and |||z|||; z makes up for
-     * u_D - pi^{2h} u_h. */
+    /** The sum over K of (‖σ(π^{2h} u_h + z') - τ‖_{E⁻¹,K} + osc_K)², and |||z'|||; z'
+     * makes up for u_D - π^{2h} u_h. */
     double square, lift;
   };
   std::optional<OfPatches> of_patches;
-  /** 1/2 sum_K (‖tau‖_{C^{-1},K} ± osc_K)² - int_{Gamma_D} tau n.(u_D - c), with c the translation
-   * below: the part of J*(tau) that sees no large translation. Between these it lies for the stress
-   * that balances the loads themselves. */
+  /** Bounds of 1/2 ‖τ‖² - ∫_{Γ_D} τ n.(u_D - c) for the stress that balances the loads
+   * themselves, with c the translation below. The bounds are 1/2 Σ_K (‖τ‖_{E⁻¹,K} ± osc_K)²
+   * minus that work. This is the part of J*(τ) that no large translation enters. */
   Bracket complementary_energy = {0., 0.};
-  /** c, the displacement of a corner of the body, and int_{Gamma_D} tau n. */
+  /** The translation c, which is the displacement of a corner of the body, and the force
+   * ∫_{Γ_D} τ n. */
   dealii::Tensor<1, 2> translation, support_force;
   /** The largest force at a vertex that the linear solver left unbalanced, relative to the largest
    * force that a cell exerts on a vertex. */
   double algebra = 0.;
-  /** Whether the stress balances it, too (balance_cells()): then it is in the misfit, and what is
-   * left is rounding. */
+  /** Whether the stress balances these forces, too (balance_cells()): then they are part of the
+   * misfit, and only rounding is left. */
   bool balanced = false;
-  /** Steps of the improvement, and how often it was begun anew because a contact edge pulled. */
+  /** The number of steps of the improvement, and the number of restarts because a contact edge
+   * pulled. */
   unsigned int steps = 0, restarts = 0;
 };
 
-/** How long the stress is improved. */
+/** The limits of the improvement of the stress. */
 struct ImprovementOptions
 {
   unsigned int most_steps = 50;
-  /** Stop when a step takes less than this share of the square of the misfit of u_h, and of
-   * pi^{2h} u_h where there is one. */
+  /** The improvement stops when a step takes less than this share of the square of the misfit of
+   * u_h, and of π^{2h} u_h where there is one. */
   double least_share = 0.01, least_share_of_patches = 0.03;
-  /** On meshes with at most so many cells the best stress is computed (best_change()); with at most
-   * most_cells_exactly, if the steps did not end. */
+  /** The number of cells up to which the best stress is computed (best_change()), and the number up
+   * to which it is computed if the steps did not end. */
   std::size_t few_cells = 1024;
   std::size_t most_cells_exactly = 4096;
 };
 
-/** What a bound of the stress is made from; everything must outlive it. */
+/** The data of a bound of the stress; everything must outlive it. */
 struct StressData
 {
   const DisplacementSpace<2> &space;
@@ -87,31 +90,33 @@ struct StressData
   const MultiplierSpace<2> &multipliers;
   const NodalVector &U;
   const dealii::Vector<double> &P;
-  /** Gauss points per direction for loads, as in the system. */
+  /** The number of Gauss points per direction for loads, as in the system. */
   unsigned int n_points;
 };
 
 /**
- * A stress tau with div tau + f_h = 0 on every cell, continuous tractions, tau n = t_h on traction
- * sides, tau n = p_h n on contact sides and without shear on rollers, close to sigma(u_h). f_h, t_h
- * and p_h are projections of f, t and p_H whose rest has neither force nor moment on any cell or
- * edge (CellLoad, GivenTractions).
+ * A stress τ with div τ + f_h = 0 on every cell, continuous tractions, τ n = t_h on traction
+ * sides, τ n = p_h n on contact sides and without shear on rollers, close to σ(u_h). The
+ * loads f_h, t_h and p_h are projections of f, t and p_H whose rest has neither force nor moment on
+ * any cell or edge (CellLoad, GivenTractions).
  *
- * 1. Moments of tractions from the residuals of (u_h, p_H) around every vertex (EdgeMoments).
- * 2. Inside of the cells composite quadrilaterals (CompositeCell).
- * 3. A few steps of conjugate gradients to the least ‖sigma(u_h) - tau‖_{C^{-1}} (StarSolver). All
- *    iterates are in equilibrium.
+ * 1. The moments of tractions follow from the residuals of (u_h, p_H) around every vertex
+ * (EdgeMoments).
+ * 2. Inside of the cells the stress is that of composite quadrilaterals (CompositeCell).
+ * 3. A few steps of conjugate gradients reduce ‖σ(u_h) - τ‖_{E⁻¹} (StarSolver). All
+ * iterates are in equilibrium.
  *
- * With exact balance, there is for every cell a tau_r with ‖tau_r‖_{C^{-1},K} <= osc_K such that
- * tau + tau_r balances f, t and p_H n themselves (OscillationConstants): then the inequality of
+ * With exact balance, there is for every cell a τ_r with ‖τ_r‖_{E⁻¹,K} ≤ osc_K such that
+ * τ + τ_r balances f, t and p_H n themselves (OscillationConstants): then the inequality of
  * Prager and Synge holds with (misfit_K + osc_K)². This also covers patches that end inside a face.
  *
- * Hooke's tensor is sampled at quadrature points, and so are loads. All ranks compute the same.
+ * Hooke's tensor is sampled at quadrature points, and so are loads. All ranks compute the same
+ * stress.
  */
 class EquilibratedStress
 {
 public:
-  /** Why there is none, one sentence; empty if there is. */
+  /** Returns the reason why there is no such stress, one sentence; empty if there is one. */
   static std::string objection(const StressData &data);
 
   explicit EquilibratedStress(const StressData &data,
@@ -119,7 +124,7 @@ public:
 
   StressBound bound() const;
 
-  /** Whether the bound is guaranteed: the body is a polygon. */
+  /** Returns whether the bound is guaranteed: the body is a polygon. */
   bool is_guaranteed() const
   {
     return !mesh_.is_curved();
@@ -128,25 +133,25 @@ public:
   {
     return mesh_;
   }
-  /** The moments of the tractions of tau on edges; see EdgeMesh. */
+  /** Returns the moments of the tractions of τ on edges; see EdgeMesh. */
   const std::vector<double> &moments() const
   {
     return moments_;
   }
-  /** |||u_h|||. */
+  /** Returns |||u_h|||. */
   double energy_norm() const
   {
     return std::sqrt(std::max(0., energy_));
   }
-  /** Components of tau at the points of a cell. */
+  /** Returns the components of τ at the points of a cell. */
   std::vector<Components> stress(unsigned int cell, const CellData &data) const;
-  /** f_h of a cell; zero without a body force. */
+  /** Returns f_h of a cell; zero without a body force. */
   CellLoad load(unsigned int cell) const;
-  /** For every face of the contact surface: tau_n at vertex 0 and vertex 1 of the face where tau_n
-   * is a free linear function, none where it is p_h. */
+  /** Returns τ_n at vertex 0 and vertex 1 for every face of the contact surface where τ_n is a
+   * free linear function, none where it is p_h. */
   std::vector<std::optional<std::array<double, 2>>> free_tractions() const;
-  /** The normal component of pi^{2h} u_h - u_h in the middle of a face of the contact surface.
-   * Needs StressBound::of_patches. */
+  /** Returns the normal component of π^{2h} u_h - u_h in the middle of a face of the contact
+   * surface. Needs StressBound::of_patches. */
   double normal_bubble(unsigned int contact_face) const;
 
 private:
@@ -154,102 +159,110 @@ private:
 
   unsigned int n_threads() const;
   CornerValues displacement(const EdgeCell &cell) const;
-  /** The same relative to corner 0: large translations have rounding errors, but no strain. */
+  /** Returns the displacement relative to corner 0: large translations have rounding errors, but no
+   * strain. */
   CornerValues deformation(const EdgeCell &cell) const;
-  /** R_K^i = int_K sigma_h:grad phi_i - int_K f phi_i, with the quadrature of the system; sets
-   * energy_. */
+  /** Returns R_K^i = ∫_K σ_h:grad φ_i - ∫_K f φ_i, with the quadrature of the system;
+   * sets energy_. */
   std::vector<EdgeMoments::CornerForces> residuals();
-  /** Moments of the mean of sigma_h n from both sides of edges. */
+  /** Returns the moments of the mean of σ_h n from both sides of edges. */
   std::vector<double> mean_tractions() const;
-  /** (e11, e22, 2 e12) of u_h + E. */
+  /** Returns the strain (e11, e22, 2 e12) of u_h + z. */
   Components strain(unsigned int cell, const StressPoint &point, const CornerValues &u) const;
-  /** Integrals over a cell: the squares of the misfits of u_h + E and of pi^{2h} u_h + z, of tau,
-   * and the energies of E and z. */
+  /** The integrals over a cell: the squares of the misfits of u_h + z and of π^{2h} u_h + z', the
+   * square of τ, and the energies of z and z'. */
   struct CellSquares
   {
     double misfit = 0., of_patches = 0., stress = 0., lift = 0., lift_of_patches = 0.;
     double smallest_eigenvalue = 0.;
   };
-  /** The same with what makes them functions of a change b of the moments: misfit - 2 of_misfit.b +
-   * bᵀ S b, the same for patches, and stress + 2 of_stress.b + bᵀ S b. */
+  /** The integrals as functions of a change b of the moments: misfit - 2 of_misfit.b + bᵀ S b, the
+   * same for patches, and stress + 2 of_stress.b + bᵀ S b. */
   struct CellIntegrals
   {
     CellSquares squares;
     CellMoments of_misfit{}, of_patches{}, of_stress{};
-    /** Whether the law is resolved; if not, squares that are taken from above are no such
+    /** Whether the law is resolved. If it is not, squares are taken from above and are no such
      * functions. */
     bool is_resolved = true;
   };
-  /** What integrals over a cell are made from. */
+  /** The data of integrals over a cell. */
   struct CellState
   {
     unsigned int cell;
     const CellData &data;
     const std::vector<Law> &laws;
-    /** At the points. */
+    /** The stress at the points. */
     std::vector<Components> tau;
     CornerValues u;
-    /** Where the law is not resolved: see UpperSum. */
+    /** Whether squares are taken from above where the law is not resolved, see UpperSum. */
     bool from_above;
   };
-  /** @param energies where S goes. */
+  /**
+   * Integrates over a cell.
+   * @param energies receives S, unless it is null.
+   */
   CellIntegrals integrate(unsigned int cell,
                           CellRoom &room,
                           bool from_above,
                           CellEnergies *energies = nullptr) const;
-  /** Adds the integrals for pi^{2h} u_h; needs those for u_h. */
+  /** Adds the integrals for π^{2h} u_h; needs those for u_h. */
   void integrate_patches(const CellState &state, CellIntegrals &result) const;
-  /** Of all cells, with all threads; sets @p energies. */
+  /** Integrates over all cells, with all threads; sets @p energies. */
   std::vector<CellIntegrals> integrate_all(CellEnergies &energies) const;
   /** Sets the squares after the change of the moments. */
   void update(const std::vector<CellIntegrals> &integrals,
               const CellEnergies &energies,
               const std::vector<double> &change);
-  /**
-   * Adds to the loads of curved cells the couple that makes them balance the residuals: V^h of
-   * curved cells holds rotations up to the bulges only.
-   */
+  /** Adds the couple that makes the loads of curved cells balance the residuals: V^h of curved
+   * cells holds rotations up to the bulges only. */
   void balance_couples(const std::vector<EdgeMoments::CornerForces> &R);
-  /** What the polygon adds to osc_K: that couple, and the tractions on an edge, which is no chord.
-   */
+  /** Returns the part that the polygon adds to osc_K: that of the couple, and that of the tractions
+   * on an edge which is no chord. */
   double geometry(unsigned int cell, double smallest_eigenvalue) const;
-  /** osc_K. */
+  /** Returns osc_K. */
   double oscillation(unsigned int cell, double smallest_eigenvalue, OscillationTable &table) const;
-  /** int_{Gamma_D} tau n.(u_D - c) on the edges of a cell; adds int_{Gamma_D} tau n to @p force. */
+  /** Returns ∫_{Γ_D} τ n.(u_D - c) on the edges of a cell; adds ∫_{Γ_D} τ n to @p
+   * force. */
   double support_work(unsigned int cell,
                       const dealii::Tensor<1, 2> &c,
                       dealii::Tensor<1, 2> &force) const;
-  /** Brings the moments closer to those of the best stress. @return their change. */
+  /**
+   * Brings the moments closer to those of the best stress.
+   * @return their change.
+   */
   std::vector<double> improve(const ImprovementOptions &options,
                               const std::vector<CellIntegrals> &integrals,
                               const CellEnergies &energies);
-  /** The residual of the improvement, -(the gradient of half the square of the misfit). */
+  /** The residual of the improvement: minus the gradient of half the square of the misfit. */
   struct Residual
   {
     std::vector<double> r;
-    /** The squares of the misfits of u_h and of pi^{2h} u_h, the last one infinite where there is
-     * none. */
+    /** The squares of the misfits of u_h and of π^{2h} u_h; the last one is infinite where there
+     * is none. */
     double square = 0., square_of_patches = 0.;
-    /** The square of tau. */
+    /** The square of the norm of τ. */
     double energy = 0.;
   };
   Residual residual(const std::vector<CellIntegrals> &integrals) const;
-  /** How steps of the improvement ended. */
+  /** The end of the steps of the improvement. */
   struct Steps
   {
-    /** Edges that pull; then the moments are not to be used. */
+    /** The edges that pull; if there are any, the moments must not be used. */
     std::vector<unsigned int> pulling;
     /** Whether the last step took less than the least share. */
     bool settled = false;
   };
-  /** Conjugate gradients, and on small meshes the best stress. @return the edges among @p free that
-   * pull. */
+  /**
+   * Runs conjugate gradients, and on small meshes computes the best stress.
+   * @return the edges among @p free that pull.
+   */
   std::vector<unsigned int> iterate(Residual left,
                                     const StarSolver &solver,
                                     const CellEnergies &energies,
                                     const std::vector<unsigned int> &free,
                                     const ImprovementOptions &options);
-  /** Steps of conjugate gradients; keeps @p left up to date. */
+  /** Takes steps of conjugate gradients; keeps @p left up to date. */
   Steps improve_step_by_step(Residual &left,
                              const StarSolver &solver,
                              const CellEnergies &energies,
@@ -262,7 +275,7 @@ private:
   PrescribedLift lift_;
   CellTable table_;
   std::vector<CellLoad> loads_;
-  /** ‖.‖_{L2(K)} of the couples that curved cells need. */
+  /** The norms in L2(K) of the couples that curved cells need. */
   std::vector<double> couples_;
   GivenTractions given_;
   std::unique_ptr<const PatchBubbles> bubbles_;

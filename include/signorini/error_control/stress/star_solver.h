@@ -10,13 +10,14 @@
 
 namespace Signorini
 {
-/** S of all cells. Cells that share CellData and have a constant law share the matrix. */
+/** The matrices S of all cells. Cells that share CellData and have a constant law share the matrix.
+ */
 class CellEnergies
 {
 public:
   explicit CellEnergies(const CellTable &table, std::size_t n_cells);
 
-  /** Whether a cell shares its matrix with no cell before. */
+  /** Returns whether a cell shares its matrix with no cell before. */
   bool is_first(const unsigned int cell) const
   {
     return first_cell_[index_[cell]] == cell;
@@ -30,12 +31,12 @@ public:
   {
     return matrices_[index_[cell]];
   }
-  /** Whether two cells share one matrix. */
+  /** Returns the number of a cell's matrix, which is equal for cells that share one. */
   unsigned int number(const unsigned int cell) const
   {
     return index_[cell];
   }
-  /** Whether other cells may share its matrix. */
+  /** Returns whether other cells may share the cell's matrix. */
   bool is_shared(const unsigned int cell) const
   {
     return shared_ && table_.shape_of(cell) < table_.n_shapes();
@@ -44,7 +45,7 @@ public:
 private:
   bool shared_;
   const CellTable &table_;
-  /** Of every cell the number of its matrix, and of every matrix the first cell. */
+  /** The number of the matrix for every cell, and the first cell for every matrix. */
   std::vector<unsigned int> index_, first_cell_;
   std::vector<CellEnergy> matrices_;
 };
@@ -60,31 +61,32 @@ class StarSolver
 public:
   StarSolver(const EdgeMesh &mesh, const CellEnergies &energies, unsigned int n_threads = 1);
 
-  /** Solves the star of a vertex anew, whose edges have changed their freedom. */
+  /** Solves the star of a vertex anew after its edges have changed their freedom. */
   void renew(unsigned int vertex, const CellEnergies &energies);
 
-  /** z = sum_i Z_i (Z_iᵀ S Z_i)^{-1} Z_iᵀ r. */
+  /** Sets z = Σ_i Z_i (Z_iᵀ S Z_i)⁻¹ Z_iᵀ r. */
   void apply(const std::vector<double> &r, std::vector<double> &z) const;
 
 private:
-  /** Z (ZᵀSZ)^{-1} Zᵀ of a star row by row, in the order spoke, end (centre first), component. */
+  /** Returns Z (ZᵀSZ)⁻¹ Zᵀ of a star row by row, in the order spoke, end (centre first),
+   * component. */
   std::vector<double> solve_star(const Star &star, const CellEnergies &energies) const;
-  /** Equal for stars with equal matrices; empty if that is not known. */
+  /** Returns a key that is equal for stars with equal matrices; empty if that is not known. */
   std::vector<unsigned int> key(const Star &star, const CellEnergies &energies) const;
 
   const EdgeMesh &mesh_;
-  /** All matrices, row by row. */
+  /** The matrices of the stars, row by row. */
   std::vector<std::vector<double>> matrices_;
   std::vector<unsigned int> matrix_of_star_;
 };
 
-/** A basis of the null space of a matrix, as columns, by elimination with full pivoting. */
+/** Returns a basis of the null space of a matrix, as columns, by elimination with full pivoting. */
 dealii::FullMatrix<double> null_space(dealii::FullMatrix<double> matrix);
 
-/** S b on a cell. */
+/** Returns S b on a cell. */
 CellMoments multiply(const CellEnergy &energy, const CellMoments &b);
 
-/** gradient = S b, cell by cell. */
+/** Sets gradient = S b, cell by cell. */
 void multiply(const EdgeMesh &mesh,
               const CellEnergies &energies,
               const std::vector<double> &b,

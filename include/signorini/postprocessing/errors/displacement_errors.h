@@ -8,22 +8,22 @@
 
 namespace Signorini
 {
-/** Distances of the discrete from the exact displacement; h1 is the full norm ‖.‖_{1,Omega}. */
+/** The distances of the discrete from the exact displacement; h1 is the full norm ‖.‖_{1,Ω}. */
 struct DisplacementErrors
 {
-  /** ‖u - u_h‖_{1,Omega}. */
+  /** The error ‖u - u_h‖_{1,Ω}. */
   double h1;
-  /** ‖u - u_h‖_{0,Omega}. */
+  /** The error ‖u - u_h‖_{0,Ω}. */
   double l2;
-  /** ‖I^h u - u_h‖_{1,Omega}. */
+  /** The distance ‖I^h u - u_h‖_{1,Ω}. */
   double superclose_h1;
-  /** ‖u - pi^{2h} u_h‖_{1,Omega}; empty where there is no T^{2h}. */
+  /** The error ‖u - π^{2h} u_h‖_{1,Ω}; empty where there is no T^{2h}. */
   std::optional<double> post_h1;
-  /** ‖u - pi_4^{4h} u_h‖_{1,Omega}, the interpolation of degree four on cells of T^{4h}; empty
-   * where there is no T^{4h}. */
+  /** The error ‖u - π₄^{4h} u_h‖_{1,Ω} of the interpolation of degree four on cells of
+   * T^{4h}; empty where there is no T^{4h}. */
   std::optional<double> post4_h1;
-  /** |||u - u_h|||, with the strain of u_h itself and Hooke's tensor at quadrature points (root of
-   * force x length^{dim-1}). */
+  /** The error |||u - u_h|||, with the strain of u_h itself and Hooke's tensor at quadrature points
+   * (root of force x length^{dim-1}). */
   double energy = 0.;
 
   static Columns<DisplacementErrors> columns();

@@ -12,16 +12,14 @@
 
 namespace Signorini
 {
-/**
- * Errors of the contact pressure in |||.|||_{-1/2,Gamma_c}, the root of the sum of squares over the
- * contact sides.
- */
+/** The errors of the contact pressure in |||.|||_{-1/2,Γ_c}, the root of the sum of squares
+ * over the contact sides. */
 struct DualNormErrors
 {
-  /** |||p - p_H||| in the cosine norm and in the paper's (Sobolev-Slobodeckij) norm. */
+  /** The error |||p - p_H||| in the cosine norm and in the paper's (Sobolev-Slobodeckij) norm. */
   double spectral;
   std::optional<double> slobodeckij;
-  /** |||R^H p - p_H||| likewise. */
+  /** The distance |||R^H p - p_H||| in the same norms. */
   double superclose_spectral;
   std::optional<double> superclose_slobodeckij;
 
@@ -33,22 +31,20 @@ template <int dim>
 class ExactPressure
 {
 public:
-  /** Needs Scene::has_exact_pressure(). Computes 8192 cosine coefficients per side; in space 256 in
-   * each direction. */
+  /** Computes 8192 cosine coefficients per side; in 3-D 256 in each direction. Needs
+   * Scene::has_exact_pressure(). */
   explicit ExactPressure(const Scene<dim> &scene);
 
-  /**
-   * The paper's norm is Richardson's extrapolation of grids with 8 m and 16 m cells, m the patches
-   * of the side. It is left out where a side has more than 128 of them (its cost grows like m³), on
-   * arcs (distances are not arc lengths there), and in space.
-   */
+  /** Returns the errors. The paper's norm is Richardson's extrapolation of grids with 8 m and 16 m
+   * cells, m the patches of the side. It is left out where a side has more than 128 of them (its
+   * cost grows like m³), on arcs (distances are not arc lengths there), and in 3-D. */
   DualNormErrors errors(const MultiplierSpace<dim> &space, const dealii::Vector<double> &P) const;
 
-  /** R^H p: the mean of p on every patch. */
+  /** Returns R^H p: the mean of p on every patch. */
   dealii::Vector<double> project(const MultiplierSpace<dim> &space) const;
 
 private:
-  /** The same on the patches [first, last), which make up a side. In the plane. */
+  /** Returns the errors on the patches [first, last), which make up a side. For 2-D only. */
   DualNormErrors errors_on_side(const MultiplierSpace<dim> &space,
                                 const dealii::Vector<double> &P,
                                 const dealii::Vector<double> &projected_p,

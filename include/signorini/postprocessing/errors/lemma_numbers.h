@@ -13,31 +13,33 @@ namespace Signorini
 /** The left-hand sides of the paper's lemmas and auxiliary bounds for one level. */
 struct LemmaNumbers
 {
-  /** Lemma 2: ‖p - R^H p‖_{0,Gamma_c} and |||p - R^H p|||_{-1/2} in the cosine norm. */
+  /** The norms of Lemma 2, ‖p - R^H p‖_{0,Γ_c} and |||p - R^H p|||_{-1/2} in the cosine norm.
+   */
   double projection_l2;
   double projection_dual;
-  /** Lemma 3: ‖u - I^h u‖_{1,Omega}. */
+  /** The norm of Lemma 3, ‖u - I^h u‖_{1,Ω}. */
   double interpolation_h1;
-  /** Lemma 3: |||B(u - I^h u)|||_{1/2,Gamma_c} in the cosine norm of every contact side. */
+  /** The norm of Lemma 3, |||B(u - I^h u)|||_{1/2,Γ_c} in the cosine norm of every contact
+   * side. */
   double interpolation_trace;
-  /** Lemma 5: sup_v a(u - I^h u, v) / ‖v‖_1 over V^h. */
+  /** The supremum of Lemma 5, sup_v a(u - I^h u, v) / ‖v‖_1 over V^h. */
   double consistency;
-  /** (26): sup_v [p - R^H p, B v] / ‖v‖_1 over V^h. */
+  /** The supremum of (26), sup_v [p - R^H p, B v] / ‖v‖_1 over V^h. */
   double bound_26;
-  /** (27): sup_q [q, B(I^h u - u)] / |||q|||_{-1/2} over Q^H. */
+  /** The supremum of (27), sup_q [q, B(I^h u - u)] / |||q|||_{-1/2} over Q^H. */
   double bound_27;
-  /** (30): ‖u - pi^{2h} u‖_{1,Omega}; empty where there is no T^{2h}. */
+  /** The norm of (30), ‖u - π^{2h} u‖_{1,Ω}; empty where there is no T^{2h}. */
   std::optional<double> bound_30;
 
   static Columns<LemmaNumbers> columns();
 };
 
 /**
- * Computes them with one factorisation of the Gram matrix A_1 of V^h: sup_v b(v)/‖v‖_1 is
- * (b^T A_1^{-1} b)^{1/2}. Needs the exact displacement and pressure. Collective.
+ * Computes the numbers with one factorisation of the Gram matrix A_1 of V^h: sup_v b(v)/‖v‖_1 is
+ * (bᵀ A_1⁻¹ b)^{1/2}. Needs the exact displacement and pressure. Collective.
  *
- * @param loads f_j = int f.phi_j + int t.phi_j, not condensed.
- * @param n_points Gauss points per direction for integrals of the exact solution.
+ * @param loads f_j = ∫ f.φ_j + ∫ t.φ_j, not condensed.
+ * @param n_points number of Gauss points per direction for integrals of the exact solution.
  */
 LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
                                    const Scene<2> &scene,

@@ -10,17 +10,18 @@
 
 namespace Signorini
 {
-/** A part of a side that is pressed, as far as the nodes of the multipliers tell. */
+/** A part of a side that is pressed, according to the nodes of the multipliers. */
 struct PressedInterval
 {
   struct End
   {
-    /** Arc length; around a closed side the end of an interval may exceed the length (length). */
+    /** The arc length; around a closed side the end of an interval may exceed the length (length).
+     */
     double s = 0.;
-    /** How far the exact end may be away, in order of magnitude (length). */
+    /** The distance of the exact end, in order of magnitude (length). */
     double uncertainty = 0.;
   };
-  /** Number of the side in the geometry. */
+  /** The number of the side in the geometry. */
   unsigned int side = 0;
   End start, end;
 
@@ -31,36 +32,35 @@ struct PressedInterval
 };
 
 /**
- * The pressed intervals, side after side in the order of arc length.
+ * Returns the pressed intervals, side after side in the order of arc length.
  *
  * The nodes of the multipliers are points at which p_H presses or does not. Contact ends between
- * two neighbours that differ: the end is their middle, its uncertainty half of their distance.
- * Where pressing and open nodes alternate, contact ends only once between the first and the last
- * one of them, or, if these are of the same kind, there is a single gap or a single interval
- * between them. Where the first or the last node of a side presses, the interval ends with the
- * side, without uncertainty. A closed side that is pressed everywhere is an interval from 0 to its
- * length.
+ * two neighbours that differ: the end is their middle, and its uncertainty is half of their
+ * distance. Where pressing and open nodes alternate, contact ends only once between the first and
+ * the last one of them, or, if these are of the same kind, there is a single gap or a single
+ * interval between them. Where the first or the last node of a side presses, the interval ends with
+ * the side, without uncertainty. A closed side that is pressed everywhere is an interval from 0 to
+ * its length.
  */
 std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipliers,
                                                const dealii::Vector<double> &P);
 
-/**
- * The value below which a pressure presses, -1e-12 max|P|: what a solver leaves of a zero is not
- * contact.
- */
+/** Returns the value below which a pressure presses, -1e-12 max|P|: smaller values are zeros up to
+ * the tolerance of a solver. */
 double pressing_threshold(const dealii::Vector<double> &P);
 
-/** What the contact pressure amounts to. */
+/** A summary of the contact pressure. */
 struct ContactSummary
 {
-  /** Number of multipliers that press, P_k < pressing_threshold(P): with constants of patches. */
+  /** The number of multipliers that press, P_k < pressing_threshold(P); with constants that of
+   * patches. */
   unsigned int active = 0;
-  /** Of constants the total length of the patches that press, in space their area; of polynomials
-   * that of the pressed_intervals() (length^{dim-1}). */
+  /** The total length of the patches that press, in 3-D their area, if multipliers are constants;
+   * that of the pressed_intervals() if they are polynomials (length^{dim-1}). */
   double length = 0.;
-  /** -int p_H, positive in compression (force). */
+  /** The force -∫ p_H, positive in compression (force). */
   double normal_force = 0.;
-  /** max(-P_k), positive in compression (force/area). */
+  /** The maximum max(-P_k), positive in compression (force/area). */
   double max_pressure = 0.;
 
   static Columns<ContactSummary> columns();
@@ -71,10 +71,11 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space,
                                  const dealii::Vector<double> &P);
 
 /**
- * A continuous pressure of second order from the means of p_H over the patches, nowhere positive.
+ * A continuous pressure of second order, recovered from the means of p_H over the patches and cut
+ * off at zero.
  *
- * In the plane piecewise linear through the middles of the patches of a side, continued to its ends
- * (around a closed side). In space bilinear between the centres of four patches of a side,
+ * In 2-D it is piecewise linear through the middles of the patches of a side, continued to its ends
+ * (around a closed side). In 3-D it is bilinear between the centres of four patches of a side,
  * continued to its edges. Where patches have polynomials, it is p_H itself, cut off at zero.
  */
 template <int dim>
@@ -83,22 +84,22 @@ class RecoveredPressure
 public:
   RecoveredPressure(const MultiplierSpace<dim> &space, const dealii::Vector<double> &P);
 
-  /** The value at the point @p s of the side to which @p patch belongs; @p patch contains it. */
+  /** Returns the value at the point @p s of the side to which @p patch belongs; @p patch contains
+   * it. */
   double operator()(unsigned int patch, const dealii::Point<dim - 1> &s) const;
 
 private:
-  /** A patch next to another one, and its middle as seen from there. */
+  /** A patch next to another one, and its middle in the coordinates of that one. */
   struct Neighbour
   {
     unsigned int patch;
     double middle;
   };
-  /** The patch before (step -1) or after (step 1) on the same side; the same patch if there is
-   * none. In the plane.
-   */
+  /** Returns the patch before (step -1) or after (step 1) on the same side; the same patch if there
+   * is none. For 2-D only. */
   Neighbour neighbour(unsigned int patch, int step) const;
 
-  /** Where a patch is in space: in which grid, and its column and row. */
+  /** The place of a patch in 3-D: its grid, and its column and row. */
   struct Place
   {
     unsigned int grid;
@@ -108,15 +109,15 @@ private:
   const MultiplierSpace<dim> &space_;
   const ContactSurface<dim> &surface_;
   dealii::Vector<double> P_;
-  /** By patch. */
+  /** The means of the patches. */
   std::vector<double> means_;
-  /** In space. */
+  /** The grids of the sides, in 3-D. */
   std::vector<PatchGrid> grids_;
-  /** By patch, in space. */
+  /** The places of the patches, in 3-D. */
   std::vector<Place> places_;
 };
 
-/** A pressure with the patches that it belongs to, for another partition to start from. */
+/** A pressure with the patches that it belongs to, as a start for another partition. */
 template <int dim>
 struct PatchPressure
 {
@@ -124,11 +125,9 @@ struct PatchPressure
   dealii::Vector<double> P;
 };
 
-/**
- * P of another partition carried over to the patches of @p to: the mean of the piecewise constant
- * function on each patch (its L2-projection). In time proportional to the number of overlaps,
- * after sorting.
- */
+/** Transfers P of another partition to the patches of @p to: the mean of the piecewise constant
+ * function on each patch (its L2-projection). The time is proportional to the number of overlaps,
+ * after sorting. */
 template <int dim>
 dealii::Vector<double> transfer_pressure(const PatchPressure<dim> &from,
                                          const std::vector<Patch<dim>> &to);

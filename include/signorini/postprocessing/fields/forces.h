@@ -13,7 +13,7 @@ namespace Signorini
 /** A node of a multiplier on its side. */
 struct SideNode
 {
-  /** Arc length (length). */
+  /** The arc length (length). */
   double s;
   bool presses;
 };
@@ -21,51 +21,56 @@ struct SideNode
 /** The nodes of one side in the order of arc length. */
 struct SideNodes
 {
-  /** Number of the side in the geometry. */
+  /** The number of the side in the geometry. */
   unsigned int number = 0;
   double length = 0.;
   bool closed = false;
   std::vector<SideNode> nodes;
 };
 
-/** The nodes of all multipliers, side after side; those below pressing_threshold(P) press. */
+/** Returns the nodes of all multipliers, side after side; those below pressing_threshold(P) press.
+ */
 std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
                                      const dealii::Vector<double> &P);
 
-/** The forces at all degrees of freedom j (force per thickness), known to all ranks. They come from
- * integrals over cells; nothing here uses the assembled and factorised A. */
+/** The forces at all degrees of freedom j (force per thickness); every rank stores all of them.
+ * They are integrals over cells; the assembled and factorised A is not used. */
 struct NodalForces
 {
-  /** a(u_h, phi_j). */
+  /** The internal forces a(u_h, φ_j). */
   NodalVector internal;
-  /** int f.phi_j + int_{Gamma_F} t.phi_j. */
+  /** The loads ∫ f.φ_j + ∫_{Γ_F} t.φ_j. */
   NodalVector loads;
-  /** int_{Gamma_c} p_H phi_j.n. */
+  /** The contact forces ∫_{Γ_c} p_H φ_j.n. */
   NodalVector contact;
-  /** internal - loads - contact: zero on free, the reaction on constrained degrees of freedom. */
+  /** The residual internal - loads - contact: zero on free, the reaction on constrained degrees of
+   * freedom. */
   NodalVector residual;
-  /** |A| |U|: the size of the terms that make up the internal forces. */
+  /** The size |A| |U| of the terms that make up the internal forces. */
   double magnitude = 0.;
 
-  /** norm_of_rigid_motion(); if there is one, all forces are rounding. */
+  /** The result of norm_of_rigid_motion(); if there is one, all forces are rounding. */
   std::optional<double> rigid;
 
-  /** The norm of the largest of the forces. */
+  /** Returns the norm of the largest of the forces. */
   double largest() const;
-  /** What residuals are compared with: the largest of the forces, or, where the body moves rigidly,
+  /** Returns the scale of residuals: the largest of the forces, or, where the body moves rigidly,
    * the size of the terms that cancel. */
   double scale() const
   {
     return rigid ? std::max(magnitude, largest()) : largest();
   }
-  /** What energies are compared with at least: zero where the body is strained. */
+  /** Returns the smallest scale of energies: zero where the body is strained. */
   double rigid_energy() const
   {
     return rigid.value_or(0.) * rigid.value_or(0.);
   }
 };
 
-/** @param loads LinearSystem::loads. Collective. */
+/**
+ * Computes the forces. Collective.
+ * @param loads LinearSystem::loads.
+ */
 template <int dim>
 NodalForces nodal_forces(const DisplacementSpace<dim> &space,
                          const Scene<dim> &scene,
@@ -74,23 +79,23 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
                          const NodalVector &U,
                          const dealii::Vector<double> &P);
 
-/** int p_H n and int p_H x × n over a piece of Gamma_c. */
+/** Returns ∫ p_H n and ∫ p_H x × n over a piece of Γ_c. */
 template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
                                  const dealii::Vector<double> &P,
                                  const Piece<dim> &piece);
 
-/** What acts on the body through a plate (per thickness). */
+/** The force and the moment that act on the body through a plate (per thickness). */
 struct PlateForce
 {
-  /** Along the plate's direction. */
+  /** The force along the plate's direction. */
   double force = 0.;
-  /** About the plate's centre, counter-clockwise. */
+  /** The moment about the plate's centre, counter-clockwise. */
   double moment = 0.;
 };
 
-/** For every plate of the scene: the work of NodalForces::residual on its motions. A node at the
- * end of the plate belongs to the plate. */
+/** Returns the force and the moment of every plate of the scene: the work of NodalForces::residual
+ * on its motions. A node at the end of the plate belongs to the plate. */
 template <int dim>
 std::vector<PlateForce> plate_forces(const DisplacementSpace<dim> &space,
                                      const Scene<dim> &scene,

@@ -13,7 +13,7 @@
 
 namespace Signorini
 {
-/** Values and gradients of a vector field at the quadrature points of a cell. */
+/** The values and gradients of a vector field at the quadrature points of a cell. */
 template <int dim>
 struct FieldValues
 {
@@ -22,15 +22,15 @@ struct FieldValues
 };
 
 /**
- * Interpolation of nodal values by one polynomial on all descendants of a cell. Without generations
- * it is u_h. With one and elements of degree one it is pi^{2h} of (30): the function of degree two
- * per direction on each cell of T^{2h} that takes the 3^dim nodal values of its children. With k
- * generations and elements of degree p it has the degree 2^k p on the cells of the k-th mesh before
- * T^h and takes the (2^k p + 1)^dim nodal values of their descendants. Evaluated cell by cell of
- * T^h, without unknowns of its own. In space, at the points of tensor product rules, by sums over
- * one direction after the other.
+ * The interpolation of nodal values by one polynomial on all descendants of a cell. Without
+ * generations it is u_h. With one and elements of degree one it is π^{2h} of (30): the function of
+ * degree two per direction on each cell of T^{2h} that takes the 3^dim nodal values of its
+ * children. With k generations and elements of degree p it has the degree 2^k p on the cells of the
+ * k-th mesh before T^h and takes the (2^k p + 1)^dim nodal values of their descendants. It is
+ * evaluated cell by cell of T^h, without unknowns of its own. In 3-D it is evaluated at the points
+ * of tensor product rules by sums over one direction after the other.
  *
- * Needs Mesh::n_nested_ancestors() >= k. Copies share nothing: one for each thread.
+ * Needs Mesh::n_nested_ancestors() ≥ k. Copies share nothing: every thread has its own.
  */
 template <int dim>
 class PatchInterpolation
@@ -39,37 +39,38 @@ public:
   using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
   using AncestorIterator = typename dealii::DoFHandler<dim>::cell_iterator;
 
-  /** @param usual_rule the rule of most cells; its shape functions are computed once. */
+  /**
+   * Tabulates the shape functions.
+   * @param usual_rule the rule of most cells; its shape functions are computed once.
+   */
   explicit PatchInterpolation(const DisplacementSpace<dim> &space,
                               const dealii::Quadrature<dim> &usual_rule = dealii::Quadrature<dim>(),
                               unsigned int n_generations = 1);
 
-  /**
-   * The interpolation of the nodal values @p U at the points of @p fe_values, which is at @p cell
-   * and knows its inverse Jacobians.
-   */
+  /** Returns the interpolation of the nodal values @p U at the points of @p fe_values, which is at
+   * @p cell and provides its inverse Jacobians. */
   const FieldValues<dim> &evaluate(const NodalVector &U,
                                    const CellIterator &cell,
                                    const dealii::FEValues<dim> &fe_values);
-  /** The values alone, at the points of the usual rule. */
+  /** Returns the values alone, at the points of the usual rule. */
   const std::vector<dealii::Tensor<1, dim>> &values(const NodalVector &U, const CellIterator &cell);
 
 private:
-  /** Place of a cell among the descendants of its ancestor: 0..2^k-1 per direction. */
+  /** The place of a cell among the descendants of its ancestor: 0..2^k-1 per direction. */
   using Place = std::array<unsigned int, dim>;
 
-  /** Shape functions of the ancestor at the quadrature points of a descendant. */
+  /** The shape functions of the ancestor at the quadrature points of a descendant. */
   struct ShapeTable
   {
-    /** Point by point, n_nodes each. */
+    /** The values point by point, n_nodes each. */
     std::vector<double> values;
-    /** With respect to the reference coordinates of the descendant. */
+    /** The gradients with respect to the reference coordinates of the descendant. */
     std::vector<dealii::Tensor<1, dim>> gradients;
   };
 
   unsigned int lexicographic(const Place &place, unsigned int n_per_direction) const;
   ShapeTable make_table(const std::vector<dealii::Point<dim>> &points, const Place &place) const;
-  /** At the usual points if @p is_usual, else at those of @p quadrature. */
+  /** Returns the table at the usual points if @p is_usual, else at those of @p quadrature. */
   const ShapeTable &table(const dealii::Quadrature<dim> &quadrature,
                           bool is_usual,
                           const Place &place);
@@ -77,24 +78,27 @@ private:
   void sum_up(const ShapeTable &shapes, unsigned int n_points);
   /** Fills tables_. */
   void make_tables();
-  /** Fills nodal_values_ for the ancestor of a cell. @return the place of the cell. */
+  /**
+   * Fills nodal_values_ for the ancestor of a cell.
+   * @return the place of the cell.
+   */
   Place collect_values(const NodalVector &U, const CellIterator &cell);
   /** Fills nodal_dofs_ from the descendants of an ancestor. */
   void find_nodes(const AncestorIterator &cell, const Place &place);
 
   const DisplacementSpace<dim> &space_;
   unsigned int n_generations_;
-  /** Cells per direction of the ancestor: 2^k. */
+  /** The number of cells per direction of the ancestor, 2^k. */
   unsigned int n_cells_;
-  /** Degree per direction: 2^k p. */
+  /** The degree per direction, 2^k p. */
   unsigned int degree_;
   /** The place of every node of the element among its (p + 1)^dim nodes, in the element's order. */
   std::vector<Place> nodes_of_cell_;
   dealii::TensorProductPolynomials<dim> polynomials_;
   std::vector<dealii::Point<dim>> usual_points_;
-  /** For all places, lexicographically; empty where tensor_ takes their place. */
+  /** The tables of all places, lexicographically; empty where tensor_ takes their place. */
   std::vector<ShapeTable> tables_;
-  /** At the usual points, in space, where they are those of a tensor product rule. */
+  /** The evaluation at the usual points in 3-D, if they are those of a tensor product rule. */
   std::optional<TensorEvaluation> tensor_;
   ShapeTable cut_table_;
   /** The ancestor to which nodal_dofs_ belong. */

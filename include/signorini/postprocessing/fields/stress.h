@@ -14,33 +14,33 @@
 
 namespace Signorini
 {
-/**
- * The mean of tr eps(u_h) over the parent of each active cell (over the cell itself where there is
- * no T^{2h}), in the order of active cells. With StrainOperator::mean_dilatation, means over cells
- * may alternate between neighbours, as the pressure of Q1-P0 does.
- */
+/** Returns the mean of tr ε(u_h) over the parent of each active cell (over the cell itself where
+ * there is no T^{2h}), in the order of active cells. With StrainOperator::mean_dilatation, means
+ * over cells may alternate between neighbours, as the pressure of Q1-P0 does. */
 template <int dim>
 std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const NodalVector &U);
 
-/**
- * A polynomial in space at the points of a tensor product rule on one of the cells, n_cells per
- * direction, into which the unit cube is divided: sums over the nodes of one direction after the
- * other. With k + 1 nodes and q points per direction that takes about 4 (k+1)^3 q operations where
- * q < k, not 4 (k+1)^3 q^3.
- */
+/** The evaluation of a 3-D polynomial at the points of a tensor product rule on one of the cells,
+ * n_cells per direction, into which the unit cube is divided: sums over the nodes of one direction
+ * after the other. With k + 1 nodes and q points per direction that takes about 4 (k+1)³ q
+ * operations where q < k, not 4 (k+1)³ q³. */
 class TensorEvaluation
 {
 public:
   using Vector3 = dealii::Tensor<1, 3>;
 
-  /** @param basis one-dimensional polynomials on [0, 1]; nodal values belong to their products, the
-   * first direction running fastest. @param rule of the three directions, on a cell. */
+  /**
+   * Tabulates the basis.
+   * @param basis one-dimensional polynomials on [0, 1]; nodal values belong to their products, the
+   * first direction running fastest.
+   * @param rule of the three directions, on a cell.
+   */
   TensorEvaluation(const std::vector<dealii::Polynomials::Polynomial<double>> &basis,
                    const std::array<dealii::Quadrature<1>, 3> &rule,
                    unsigned int n_cells);
 
-  /** Values, and gradients with respect to the reference coordinates of the cell at @p place; the
-   * points run like those of the rule, the first direction fastest. */
+  /** Computes values, and gradients with respect to the reference coordinates of the cell at @p
+   * place; the points run like those of the rule, the first direction fastest. */
   void evaluate(const std::vector<Vector3> &nodal_values,
                 const std::array<unsigned int, 3> &place,
                 std::vector<Vector3> &values,
@@ -55,20 +55,20 @@ private:
 
   unsigned int n_nodes_;
   std::array<unsigned int, 3> n_points_;
-  /** By direction and by cell. */
+  /** The lines by direction and by cell. */
   std::array<std::vector<Line>, 3> lines_;
-  /** After the first direction: values and d/dx. */
+  /** The values and d/dx after the sums over the first direction. */
   std::array<std::vector<Vector3>, 2> first_;
-  /** After the second: values, d/dx and d/dy. */
+  /** The values, d/dx and d/dy after the sums over the second direction. */
   std::array<std::vector<Vector3>, 3> second_;
 };
 
-/** The stress with all its components, also those of a plane body that point out of the plane
+/** The stress with all its components, also those of a 2-D body that point out of the plane
  * (force/area). */
 using SpatialStress = dealii::SymmetricTensor<2, 3>;
 
 /**
- * sigma = E : eps at @p x. In the plane sigma_xz = sigma_yz = 0, and sigma_zz is
+ * Returns σ = E : ε at @p x. In 2-D σ_xz = σ_yz = 0, and σ_zz is
  * Material::out_of_plane_stress().
  * @throws InputError where the material's data has no value.
  */
@@ -77,9 +77,9 @@ SpatialStress stress_in_space(const Material<dim> &material,
                               const dealii::Point<dim> &x,
                               const dealii::SymmetricTensor<2, dim> &strain);
 
-/** sqrt(3/2 s:s), s = sigma - tr sigma/3 I. */
+/** Returns the von Mises stress sqrt(3/2 s:s), s = σ - tr σ/3 I. */
 double von_mises(const SpatialStress &stress);
 
-/** The three eigenvalues of sigma, the largest (the most tensile) first. */
+/** Returns the three eigenvalues of σ, the largest (the most tensile) first. */
 std::array<double, 3> principal_stresses(const SpatialStress &stress);
 } // namespace Signorini

@@ -14,29 +14,30 @@
 
 namespace Signorini
 {
-/** What contact does in one load case. */
+/** The state of contact in one load case. */
 struct CaseResult
 {
   LoadCase load_case;
-  /** Why there is no solution ("it tips over"); empty if there is one. Then the rest counts. */
+  /** The reason why there is no solution ("it tips over"); empty if there is one. Only then the
+   * other members are set. */
   std::string escape;
-  /** On the body (force, moment about the origin; per thickness). */
+  /** The contact force on the body (force, moment about the origin; per thickness). */
   Resultant<2> contact;
   /** The largest pressure, positive in compression (force/area). */
   double peak_pressure = 0.;
-  /** Of all contact zones together (length). */
+  /** The length of all contact zones together (length). */
   double zone_length = 0.;
   unsigned int n_zones = 0;
-  /** Multipliers that press. */
+  /** The number of multipliers that press. */
   unsigned int active = 0;
-  /** One for each plate. */
+  /** The motions of the plates, one for each. */
   std::vector<PlateMotion> plates;
   unsigned int iterations = 0;
   double kkt = 0.;
   bool converged = false;
 };
 
-/** A solved level that cases are computed on; all must outlive the solver. */
+/** A solved level that cases are computed on; all members must outlive the solver. */
 struct CaseData
 {
   const DisplacementSpace<2> &space;
@@ -46,18 +47,18 @@ struct CaseData
   const Coupling &condensed_D;
   const StiffnessInverse &inverse;
   const MotionModes<2> &modes;
-  /** Gauss points per direction for loads. */
+  /** The number of Gauss points per direction for loads. */
   unsigned int n_points;
-  /** G_k = int g psi_k for the gap of a scene. */
+  /** Returns G_k = ∫ g ψ_k for the gap of a scene. */
   std::function<dealii::Vector<double>(const Scene<2> &)> gap;
   DualSolverOptions options;
 };
 
 /**
- * Load cases from one factorisation. The displacement without contact is linear in the loads:
- * U_0 = sum_i a_i U_i with one U_i for forces, weight and travel each. So a case needs
+ * Solves load cases with one factorisation. The displacement without contact is linear in the
+ * loads: U_0 = Σ_i a_i U_i with one U_i for forces, weight and travel each. So a case needs
  *
- *     F = G - sum_i a_i D^T U_i,   b = sum_i a_i b_i,
+ *     F = G - Σ_i a_i Dᵀ U_i,   b = Σ_i a_i b_i,
  *
  * the same C, B and K as all others, and one dual problem, which starts from the pressure of the
  * case before: O(m²) operations.
@@ -65,41 +66,44 @@ struct CaseData
 class CaseSolver
 {
 public:
-  /** One solve for each kind of load that the scene has. Collective. */
+  /** Solves once for each kind of load that the scene has. Collective. */
   explicit CaseSolver(CaseData data);
   CaseSolver(const CaseSolver &) = delete;
   CaseSolver &operator=(const CaseSolver &) = delete;
 
-  /** Collective. */
+  /** Solves a case. Collective. */
   CaseResult solve(const LoadCase &load_case);
 
-  /** P of the last case. */
+  /** Returns P of the last case. */
   const dealii::Vector<double> &pressure() const
   {
     return P_;
   }
-  /** U of the last case: one more solve. Collective. */
+  /** Returns U of the last case by one more solve. Collective. */
   NodalVector displacement() const;
 
 private:
-  /** What one kind of load does. */
+  /** The response to one kind of load. */
   struct LoadResponse
   {
     LoadKind kind;
     NodalVector U;
-    /** D^T U. */
+    /** The closing Dᵀ U. */
     dealii::Vector<double> closing;
-    /** On the free motions. */
+    /** The work on the free motions. */
     MotionWork work;
-    /** f_i. */
+    /** The loads f_i. */
     NodalVector loads;
   };
 
   LoadResponse respond(LoadKind kind) const;
   dealii::Vector<double> gap_of(const LoadCase &load_case) const;
-  /** Whether the loads of a case drive a motion that contact does not see. */
+  /** Returns whether the loads of a case drive a motion that contact does not resist. */
   bool slides(const LoadCase &load_case) const;
-  /** Solves for P and q. @return what does not depend on the multipliers. */
+  /**
+   * Solves for P and q.
+   * @return the part of the result that does not depend on the multipliers.
+   */
   CaseResult solve_dual(const LoadCase &load_case);
 
   CaseData data_;

@@ -7,12 +7,12 @@
 namespace Signorini
 {
 /**
- * The constant of Lemma 1,
+ * Returns the constant of Lemma 1,
  *
- *     beta² = min_q (q^T D^T A_1^{-1} D q) / (q^T S q),
+ *     β² = min_q (qᵀ Dᵀ A_1⁻¹ D q) / (qᵀ S q),
  *
- * A_1 the Gram matrix of V^h in (.,.)_{1,Omega}, S that of Q^H in the cosine norm |||.|||_{-1/2}.
- * One factorisation of its own and m solves. Collective.
+ * where A_1 is the Gram matrix of V^h in (.,.)_{1,Ω}, and S that of Q^H in the cosine norm
+ * |||.|||_{-1/2}. It takes one factorisation of its own and m solves. Collective.
  */
 template <int dim>
 double measure_inf_sup(const DisplacementSpace<dim> &space,

@@ -11,18 +11,18 @@ namespace Signorini
  * The kernel of the cosine norm, as a function of the distance of two points on a line that is
  * repeated with the period P:
  *
- *     kappa(x) = (1/P) sum_k (1 + (k omega)²)^{-1/2} e^{i k omega x}, all integers k, omega = 2
- * pi/P = (1/pi) sum_m K_0(|x + m P|), all integers m.
+ *     κ(x) = (1/P) Σ_k (1 + (k ω)²)^{-1/2} e^{i k ω x}
+ *          = (1/π) Σ_m K_0(|x + m P|),   ω = 2 π/P, all integers k and m.
  *
  * The second line is the first one by Poisson's summation. For short periods, where it needs many
  * terms, ln sin takes its singularity:
  *
- *     kappa(x) = 1/P - (1/pi) ln(2 |sin(omega x/2)|)
- *                + (2/P) sum_{k >= 1} ((1 + (k omega)²)^{-1/2} - 1/(k omega)) cos(k omega x).
+ *     κ(x) = 1/P - (1/π) ln(2 |sin(ω x/2)|)
+ *            + (2/P) Σ_{k ≥ 1} ((1 + (k ω)²)^{-1/2} - 1/(k ω)) cos(k ω x).
  *
  * On a side of length L
  *
- *     ‖q‖²_{-1/2} = int int q(s) q(t) (kappa(s - t) + kappa(s + t)) ds dt,  P = 2 L;
+ *     ‖q‖²_{-1/2} = ∫∫ q(s) q(t) (κ(s - t) + κ(s + t)) ds dt,  P = 2 L;
  *
  * on a closed side P = L, and the second term is missing.
  */
@@ -35,9 +35,10 @@ public:
   {
     return period_;
   }
-  /** The distance from a point to the nearest singularity, a multiple of P. */
+  /** Returns the distance from a point to the nearest singularity, a multiple of P. */
   double distance(double x) const;
-  /** The error is below 1e-8. At singularities, the value 1e-18 P next to them. */
+  /** Returns κ(x) with an error below 1e-8. At singularities it returns the value 1e-18 P next
+   * to them. */
   double operator()(double x) const;
 
 private:
@@ -45,20 +46,20 @@ private:
 };
 
 /**
- * The Gram matrix of the basis of Q^H in the cosine norm; block diagonal, the square of the norm is
- * the sum over the sides.
+ * Returns the Gram matrix of the basis of Q^H in the cosine norm. It is block diagonal: the square
+ * of the norm is the sum over the sides.
  *
- * Constants on patches of about the same length take the series of SpectralNorm. Series cannot tell
- * the patches of graded meshes apart; there
+ * Constants on patches of about the same length take the series of SpectralNorm. Series do not
+ * resolve the patches of graded meshes; there
  *
- *     int_I int_J psi(s) phi(t) kappa(s - t) ds dt = int kappa(x) A(x) dx,
- *     A(x) = int psi(s) phi(s - x) ds,
+ *     ∫_I ∫_J ψ(s) φ(t) κ(s - t) ds dt = ∫ κ(x) A(x) dx,
+ *     A(x) = ∫ ψ(s) φ(s - x) ds,
  *
  * with A a polynomial between differences of the ends of I and J, and rules that are refined
- * towards the singularities of kappa.
+ * towards the singularities of κ.
  */
 dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers);
 
-/** In space, where patches have constants: the series of RectangleNorm. */
+/** Returns the same matrix in 3-D, where patches have constants: the series of RectangleNorm. */
 dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers);
 } // namespace Signorini

@@ -12,22 +12,22 @@ namespace Signorini
 /**
  * The paper's norm on one side of length L: the dual of
  *
- *     ‖v‖²_{1/2} = ‖v‖²_0 + int int (v(x) - v(y))² / (x - y)² dx dy,
+ *     ‖v‖²_{1/2} = ‖v‖²_0 + ∫∫ (v(x) - v(y))² / (x - y)² dx dy,
  *
- * taken over the piecewise linear v on a uniform grid of n_cells cells:
- * ‖q‖² = b^T G^{-1} b,  b_j = int q phi_j,  G the Gram matrix of ‖.‖_{1/2}. A lower bound that
- * grows with the grid. Costs n_cells³/3.
+ * taken over the piecewise linear v on a uniform grid of n_cells cells: ‖q‖² = bᵀ G⁻¹ b,  b_j =
+ * ∫ q φ_j,  G the Gram matrix of ‖.‖_{1/2}. This is a lower bound that grows with the grid. It
+ * costs n_cells³/3 operations.
  */
 class SlobodeckijNorm
 {
 public:
   SlobodeckijNorm(double length, unsigned int n_cells);
 
-  /** The norm of a function given at quadrature points by value times weight. */
+  /** Returns the norm of a function given at quadrature points by value times weight. */
   double dual_norm(const std::vector<double> &arc_lengths,
                    const std::vector<double> &weighted_values) const;
 
-  /** |v|²_{1/2} of the piecewise linear function with these nodal values. */
+  /** Returns |v|²_{1/2} of the piecewise linear function with these nodal values. */
   double squared_seminorm(const dealii::Vector<double> &nodal_values) const;
 
   unsigned int n_cells() const
@@ -39,7 +39,7 @@ private:
   double length_;
   unsigned int n_cells_;
   dealii::FullMatrix<double> seminorm_;
-  /** Cholesky factor of G. */
+  /** The Cholesky factor of G. */
   dealii::LAPACKFullMatrix<double> factor_;
 };
 } // namespace Signorini

@@ -12,22 +12,22 @@
 
 namespace Signorini
 {
-/** (A_1)_ij = (phi_j, phi_i)_{1,Omega} = int phi_j.phi_i + grad phi_j : grad phi_i, condensed like
- * A. Collective. */
+/** Assembles (A_1)_ij = (φ_j, φ_i)_{1,Ω} = ∫ φ_j.φ_i + grad φ_j : grad φ_i,
+ * condensed like A. Collective. */
 template <int dim>
 dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space);
 
 /**
  * The dual of the interpolation norm between L2 and H1 on one side of length L:
  *
- *     ‖q‖²_{-1/2} = sum_{k>=0} (1 + (k pi/L)²)^{-1/2} q_k²,
- *     q_0 = L^{-1/2} int q,   q_k = (2/L)^{1/2} int q cos(k pi s/L).
+ *     ‖q‖²_{-1/2} = Σ_{k≥0} (1 + (k π/L)²)^{-1/2} q_k²,
+ *     q_0 = L^{-1/2} ∫ q,   q_k = (2/L)^{1/2} ∫ q cos(k π s/L).
  *
- * On a closed side the frequencies k pi/L become 2 k pi/L, and sines join the cosines.
+ * On a closed side the frequencies k π/L become 2 k π/L, and sines join the cosines.
  *
- * 8192 modes are summed; what piecewise constants leave beyond them is added from the mean over the
- * last modes, (2/L) omega^{-3} mean(S_k²)/(2 K²), omega k the frequency of mode k and S_k = sum of
- * jumps times sin(k omega s_i) (and of jumps times cos).
+ * 8192 modes are summed; the remainder of piecewise constants is estimated by the mean over the
+ * last modes, (2/L) ω^{-3} mean(S_k²)/(2 K²), where ω k is the frequency of mode k and S_k
+ * the sum of jumps times sin(k ω s_i) (and of jumps times cos).
  */
 class SpectralNorm
 {
@@ -36,53 +36,53 @@ public:
 
   explicit SpectralNorm(double length, bool closed = false);
 
-  /** The coefficients q_k of a function given by its values times quadrature weights: the constant,
-   * the cosines, then, on a closed side, the sines. */
+  /** Returns the coefficients q_k of a function given by its values times quadrature weights: the
+   * constant, the cosines, then, on a closed side, the sines. */
   Vector coefficients(const std::vector<double> &arc_lengths,
                       const std::vector<double> &weighted_values) const;
 
-  /** The coefficients of a piecewise constant function, values[i] from ends[i] to ends[i+1]. */
+  /** Returns the coefficients of a piecewise constant function, values[i] from ends[i] to
+   * ends[i+1]. */
   Vector coefficients_of_constants(const std::vector<double> &ends, const Vector &values) const;
 
-  /** ‖f - q_H‖ for a continuous f with the coefficients @p f and a piecewise constant q_H. */
+  /** Returns ‖f - q_H‖ for a continuous f with the coefficients @p f and a piecewise constant q_H.
+   */
   double distance(const Vector &f, const std::vector<double> &ends, const Vector &values) const;
 
-  /**
-   * The norm to which this one is dual, ‖f‖²_{1/2} = sum (1 + (k pi/L)²)^{1/2} f_k², of a
+  /** Returns the norm to which this one is dual, ‖f‖²_{1/2} = sum (1 + (k π/L)²)^{1/2} f_k², of a
    * continuous function with the coefficients @p f that is smooth on each of @p n_pieces intervals:
-   * f_k ~ k^-2. What is left beyond the modes is added from the mean of k⁴ f_k² over the last of
-   * them.
-   */
+   * f_k ~ k^-2. The remainder beyond the modes is estimated by the mean of k⁴ f_k² over the last of
+   * them. */
   double primal_norm(const Vector &f, unsigned int n_pieces) const;
 
-  /** Gram matrix of the characteristic functions of the intervals. */
+  /** Returns the Gram matrix of the characteristic functions of the intervals. */
   dealii::FullMatrix<double> gram_matrix(const std::vector<double> &ends) const;
 
 private:
-  /** Of a coefficient: k, the number of its mode. */
+  /** Returns the number k of the mode of a coefficient. */
   unsigned int mode(unsigned int coefficient) const;
-  /** (1 + (k omega)²)^{-1/2}. */
+  /** Returns (1 + (k ω)²)^{-1/2}. */
   double weight(unsigned int k) const;
-  /** How many of the last modes make a mean for m intervals. */
+  /** Returns the number of the last modes that make a mean for m intervals. */
   unsigned int n_tail_modes(unsigned int m) const;
-  /** The sum of weight(k) (2/L) (k omega)^{-2} over k > n_modes: times the mean of S_k² it is what
-   * piecewise constants leave. */
+  /** Returns the sum of weight(k) (2/L) (k ω)^{-2} over k > n_modes: times the mean of S_k² it
+   * is the remainder of piecewise constants. */
   double tail() const;
 
   double length_;
   bool closed_;
-  /** pi/L, on a closed side 2 pi/L. */
+  /** The frequency π/L, on a closed side 2 π/L. */
   double omega_;
   unsigned int n_modes_;
 };
 
-/** The norm on a side. */
+/** Returns the norm on a side. */
 inline SpectralNorm spectral_norm_on(const Side<2> &side)
 {
   return SpectralNorm(side.length(), side.is_closed());
 }
 
-/** The arc lengths at which the patches [first, last) of one side begin and end. */
+/** Returns the arc lengths at which the patches [first, last) of one side begin and end. */
 std::vector<double> patch_ends(const std::vector<Patch<2>> &patches,
                                unsigned int first,
                                unsigned int last);
@@ -102,7 +102,7 @@ void for_each_side(const std::vector<Patch<2>> &patches, const Visitor &visit)
   }
 }
 
-/** Block diagonal Gram matrix of the constants on the patches: the square of its norm is the sum
- * over the sides. */
+/** Returns the block diagonal Gram matrix of the constants on the patches: the square of its norm
+ * is the sum over the sides. */
 dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface);
 } // namespace Signorini

@@ -19,36 +19,38 @@ struct Penetration
   BoundaryPlace place;
 };
 
-/** What an engineer wants to know about one level. Pressures are positive in compression. */
+/** The engineering results of one level. Pressures are positive in compression. */
 struct Answer
 {
-  /** Of the body: 2 or 3. */
+  /** The dimension of the body: 2 or 3. */
   unsigned int dimension = 2;
-  /** Of the body (length): smaller coordinates may be rounding. */
+  /** The size of the body (length): smaller coordinates may be rounding. */
   double size = 0.;
-  /** Of all contact sides together. */
+  /** The force of all contact sides together. */
   SideForce contact_force;
   std::vector<SideForce> contact_by_side;
   std::vector<SideForce> reactions;
-  /** Empty if nothing presses. */
+  /** The peak pressure; empty if nothing presses. */
   std::optional<PeakPressure> peak_pressure;
-  /** In the plane. */
+  /** The contact zones, for 2-D only. */
   std::vector<ContactZone> zones;
-  /** Empty without a contact side. */
+  /** The penetration; empty without a contact side. */
   std::optional<Penetration> penetration;
   VonMises von_mises;
 
   static Columns<Answer> columns();
 };
 
-/** u_{h,n} - g at 17 points of every piece, in space at 5 x 5. @throws InputError where g has no
- * value. */
+/**
+ * Returns the largest u_{h,n} - g at 17 points of every piece, in 3-D at 5 x 5.
+ * @throws InputError where g has no value.
+ */
 template <int dim>
 std::optional<Penetration> largest_penetration(const DisplacementSpace<dim> &space,
                                                const MultiplierSpace<dim> &multipliers,
                                                const NodalVector &U);
 
-/** Collective. */
+/** Computes the answer. Collective. */
 template <int dim>
 Answer compute_answer(const DisplacementSpace<dim> &space,
                       const Scene<dim> &scene,

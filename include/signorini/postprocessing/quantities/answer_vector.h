@@ -12,8 +12,7 @@
 
 namespace Signorini
 {
-/** The components of a point, a force or a moment: records hold answers of bodies in the plane and
- * in space. */
+/** The components of a point, a force or a moment: records hold answers of 2-D and 3-D bodies. */
 class AnswerVector
 {
 public:
@@ -41,7 +40,7 @@ public:
   {
     return values_;
   }
-  /** Euclidean. */
+  /** Returns the Euclidean norm. */
   double norm() const
   {
     double square = 0.;
@@ -65,13 +64,13 @@ private:
   std::vector<double> values_;
 };
 
-/** The cell or patch of a graded mesh on which a value was found: it tells whether a later mesh is
+/** The cell or patch of a graded mesh on which a value was found: it shows whether a later mesh is
  * finer there. Nested meshes are finer everywhere, and leave it zero. */
 struct MeshAt
 {
   /** The diameter of the cell, or the length of the patch (length). */
   double size = 0.;
-  /** Of the polynomials. */
+  /** The degree of the polynomials. */
   unsigned int degree = 0;
 };
 
@@ -79,12 +78,12 @@ struct MeshAt
 struct BoundaryPlace
 {
   std::string side;
-  /** From the start of the side (length); in the plane. */
+  /** The arc length from the start of the side (length); for 2-D only. */
   double arc_length = 0.;
   AnswerVector point;
 };
 
-/** How a number moves from level to level. */
+/** The trend of a number from level to level. */
 struct Trend
 {
   enum class Kind
@@ -92,26 +91,25 @@ struct Trend
     /** There is no level before. */
     unknown,
     settled,
-    /** It still changes, by more than refinement would let it if it converged. */
+    /** The number still changes, by more than refinement would let it if it converged. */
     not_settled,
-    /** The mesh was not refined where the number comes from. */
+    /** The mesh was not refined at the place of the number. */
     not_refined,
     /** The exact number is infinite. */
     unlimited
   };
   Kind kind = Kind::unknown;
-  /** (v_L - v_{L-1})/|v_L|; empty where there is no level before or v_L vanishes. */
+  /** The change (v_L - v_{L-1})/|v_L|; empty where there is no level before or v_L vanishes. */
   std::optional<double> change;
 };
 
-/**
- * The trend of v_0, ..., v_L, levels without a value left out. Settled means: the last change is at
- * most 1 % of v_L; or it is at most 10 % and at most 3/4 of the change before. Convergence of order
- * one halves changes. Under a punch, at a facet or at a sharp corner stresses grow by a constant
- * factor or by a constant amount, and that never settles at 10 %.
- */
+/** Returns the trend of v_0, ..., v_L, levels without a value left out. Settled means: the last
+ * change is at most 1 % of v_L; or it is at most 10 % and at most 3/4 of the change before.
+ * Convergence of order one halves changes. Under a punch, at a facet or at a sharp corner stresses
+ * grow by a constant factor or by a constant amount, and that never settles at 10 %. */
 Trend trend_of(const std::vector<std::optional<double>> &values);
 
-/** "settled", "not settled", "one level only", "not refined there" or "grows without limit". */
+/** Returns "settled", "not settled", "one level only", "not refined there" or "grows without
+ * limit". */
 std::string word_for(Trend::Kind kind);
 } // namespace Signorini

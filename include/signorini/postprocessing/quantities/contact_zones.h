@@ -12,11 +12,11 @@ namespace Signorini
 struct ContactBracket
 {
   unsigned int side;
-  /** Arc lengths; around a closed side the second may exceed its length (length). */
+  /** The arc lengths; around a closed side the second may exceed its length (length). */
   double from, to;
 };
 
-/** All brackets of a pressure, side after side; those that share a node are one. */
+/** Returns all brackets of a pressure, side after side; those that share a node are one. */
 std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multipliers,
                                              const dealii::Vector<double> &P);
 
@@ -24,9 +24,9 @@ std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multiplie
 struct ZoneEnd
 {
   BoundaryPlace place;
-  /** How far the exact end may be away, in order of magnitude: the length of the patch in which it
-   * lies, or with polynomials half of the distance between the nodes around it. Zero where the zone
-   * ends with its side. */
+  /** The distance of the exact end, in order of magnitude: the length of the patch in which it
+   * lies, or with polynomials half of the distance between the nodes around it. It is zero where
+   * the zone ends with its side. */
   double uncertainty = 0.;
 };
 
@@ -34,18 +34,18 @@ struct ZoneEnd
 struct ContactZone
 {
   ZoneEnd start, end;
-  /** From start to end along the side. */
+  /** The length from start to end along the side. */
   double length = 0.;
 };
 
 /**
- * The contact zones, side after side in the order of arc length. A closed side that presses
+ * Returns the contact zones, side after side in the order of arc length. A closed side that presses
  * everywhere is one zone from its start to its start.
  *
- * At an end of smooth contact the pressure falls like the root of the distance. So the end is that
- * of c (s_0 - s)_+^{1/2} with the means of p_H over the last two pressing patches, at most in the
- * middle of the patch after them. Where the pressure does not fall, as under a sharp edge, or where
- * a single patch presses, the zone ends with its last patch.
+ * At an end of smooth contact the pressure falls like the root of the distance. So the end is the
+ * zero s_0 of c (s_0 - s)_+^{1/2} with the means of p_H over the last two pressing patches, at most
+ * in the middle of the patch after them. Where the pressure does not fall, as under a sharp edge,
+ * or where a single patch presses, the zone ends with its last patch.
  *
  * Where patches have polynomials, zones are pressed_intervals().
  */

@@ -16,28 +16,31 @@ struct PressureMaximum
   BoundaryPlace place;
   /** The mean of -p_H over the patch on which the peak lies. */
   double mean = 0.;
-  /** The patch. */
+  /** The patch on which the peak lies. */
   MeshAt mesh;
 };
 
 /** The largest contact pressure. */
 struct PeakPressure : PressureMaximum
 {
-  /** Where the exact value is infinite: the value then says nothing but how fine the mesh is. */
+  /** The place where the exact value is infinite, if there is one: the value then depends only on
+   * how fine the mesh is. */
   std::optional<GrowthPlace> grows_at;
-  /** The largest one away from all SingularPlace, where there are any and something presses. */
+  /** The largest pressure away from all SingularPlace, where there are any and something presses.
+   */
   std::optional<PressureMaximum> away;
 };
 
 /**
- * The maximum, outside of given places, of a pressure that is recovered from the means over
- * patches; empty if nothing presses. Where both neighbours of a patch press, it is the parabola
- * with the means of the three patches, elsewhere RecoveredPressure. Both are of second order. Where
- * patches have polynomials, it is the largest value of -p_H on the patches that press.
+ * Returns the maximum, outside of given places, of a pressure that is recovered from the means over
+ * patches; empty if nothing presses. Where both neighbours of a patch press, the recovered pressure
+ * is the parabola with the means of the three patches, elsewhere RecoveredPressure. Both are of
+ * second order. Where patches have polynomials, the maximum is the largest value of -p_H on the
+ * patches that press.
  *
- * In space, where all four neighbours press, the sum of the parabolas in both coordinates, less the
- * mean of the patch. At the edge of the side to a roller the mirror image is the neighbour, if the
- * material is its own mirror image.
+ * In 3-D, where all four neighbours press, it is the sum of the parabolas in both coordinates, less
+ * the mean of the patch. At the edge of the side to a roller the mirror image is the neighbour, if
+ * the material is its own mirror image.
  */
 std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<2> &multipliers,
                                              const dealii::Vector<double> &P,

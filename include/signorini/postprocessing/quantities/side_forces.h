@@ -10,44 +10,45 @@
 
 namespace Signorini
 {
-/** The force that acts on the body through one side (force, in the plane per thickness). */
+/** The force that acts on the body through one side (force, in 2-D per thickness). */
 struct SideForce
 {
-  /** The force, and its moment about the origin: one number in the plane, three in space. */
+  /** The force, and its moment about the origin: one number in 2-D, three in 3-D. */
   struct Total
   {
     AnswerVector force, moment;
   };
   std::string side;
   Total resultant;
-  /** A point on the line of action: there the moment vanishes, or in space is parallel to the
-   * force. None where the force vanishes. */
+  /** A point on the line of action: there the moment vanishes, or in 3-D is parallel to the force.
+   * There is none where the force vanishes. */
   std::optional<AnswerVector> through;
 };
 
-/** int p_H n over every contact side. The line of action is given by its point nearest to the
- * centre of pressure, which lies on a straight side. */
+/** Returns ∫ p_H n over every contact side. The line of action is given by its point nearest to
+ * the centre of pressure, which lies on a straight side. */
 template <int dim>
 std::vector<SideForce> contact_forces(const MultiplierSpace<dim> &multipliers,
                                       const Scene<dim> &scene,
                                       const dealii::Vector<double> &P);
 
 /**
- * The reaction of every clamped, prescribed and roller side: the sum of NodalForces::residual over
- * its nodes, which is in balance with loads and contact forces to rounding.
+ * Returns the reaction of every clamped, prescribed and roller side: the sum of
+ * NodalForces::residual over its nodes, which is in balance with loads and contact forces to
+ * rounding.
  *
- * Where held sides meet (two, in space up to three), the node's reaction is divided: rollers take
- * what acts along their normals, and sides that hold all components share the rest equally. So the
- * division is known up to the stress at the corner times h, in space at the edge times h. The line
- * of action is given by its point nearest to the middle of the side.
+ * Where held sides meet (two, in 3-D up to three), the node's reaction is divided: rollers take the
+ * components along their normals, and sides that hold all components share the rest equally. So the
+ * division is accurate up to the stress at the corner (in 3-D: at the edge) times h. The line of
+ * action is given by its point nearest to the middle of the side.
  */
 template <int dim>
 std::vector<SideForce> reactions(const DisplacementSpace<dim> &space,
                                  const Scene<dim> &scene,
                                  const NodalForces &forces);
 
-/** The point of the line of action x × F = M (in space of the axis on which the moment is parallel
- * to F) that is nearest to @p centre; none where |F| is rounding against @p scale (force). */
+/** Returns the point nearest to @p centre on the line of action x × F = M (in 3-D: on the axis on
+ * which the moment is parallel to F); none where |F| is rounding compared with @p scale (force). */
 template <int dim>
 std::optional<dealii::Point<dim>> point_of_action(const Resultant<dim> &resultant,
                                                   const dealii::Point<dim> &centre,

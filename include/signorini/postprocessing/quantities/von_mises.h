@@ -12,29 +12,30 @@ struct StressMaximum
 {
   double value = 0.;
   AnswerVector point;
-  /** The cell. */
+  /** The cell on which the value was found. */
   MeshAt mesh;
 };
 
 /** The largest von Mises stress. */
 struct VonMises : StressMaximum
 {
-  /** Where the exact value is infinite: the value then says nothing but how fine the mesh is. */
+  /** The place where the exact value is infinite, if there is one: the value then depends only on
+   * how fine the mesh is. */
   std::optional<GrowthPlace> grows_at;
-  /** The largest one away from all SingularPlace, where there are any. */
+  /** The largest stress away from all SingularPlace, where there are any. */
   std::optional<StressMaximum> away;
   /** The share of the body (area, volume) in cells with a principal strain above large_strain in
    * their middle. */
   double strained_share = 0.;
 };
 
-/** Theories of small strains err by about as much as the strain. */
+/** The limit of small strains: theories of small strains err by about as much as the strain. */
 constexpr double large_strain = 0.1;
 
 /**
- * Of pi^{2h} u_h, or of u_h on a mesh without T^{2h}, at the corners and the middle of every cell.
- * With mean dilatation the trace of the strain is mean_dilatations(). Points at which the
- * material's data has no value are left out. Collective.
+ * Returns the largest stress of π^{2h} u_h, or of u_h on a mesh without T^{2h}, at the corners and
+ * the middle of every cell. With mean dilatation the trace of the strain is mean_dilatations().
+ * Points at which the material's data has no value are left out. Collective.
  * @param places away is taken outside of them.
  */
 template <int dim>

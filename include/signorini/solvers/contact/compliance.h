@@ -11,18 +11,19 @@
 
 namespace Signorini
 {
-/** Called with the number of columns of C that are finished. */
+/** A callback that gets the number of columns of C that are finished. */
 using ColumnProgress = std::function<void(unsigned int)>;
 
-/** The rows of D that are not zero, in ascending order: the contact unknowns of factorise(). */
+/** Returns the rows of D that are not zero, in ascending order: the contact unknowns of
+ * factorise(). */
 std::vector<dealii::types::global_dof_index> contact_unknowns(const Coupling &condensed_D);
 
 /**
- * C = D^T A^{-1} D with the condensed coupling, m x m, known to every rank.
+ * Makes C = Dᵀ A⁻¹ D, m x m, with the condensed coupling; every rank stores it.
  *
- * Where the factors hold A^{-1} for the contact unknowns (StiffnessInverse::trailing_factor), C is
+ * Where the factors hold A⁻¹ for the contact unknowns (StiffnessInverse::trailing_factor), C is
  * read from them without a solve. Otherwise C is a ColumnCompliance. The inverse and D must outlive
- * the result. Collective, as is everything that the result is asked for.
+ * the result. This function and all functions of the result are collective.
  *
  * @param seconds the wall seconds of all work on C are added to it, also later.
  */
@@ -31,10 +32,8 @@ std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse
                                                           double &seconds,
                                                           const ColumnProgress &progress = {});
 
-/**
- * C = D^T A^{-1} D by columns C_k = D^T A^{-1} D_k, one solve each, computed when they are asked
- * for and kept. Columns are symmetrised among each other.
- */
+/** The compliance C = Dᵀ A⁻¹ D by columns C_k = Dᵀ A⁻¹ D_k. Each column costs one solve; it
+ * is computed at its first use and kept. Columns are symmetrised among each other. */
 class ColumnCompliance final : public ComplianceOperator
 {
 public:
@@ -44,18 +43,18 @@ public:
                    ColumnProgress progress);
 
   unsigned int size() const override;
-  /** Asks for the columns with P_k != 0. */
+  /** Returns C P; computes the columns with P_k != 0. */
   Vector apply(const Vector &P) const override;
-  /** Asks for all columns. */
+  /** Returns the diagonal of C; computes all columns. */
   Vector diagonal() const override;
   Matrix columns(const Indices &numbers) const override;
   const Matrix &dense() const override;
   bool is_explicit() const override;
 
 private:
-  /** Computes what is missing of the given columns. */
+  /** Computes the missing ones of the given columns. */
   void require(const Indices &numbers) const;
-  /** D^T A^{-1} D_k for the given k, m x n. */
+  /** Returns Dᵀ A⁻¹ D_k for the given k, m x n. */
   Matrix solve_for(const Indices &numbers) const;
   Indices all() const;
 
@@ -63,19 +62,22 @@ private:
   const Coupling &D_;
   double &seconds_;
   ColumnProgress progress_;
-  /** Columns and rows of the known numbers. */
+  /** The columns and rows of the known numbers. */
   mutable Matrix C_;
   mutable std::vector<bool> known_;
   mutable unsigned int n_known_ = 0;
 };
 
-/** C = D^T A^{-1} D by products, one solve each: for methods that ask for few products and for no
- * entries. Each column that is asked for costs a solve, too, and is not kept. */
+/** The compliance C = Dᵀ A⁻¹ D by products, one solve each, for methods that need few products
+ * and no entries. Each column costs a solve, too, and is not kept. */
 class SolvedCompliance final : public ComplianceOperator
 {
 public:
-  /** @param diagonal in place of C_kk, which would cost as many solves as there are patches; it
-   * only scales the residual. All arguments must outlive the object. */
+  /**
+   * Stores the arguments, which must all outlive the object.
+   * @param diagonal takes the place of C_kk, which would cost as many solves as there are patches;
+   * it only scales the residual.
+   */
   SolvedCompliance(const StiffnessInverse &inverse, const Coupling &condensed_D, Vector diagonal);
 
   unsigned int size() const override;
@@ -89,7 +91,7 @@ private:
   const StiffnessInverse &inverse_;
   const Coupling &D_;
   Vector diagonal_;
-  /** Made when it is first asked for. */
+  /** The dense matrix, made at its first use. */
   mutable Matrix dense_;
 };
 } // namespace Signorini

@@ -9,18 +9,18 @@
 
 namespace Signorini
 {
-/** How the dual problem is solved. */
+/** The options of the solution of the dual problem. */
 struct DualSolverOptions
 {
   ContactSolver method = ContactSolver::active_set;
-  /** omega of projected SOR, 0 < omega < 2. */
+  /** The factor ω of projected SOR, 0 < ω < 2. */
   double relaxation = 1.1;
-  /** On the KKT residual. */
+  /** The tolerance of the KKT residual. */
   double tolerance = 1e-10;
   unsigned int maximum_iterations = 100000;
-  /** Whether C may be singular: then QPResult::unique is found out. */
+  /** Whether C may be singular: then QPResult::unique is determined. */
   bool may_be_singular = false;
-  /** For MPRGP; empty: none. */
+  /** The preconditioner of MPRGP; none if it is empty. */
   SetPreconditioner preconditioner = {};
 };
 
@@ -28,7 +28,7 @@ struct DualSolverOptions
  * Solves the dual problem with the bound zero by the chosen method. Where columns of C cost linear
  * solves, the active set method works on a growing set of patches. Where it fails because C is
  * singular (patches finer than the mesh: many pressures give the same displacement), projected SOR
- * finds one of the solutions, and QPResult::active_set_failure says so.
+ * finds one of the solutions, and QPResult::active_set_failure is set.
  *
  * @param start a pressure to start from; empty: none.
  */

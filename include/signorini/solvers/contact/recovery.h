@@ -7,20 +7,20 @@
 
 namespace Signorini
 {
-/** The body without contact pressure, and the opening that this leaves. */
+/** The displacement of the body without contact pressure, and the opening that it leaves. */
 struct FreeState
 {
-  /** U_0 = A^{-1} f, complete. */
+  /** The complete nodal values U_0 = A⁻¹ f. */
   NodalVector U;
-  /** F = G - D^T U_0: free opening of each patch, negative where the body penetrates
+  /** The free opening F = G - Dᵀ U_0 of each patch, negative where the body penetrates
    * (length^dim). */
   dealii::Vector<double> F;
 
-  /** Whether F >= 0: then P = 0 solves the dual problem, and C is not needed. */
+  /** Returns whether F ≥ 0: then P = 0 solves the dual problem, and C is not needed. */
   bool nothing_touches() const;
 };
 
-/** F = G - D^T A^{-1} f, one solve. Collective. */
+/** Computes F = G - Dᵀ A⁻¹ f by one solve. Collective. */
 template <int dim>
 FreeState solve_free_state(const StiffnessInverse &inverse,
                            const DisplacementSpace<dim> &space,
@@ -28,7 +28,7 @@ FreeState solve_free_state(const StiffnessInverse &inverse,
                            const Coupling &D,
                            const dealii::Vector<double> &G);
 
-/** Step (iv) of the algorithm: U = A^{-1}(D P + f), (23). Collective. */
+/** Returns U = A⁻¹(D P + f), (23): step (iv) of the algorithm. Collective. */
 template <int dim>
 NodalVector recover_displacement(const StiffnessInverse &inverse,
                                  const DisplacementSpace<dim> &space,
@@ -36,15 +36,15 @@ NodalVector recover_displacement(const StiffnessInverse &inverse,
                                  const dealii::Vector<double> &P,
                                  const DistributedVector &f);
 
-/** A^{-1} b with homogeneous essential conditions: what the forces b (compressed here) add to a
- * displacement. Collective. */
+/** Returns A⁻¹ b with homogeneous essential conditions: the displacement that the forces b
+ * (compressed here) add. Collective. */
 template <int dim>
 NodalVector solve_homogeneous(const StiffnessInverse &inverse,
                               const DisplacementSpace<dim> &space,
                               DistributedVector &b);
 
-/** k + A^{-1} T^T r: the displacement with what is prescribed, k, for r = f - A k. Every rank knows
- * all entries of both. Collective. */
+/** Returns k + A⁻¹ Tᵀ r: the displacement with the prescribed values k, for r = f - A k. Every
+ * rank stores all entries of both. Collective. */
 template <int dim>
 NodalVector solve_prescribed(const StiffnessInverse &inverse,
                              const DisplacementSpace<dim> &space,

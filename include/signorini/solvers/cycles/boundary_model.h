@@ -11,35 +11,36 @@
 namespace Signorini
 {
 /**
- * C^ in place of C = D^T A^{-1} D: an operator that is cheap and spectrally equivalent,
- * c P^T C^ P <= P^T C P <= t P^T C^ P with c and t that do not depend on h. Symmetric positive
- * definite, in the units of C.
+ * The model Ĉ of C = Dᵀ A⁻¹ D: an operator that is cheap and spectrally equivalent, c Pᵀ Ĉ P
+ * ≤ Pᵀ C P ≤ t Pᵀ Ĉ P with c and t that do not depend on h. It is symmetric positive definite,
+ * in the units of C.
  *
- * It knows the surface of the body, not its inside: its own supports change c and t, not the order
- * of the modes.
+ * It depends on the surface of the body, not on its inside: the supports of the body change c and
+ * t, not the order of the modes.
  */
 class BoundaryModel : public ComplianceOperator
 {
 public:
-  /** C^_ij. */
+  /** Returns Ĉ_ij. */
   virtual double entry(unsigned int i, unsigned int j) const = 0;
-  /** C^^{-1} P, or something close to it. */
+  /** Returns Ĉ⁻¹ P, or an approximation of it. */
   virtual Vector apply_inverse(const Vector &P) const = 0;
-  /**
-   * x with C^_SS x = @p rhs for a set S of multipliers. Small sets by Cholesky's factorisation,
-   * which is kept for the next call with the same set; larger ones by conjugate gradients, with
-   * (C^^{-1})_SS as preconditioner, to 1e-10 of the right-hand side.
-   */
+  /** Returns x with Ĉ_SS x = @p rhs for a set S of multipliers. Small sets are solved by Cholesky's
+   * factorisation, which is kept for the next call with the same set; larger ones by conjugate
+   * gradients, with (Ĉ⁻¹)_SS as preconditioner, to 1e-10 of the right-hand side. */
   Vector solve(const Indices &set, const Vector &rhs) const;
 
   Vector diagonal() const override;
   Matrix columns(const Indices &numbers) const override;
-  /** Made when it is first asked for. */
+  /** Returns the dense matrix, which is made at its first use. */
   const Matrix &dense() const override;
   bool is_explicit() const override;
 
 protected:
-  /** @param largest_factorised size of sets that are factorised. */
+  /**
+   * Sets the limit.
+   * @param largest_factorised size of sets that are factorised.
+   */
   explicit BoundaryModel(unsigned int largest_factorised);
 
 private:
@@ -47,18 +48,18 @@ private:
   Vector solve_by_gradients(const Indices &set, const Vector &rhs) const;
 
   unsigned int largest_factorised_;
-  // What has been computed once; no answer depends on them.
+  // Cached results. They change no result of the functions.
   mutable Matrix dense_;
   mutable Indices factorised_set_;
   mutable dealii::LAPACKFullMatrix<double> factor_;
 };
 
 /**
- * C^ for constants on the patches of a surface. Where every contact side is straight (flat) and
- * divided into a grid of equal patches, one CosineModel block for each side; elsewhere the
- * KernelModel of the half space over all sides. Both take the moduli of the material at the middle
- * of each patch: with M = sigma_nn for eps = n n and mu the mean shear modulus on the surface,
- * E' = 4 mu (1 - mu/M), which is E/(1 - nu^2) (plane stress: E).
+ * Makes Ĉ for constants on the patches of a surface. Where every contact side is straight (flat)
+ * and divided into a grid of equal patches, it has one CosineModel block for each side; elsewhere
+ * it is the KernelModel of the half-space over all sides. Both take the moduli of the material at
+ * the middle of each patch: with M = σ_nn for ε = n n and μ the mean shear modulus on the
+ * surface, E' = 4 μ (1 - μ/M), which is E/(1 - ν²) (plane stress: E).
  *
  * @throws ComputationError for other multipliers than constants, and where the kernel would need
  * more than 6000 patches.
@@ -66,11 +67,11 @@ private:
 template <int dim>
 std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<dim> &multipliers);
 
-/** The same with the kernel on all sides. */
+/** Makes Ĉ with the kernel on all sides. */
 template <int dim>
 std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<dim> &multipliers);
 
-/** The same for constants on other patches of the surface's sides. */
+/** Makes the kernel model for constants on other patches of the surface's sides. */
 template <int dim>
 std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim> &surface,
                                                        const std::vector<Patch<dim>> &patches);

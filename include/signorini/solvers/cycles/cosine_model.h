@@ -16,13 +16,13 @@ namespace Signorini
  * The Gram matrix of the characteristic functions of a grid of n_1 x n_2 equal patches on a
  * rectangle L_1 x L_2 in the norm
  *
- *     |q|^2 = sum_{k,l >= 0} (omega_0^2 + (k pi/L_1)^2 + (l pi/L_2)^2)^{-1/2} q_kl^2,
+ *     |q|² = Σ_{k,l ≥ 0} (ω_0² + (k π/L_1)² + (l π/L_2)²)^{-1/2} q_kl²,
  *
- * q_kl the coefficients in the orthonormal cosines. On the segment L_1 (n_2 = 1, L_2 = 0) the sum
- * is over k alone.
+ * where q_kl are the coefficients in the orthonormal cosines. On the segment L_1 (n_2 = 1, L_2 = 0)
+ * the sum is over k alone.
  *
- * A mode of the grid, cos(k pi (i + 1/2)/n), meets the modes k + 2 n j of the series only, so that
- * discrete cosines diagonalise the matrix. Aliases up to |j| = 8 are summed, what comes after is
+ * A mode of the grid, cos(k π (i + 1/2)/n), couples with the modes k + 2 n j of the series only,
+ * so that discrete cosines diagonalise the matrix. Aliases up to |j| = 8 are summed, the rest is
  * below 1e-4 of the entry. (Only equivalence is needed.)
  *
  * Patch (i, j) has the number i + n_1 j. A product costs four products of small matrices.
@@ -32,21 +32,25 @@ class CosineGrid
 public:
   using Vector = dealii::Vector<double>;
 
-  /** @param lengths L_1 and L_2 (length). @param omega_0 positive (1/length). */
+  /**
+   * Tabulates the matrix.
+   * @param lengths L_1 and L_2 (length).
+   * @param omega_0 positive (1/length).
+   */
   CosineGrid(const std::array<unsigned int, 2> &sizes,
              const std::array<double, 2> &lengths,
              double omega_0);
 
-  /** n_1 n_2. */
+  /** Returns n_1 n_2. */
   unsigned int size() const
   {
     return sizes_[0] * sizes_[1];
   }
-  /** The entry for two patches. */
+  /** Returns the entry for two patches. */
   double entry(unsigned int a, unsigned int b) const;
-  /** The matrix times a vector. */
+  /** Returns the matrix times a vector. */
   Vector apply(const Vector &P) const;
-  /** Its inverse times a vector. */
+  /** Returns the inverse of the matrix times a vector. */
   Vector apply_inverse(const Vector &P) const;
 
 private:
@@ -56,15 +60,16 @@ private:
   void sum_aliases(const std::array<double, 2> &lengths, double omega_0);
   /** Fills table_. */
   void tabulate_entries();
-  /** Q_1 (factors .* (Q_1^T P Q_2)) Q_2^T. */
+  /** Returns Q_1 (factors .* (Q_1ᵀ P Q_2)) Q_2ᵀ. */
   Vector transform(const Vector &P, const Matrix &factors) const;
 
   std::array<unsigned int, 2> sizes_;
-  /** Orthonormal cosines: row patch, column mode. */
+  /** The orthonormal cosines: row patch, column mode. */
   std::array<Matrix, 2> cosines_;
-  /** n_1 x n_2. */
+  /** The eigenvalues of the modes and their inverses, n_1 x n_2. */
   Matrix eigenvalues_, inverse_eigenvalues_;
-  /** T(a, b) for 0 <= a < 2 n_1, 0 <= b < 2 n_2: entries are means of T(i -+ i', j -+ j'). */
+  /** The table T(a, b) for 0 ≤ a < 2 n_1, 0 ≤ b < 2 n_2: entries are means of T(i -+ i', j -+
+   * j'). */
   Matrix table_;
 };
 
@@ -72,15 +77,20 @@ private:
 struct GridBlock
 {
   CosineGrid grid;
-  /** The multiplier of every patch of the grid. */
+  /** The number of the multiplier of every patch of the grid. */
   std::vector<unsigned int> multipliers;
 };
 
-/** C^ = S B S, B block diagonal with a cosine series on each side, S a diagonal matrix. */
+/** The model Ĉ = S B S, with B block diagonal with a cosine series on each side, and S a diagonal
+ * matrix. */
 class CosineModel final : public BoundaryModel
 {
 public:
-  /** @param scaling the diagonal of S. @param largest_factorised see BoundaryModel. */
+  /**
+   * Makes the model from its blocks.
+   * @param scaling the diagonal of S.
+   * @param largest_factorised see BoundaryModel.
+   */
   CosineModel(std::vector<GridBlock> blocks, Vector scaling, unsigned int largest_factorised);
 
   unsigned int size() const override;
@@ -91,7 +101,7 @@ public:
 private:
   std::vector<GridBlock> blocks_;
   Vector scaling_;
-  /** By multiplier: block and number in its grid. */
+  /** The block and the number in its grid of every multiplier. */
   std::vector<std::pair<unsigned int, unsigned int>> places_;
 };
 } // namespace Signorini

@@ -8,14 +8,14 @@
 
 namespace Signorini
 {
-/** A patch as the kernel sees it: a segment, or a rectangle, in space. */
+/** A patch of the kernel: a segment in 2-D, or a rectangle in 3-D. */
 template <int dim>
 struct FlatPatch
 {
   dealii::Point<dim> corner;
-  /** From the corner. */
+  /** The edges, as vectors from the corner. */
   std::array<dealii::Tensor<1, dim>, dim - 1> edges;
-  /** Of the patch itself; that of the segment or rectangle may be smaller. */
+  /** The measure of the patch itself; that of the segment or rectangle may be smaller. */
   double measure;
 
   dealii::Point<dim> centre() const;
@@ -23,20 +23,21 @@ struct FlatPatch
 };
 
 /**
- * The displacement of the half space, without its factor 2/(pi E'): int k(x - y) dy over the patch,
- * k = -log(|x - y|/R) in the plane, 1/(2 |x - y|) in space. Exact for segments and rectangles.
- * @param radius R; without meaning in space.
+ * Returns the displacement of the half-space, without its factor 2/(π E'): ∫ k(x - y) dy over
+ * the patch, with k = -log(|x - y|/R) in 2-D and 1/(2 |x - y|) in 3-D. It is exact for segments and
+ * rectangles.
+ * @param radius R; it has no meaning in 3-D.
  */
 template <int dim>
 double patch_potential(const FlatPatch<dim> &patch, const dealii::Point<dim> &x, double radius);
 
-/** int int k(x - y) over two patches: the inner integral exact, the outer one by Gauss' rule with
- * two points per direction, or with four where the patches are near; far away the product of the
- * measures times k between the centres. Symmetric. */
+/** Returns ∫∫ k(x - y) over two patches. The inner integral is exact, the outer one by Gauss'
+ * rule with two points per direction, or with four where the patches are near. Far away it is the
+ * product of the measures times k between the centres. The interaction is symmetric. */
 template <int dim>
 double patch_interaction(const FlatPatch<dim> &a, const FlatPatch<dim> &b, double radius);
 
-/** C^ as a matrix. */
+/** The model Ĉ as a matrix. */
 class KernelModel final : public BoundaryModel
 {
 public:

@@ -7,24 +7,24 @@
 namespace Signorini
 {
 /**
- * Q <= 0 with V = W + C^ (Q - P) <= 0 and Q.V = 0, by the primal-dual active set method, begun with
- * the set that P and W predict. Each of its steps is a BoundaryModel::solve for the change Q - P.
- * Where sets come back, solve_by_active_set() answers.
+ * Returns Q ≤ 0 with V = W + Ĉ (Q - P) ≤ 0 and Q.V = 0, by the primal-dual active set method,
+ * begun with the set that P and W predict. Each of its steps is a BoundaryModel::solve for the
+ * change Q - P. Where sets come back, solve_by_active_set() takes over.
  *
- * @param P <= 0.
+ * @param P ≤ 0.
  */
 dealii::Vector<double> solve_boundary_problem(const BoundaryModel &model,
                                               const dealii::Vector<double> &W,
                                               const dealii::Vector<double> &P);
 
 /**
- * The primal-dual active set method for (5), continued from the U, P and t of @p result. On a set S
- * MINRES solves
+ * Solves (5) by the primal-dual active set method, continued from the U, P and t of @p result. On a
+ * set S MINRES solves
  *
  *     ( A     -D_S) (U  )   (f   )
- *     (-D_S^T   0 ) (P_S) = (-G_S),    P = 0 elsewhere,
+ *     (-D_Sᵀ    0 ) (P_S) = (-G_S),    P = 0 elsewhere,
  *
- * with the preconditioner diag(V, (t C^_1)_SS^{-1}), to a hundredth of the residual or to the
+ * with the preconditioner diag(V, (t Ĉ_1)_SS⁻¹), to a hundredth of the residual or to the
  * tolerance. Then S is {P < 0} within S and {W > 0} outside.
  */
 void solve_by_minres(const ContactSystem &system,

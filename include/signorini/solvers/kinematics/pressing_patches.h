@@ -12,25 +12,26 @@
 
 namespace Signorini
 {
-/** A y for the y >= 0 with the smallest |b - A y|. */
+/** The projection A y of b onto a cone, for the y ≥ 0 with the smallest |b - A y|. */
 struct ConeProjection
 {
-  /** The columns with y > 0, and y there. */
+  /** The columns with y > 0, and the values of y there. */
   std::vector<unsigned int> columns;
   dealii::Vector<double> weights;
-  /** b - A y. */
+  /** The remainder b - A y. */
   dealii::Vector<double> remainder;
 };
 
-/** See remainder_outside_cone(). */
+/** Returns the projection, see remainder_outside_cone(). */
 ConeProjection project_on_cone(const dealii::FullMatrix<double> &A,
                                const dealii::Vector<double> &b,
                                double rounding);
 
 /**
- * b - A y for the y >= 0 with the smallest |b - A y|: what is left of b outside of the cone of the
- * columns of A, n x m with small n. Columns have norm one. The remainder r satisfies A^T r <= 0 and
- * r.b = |r|^2. (C. L. Lawson, R. J. Hanson: Solving Least Squares Problems, 1974, chapter 23.)
+ * Returns b - A y for the y ≥ 0 with the smallest |b - A y|: the remainder of b outside of the
+ * cone of the columns of A, n x m with small n. Columns have norm one. The remainder r satisfies
+ * Aᵀ r ≤ 0 and r.b = |r|². (C. L. Lawson, R. J. Hanson: Solving Least Squares Problems, 1974,
+ * chapter 23.)
  *
  * @param rounding relative to |b|: a column joins only if it lessens the residual by more.
  */
@@ -38,34 +39,34 @@ dealii::Vector<double> remainder_outside_cone(const dealii::FullMatrix<double> &
                                               const dealii::Vector<double> &b,
                                               double rounding);
 
-/** A pressure and motions, in the coordinates of SeenMotions. */
+/** A pressure P and motions z, in the coordinates of SeenMotions. */
 struct MotionState
 {
   dealii::Vector<double> P;
   dealii::Vector<double> z;
 };
 
-/** The patches with P < 0, in ascending order. */
+/** Returns the patches with P < 0, in ascending order. */
 ComplianceOperator::Indices pressing_patches(const dealii::Vector<double> &P);
 
-/** What solve_on_pressing() finds. */
+/** The result of solve_on_pressing(). */
 struct PressingSolution
 {
-  /** P may be positive. */
+  /** The pressure and the motions. P may be positive. */
   MotionState state;
-  /** B_A^T C_AA^{-1} B_A, n x n, of the unit 1/C. */
+  /** The stiffness B_Aᵀ C_AA⁻¹ B_A, n x n, of the unit 1/C. */
   dealii::FullMatrix<double> stiffness;
 };
 
 /**
- * With the patches A that press in @p start, exactly:
+ * Solves exactly with the patches A that press in @p start:
  *
- *   C_AA P_A + B_A z = F_A,   K z - B_A^T P_A = b,   P = 0 elsewhere.
+ * C_AA P_A + B_A z = F_A,   K z - B_Aᵀ P_A = b,   P = 0 elsewhere.
  *
- * C_AA is factorised, and z follows from (K + B_A^T C_AA^{-1} B_A + delta) dz = imbalance; the
- * remainders of both equations are then solved for again. delta, 1e-9 of the stiffness, keeps
- * motions as they are that the patches of A do not see (a body that tips about one edge). Where
- * C_AA is singular within rounding, its diagonal grows by 1e-8, and parts of P that C does not see
+ * C_AA is factorised, and z follows from (K + B_Aᵀ C_AA⁻¹ B_A + δ) dz = imbalance; the
+ * remainders of both equations are then solved for again. δ, 1e-9 of the stiffness, leaves
+ * motions unchanged that the patches of A do not resist (a body that tips about one edge). Where
+ * C_AA is singular within rounding, its diagonal grows by 1e-8, and parts of P in the kernel of C
  * stay those of the start.
  *
  * @return nothing if nothing presses, or the patches of A and K leave a motion without resistance

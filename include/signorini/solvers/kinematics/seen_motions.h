@@ -8,11 +8,9 @@
 
 namespace Signorini
 {
-/**
- * Free motions in coordinates z without units: q = T z. Columns of B have norm one before they are
- * combined, and what nothing sees (K v = 0, B v = 0) is left out. W = C P + B z - F,
- * K z - B^T P = b with the matrices of this class; z has the unit of W, b that of P.
- */
+/** The free motions in coordinates z without units: q = T z. Columns of B have norm one before they
+ * are combined. Motions without any resistance (K v = 0, B v = 0) are left out. W = C P + B z - F
+ * and K z - Bᵀ P = b hold with the matrices of this class; z has the unit of W, b that of P. */
 class SeenMotions
 {
 public:
@@ -20,47 +18,50 @@ public:
   using Matrix = dealii::FullMatrix<double>;
 
   /**
-   * @param stiffness a typical 1/C_ii, sum over all patches of |B_i|^2/C_ii: K is zero where it is
-   * below 1e-12 of it. @throws std::invalid_argument if sizes do not fit or K is not symmetric.
+   * Reduces the motions.
+   * @param stiffness a typical 1/C_ii, that is, the sum over all patches of |B_i|²/C_ii. K is zero
+   * where it is below 1e-12 of it.
+   * @throws std::invalid_argument if sizes do not fit or K is not symmetric.
    */
   SeenMotions(const FreeMotions &motions, unsigned int m, double stiffness);
 
-  /** Their number n <= k. */
+  /** Returns the number n ≤ k of the reduced motions. */
   unsigned int size() const
   {
     return b.size();
   }
-  /** q = T z. */
+  /** Returns q = T z. */
   Vector original(const Vector &z) const;
-  /** b + B^T P - K z: what is missing in the balance. */
+  /** Returns b + Bᵀ P - K z, the imbalance. */
   Vector imbalance(const Vector &P, const Vector &z) const;
 
-  /** m x n. */
+  /** The coupling B, m x n. */
   Matrix B;
-  /** n x n. */
+  /** The stiffness K, n x n. */
   Matrix K;
   Vector b;
-  /** See MotionResult. */
+  /** The motions without resistance, see MotionResult. */
   std::vector<Vector> unseen;
-  /**
-   * b has to lie in the cone {-B^T P : P <= 0} as far as K does not resist. By nonnegative least
-   * squares with rows of B of norm one (a cone knows directions only); what is left of b is the
-   * motion that escapes. Remainders below 1e-9 of b are rounding: a load just above the edge of a
-   * body does not tip it.
-   */
+  /** The motion that escapes, if there is one. b has to lie in the cone {-Bᵀ P : P ≤ 0} as far as
+   * K does not resist. Nonnegative least squares with rows of B of norm one decide this (a cone
+   * depends on directions only): the remainder of b is the motion that escapes. Remainders below
+   * 1e-9 of b are rounding: a load just above the edge of a body does not tip it. */
   std::optional<Vector> escape;
 
 private:
-  /** k x n. */
+  /** The matrix T, k x n. */
   Matrix T_;
   unsigned int n_original_ = 0;
 };
 
-/** @throws std::invalid_argument if B, K and b do not fit m patches, or K is not symmetric or has
- * a negative diagonal entry. */
+/**
+ * Checks the sizes.
+ * @throws std::invalid_argument if B, K and b do not fit m patches, or K is not symmetric or has a
+ * negative diagonal entry.
+ */
 void check_sizes(const FreeMotions &motions, unsigned int m);
 
-/** The norms of the columns of B; zero if below 1e-12 of the largest, as for normals (0, 1) and
- * motions along x. */
+/** Returns the norms of the columns of B; zero if below 1e-12 of the largest, as for normals (0, 1)
+ * and motions along x. */
 dealii::Vector<double> column_norms(const dealii::FullMatrix<double> &B);
 } // namespace Signorini

@@ -12,16 +12,14 @@ namespace Signorini
 /** The number of a node on one level. */
 using NodeNumber = std::uint32_t;
 
-/** How many cells a kernel works on at a time. */
+/** The number of cells that a kernel processes at a time. */
 constexpr unsigned int n_lanes = 16;
 
-/**
- * The nodes of a row of cells, along the first direction of a block: n + 1 of them. Those between
- * the ends have consecutive numbers, unless the row is listed.
- */
+/** The n + 1 nodes of a row of cells, along the first direction of a block. Those between the ends
+ * have consecutive numbers, unless the row is listed. */
 struct NodeRow
 {
-  /** The node at the beginning, or where the row begins in the list. */
+  /** The node at the beginning, or the position of a listed row in the list. */
   NodeNumber first;
   /** The node after it. */
   NodeNumber middle;
@@ -43,12 +41,13 @@ class BlockGrid
 {
 public:
   static constexpr unsigned int n_vertices = 1U << dim;
-  /** A node in a list, with a bit that says whether it is owned there. */
+  /** The bit of a node in a list that is set if the node is owned there. */
   static constexpr NodeNumber owned_bit = 0x80000000U;
 
   /**
-   * @param identities what tells the nodes of all (n + 1)^dim places of every block; replaced by
-   *   the numbers of the nodes.
+   * Numbers the nodes.
+   * @param identities the identities of the nodes at all (n + 1)^dim places of every block: equal
+   * for the same node. They are replaced by the numbers of the nodes.
    * @param n_identities one more than the largest.
    */
   BlockGrid(unsigned int n_blocks,
@@ -60,7 +59,7 @@ public:
   {
     return n_blocks_;
   }
-  /** Cells per direction of a block. */
+  /** Returns the number of cells per direction of a block. */
   unsigned int n() const
   {
     return n_;
@@ -77,22 +76,22 @@ public:
   {
     return (n_cells_ + n_lanes - 1) / n_lanes;
   }
-  /** What told a node when the grid was made. */
+  /** Returns the identity of every node. */
   const std::vector<NodeNumber> &identities() const
   {
     return identity_;
   }
-  /** Whether n_lanes cells always lie side by side in a row. */
+  /** Returns whether n_lanes cells always lie side by side in a row. */
   bool has_long_rows() const
   {
     return n_ >= n_lanes;
   }
-  /** The row at j + (n + 1) k of a block. */
+  /** Returns the row at j + (n + 1) k of a block. */
   const NodeRow &row(const unsigned int block, const unsigned int place) const
   {
     return rows_[static_cast<std::size_t>(block) * rows_per_block_ + place];
   }
-  /** Nodes of listed rows, with owned_bit. */
+  /** Returns the nodes of a listed row, with owned_bit. */
   const NodeNumber *list(const NodeRow &row) const
   {
     return &list_[row.first];
@@ -101,23 +100,23 @@ public:
   {
     return rows_per_block_;
   }
-  /** The node at a place of a row. */
+  /** Returns the node at a place of a row. */
   NodeNumber node(const NodeRow &row, const unsigned int i) const
   {
     if (row.listed)
       return list_[row.first + i] & ~owned_bit;
     return i == 0 ? row.first : i == n_ ? row.last : row.middle + (i - 1);
   }
-  /** Whether the place owns its node. */
+  /** Returns whether the place owns its node. */
   bool owns(const NodeRow &row, const unsigned int i) const
   {
     if (row.listed)
       return (list_[row.first + i] & owned_bit) != 0;
     return row.owned[i == 0 ? 0 : i == n_ ? 2 : 1];
   }
-  /** The nodes of a cell, in the order of its vertices. */
+  /** Returns the nodes of a cell, in the order of its vertices. */
   std::array<NodeNumber, n_vertices> nodes(std::size_t cell) const;
-  /** Of grids without long rows: nodes of a batch, [vertex][lane]. */
+  /** Returns the nodes of a batch, [vertex][lane], for grids without long rows. */
   const NodeNumber *batch_nodes(const std::size_t batch) const
   {
     return &batch_nodes_[batch * n_vertices * n_lanes];
@@ -130,7 +129,10 @@ public:
   }
 
 private:
-  /** Numbers nodes; @return whether a place owns its node. */
+  /**
+   * Numbers the nodes.
+   * @return for every place whether it owns its node.
+   */
   std::vector<bool> number_nodes(std::vector<NodeNumber> &places, std::size_t n_identities);
   void make_rows(const std::vector<NodeNumber> &places, const std::vector<bool> &owned);
   void make_batches();
@@ -141,14 +143,15 @@ private:
   std::vector<NodeNumber> list_, batch_nodes_, identity_;
 };
 
-/** The numbers of a level with n/2 cells per direction at the same places: every other one. */
+/** Returns the numbers of a level with n/2 cells per direction at the same places: every other one.
+ */
 template <int dim>
 std::vector<NodeNumber> every_other(const std::vector<NodeNumber> &places,
                                     unsigned int n_blocks,
                                     unsigned int n);
 
-/** Vectors of a level: one array for each of @p n_components, so that nodes of a row lie side by
- * side. */
+/** The vectors of a level: one array for each of @p n_components, so that nodes of a row lie side
+ * by side. */
 template <int n_components, typename Number>
 class LevelVector
 {
@@ -159,7 +162,8 @@ public:
   {
   }
 
-  /** Entries of a component by node. Kernels may read n_lanes entries on either side. */
+  /** Returns the entries of a component by node. Kernels may read n_lanes entries on either side.
+   */
   Number *operator[](const unsigned int component)
   {
     return values_.data() + component * stride_ + n_lanes;

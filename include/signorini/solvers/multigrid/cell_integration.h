@@ -10,27 +10,27 @@
 
 namespace Signorini
 {
-/** Where the nodes of a level lie in the body of size one, by number. */
+/** The positions of the nodes of a level in the body of size one, by number. */
 template <int dim>
 using NodePlaces = LevelVector<dim, double>;
 
-/**
- * int_K eps(phi_i):E:eps(phi_j) of many cells with straight edges at a time: those of
- * CellStiffness, with p + 3 = 4 Gauss points per direction.
- */
+/** Integrates ∫_K ε(φ_i):E:ε(φ_j) for many cells with straight edges at a time. The
+ * matrices are those of CellStiffness, with p + 3 = 4 Gauss points per direction. */
 template <int dim>
 class CellIntegration
 {
 public:
   CellIntegration(const Mesh<dim> &mesh, const Material<dim> &material);
 
-  /** E/E_0 in Voigt's notation, for a constant tensor. */
+  /** Returns E/E_0 in Voigt's notation, for a constant tensor. */
   std::array<double, PointRule<dim, double>::n_moduli> constant_moduli() const
   {
     return moduli(dealii::Point<dim>());
   }
-  /** Writes the matrices of all batches that have matrices of their own. @throws InputError where
-   * the material has no value. */
+  /**
+   * Writes the matrices of all batches that have matrices of their own.
+   * @throws InputError where the material has no value.
+   */
   void integrate(CellMatrices<dim, double> &matrices,
                  const BlockGrid<dim> &grid,
                  const NodePlaces<dim> &places) const;
@@ -38,20 +38,20 @@ public:
 private:
   static constexpr unsigned int n_vertices = 1U << dim;
   static constexpr unsigned int n_strains = dim * (dim + 1) / 2;
-  /** Of a symmetric matrix in Voigt's notation, by rows of its lower triangle. */
+  /** The number of entries of a symmetric matrix in Voigt's notation, by rows of its lower
+   * triangle. */
   static constexpr unsigned int n_moduli = n_strains * (n_strains + 1) / 2;
 
-  /** Values of the shape functions, their derivatives on the reference cell, and weights, by point.
-   */
+  /** The values of the shape functions at a point, and their derivatives on the reference cell. */
   struct Point
   {
     std::array<double, n_vertices> values;
     std::array<double, n_vertices * dim> gradients;
     double weight;
   };
-  /** The moduli at a point of the body of size one. */
+  /** Returns the moduli at a point of the body of size one. */
   std::array<double, n_moduli> moduli(const dealii::Point<dim> &x) const;
-  /** moduli[modulus][lane] at a point of all cells of a batch. */
+  /** Sets moduli[modulus][lane] at a point of all cells of a batch. */
   void moduli_of_batch(double (*result)[n_lanes],
                        const Point &point,
                        const double (*vertices)[n_lanes]) const;
@@ -60,7 +60,7 @@ private:
   const Material<dim> &material_;
   std::vector<Point> points_;
 };
-/** The rule with Gauss points, as many in each direction. */
+/** Makes the rule with Gauss points, as many in each direction. */
 template <int dim, typename Number>
 std::shared_ptr<const PointRule<dim, Number>>
 make_point_rule(const NodePlaces<dim> &places,
@@ -68,7 +68,7 @@ make_point_rule(const NodePlaces<dim> &places,
                 const std::array<double, PointRule<dim, Number>::n_moduli> &moduli,
                 unsigned int n_points);
 
-/** The matrices of a batch, [entry][lane]; valid until the buffer changes. */
+/** Returns the matrices of a batch, [entry][lane]; valid until the buffer changes. */
 template <int dim, typename Number>
 const Number *entries_of_batch(const CellMatrices<dim, Number> &matrices,
                                const BlockGrid<dim> &grid,

@@ -11,20 +11,22 @@
 
 namespace Signorini
 {
-/** How matrices of cells follow from where their vertices lie, for a constant tensor. */
+/** The rule by which matrices of cells follow from the positions of their vertices, for a constant
+ * tensor. */
 template <int dim, typename Number>
 struct PointRule
 {
   static constexpr unsigned int n_strains = dim * (dim + 1) / 2;
   static constexpr unsigned int n_moduli = n_strains * (n_strains + 1) / 2;
 
-  /** Of nodes, in the body of size one. */
+  /** The positions of the nodes in the body of size one. */
   LevelVector<dim, Number> places;
-  /** E/E_0 in Voigt's notation, by rows of its lower triangle; 11, 22, (33,) 12, (13, 23). */
+  /** The moduli E/E_0 in Voigt's notation, by rows of the lower triangle; 11, 22, (33,) 12, (13,
+   * 23). */
   std::array<Number, n_moduli> moduli;
-  /** Derivatives of shape functions on the reference cell, [point][vertex][direction]. */
+  /** The derivatives of shape functions on the reference cell, [point][vertex][direction]. */
   std::vector<Number> gradients;
-  /** Of the points. */
+  /** The weights of the points. */
   std::vector<Number> weights;
 };
 
@@ -38,16 +40,16 @@ class CellMatrices
 {
 public:
   static constexpr unsigned int n_dofs = dim << dim;
-  /** Of a symmetric matrix: i >= j at i (i + 1)/2 + j. */
+  /** The number of entries of a symmetric matrix: i ≥ j at i (i + 1)/2 + j. */
   static constexpr unsigned int n_entries = n_dofs * (n_dofs + 1) / 2;
-  /** What one batch with matrices of its own takes. */
+  /** The number of entries of one batch with matrices of its own. */
   static constexpr std::size_t batch_size = static_cast<std::size_t>(n_entries) * n_lanes;
 
   explicit CellMatrices(const std::size_t n_batches)
     : of_batch(n_batches)
   {
   }
-  /** The same numbers with another precision; @p new_rule replaces the rule of the other. */
+  /** Copies the matrices to another precision; @p new_rule replaces the rule of the other. */
   template <typename Other>
   CellMatrices(const CellMatrices<dim, Other> &other,
                std::shared_ptr<const PointRule<dim, Number>> new_rule)
@@ -70,12 +72,12 @@ public:
   {
     return of_batch[batch] == integrated;
   }
-  /** Full, n_dofs by n_dofs. */
+  /** Returns the full matrix that a batch shares, n_dofs by n_dofs. */
   const Number *shared_matrix(const std::size_t batch) const
   {
     return &shared[static_cast<std::size_t>(of_batch[batch]) * n_dofs * n_dofs];
   }
-  /** [entry][lane]. */
+  /** Returns the matrices of a batch, [entry][lane]. */
   const Number *stored_matrices(const std::size_t batch) const
   {
     return &stored[static_cast<std::size_t>(-1 - of_batch[batch]) * batch_size];
@@ -84,7 +86,7 @@ public:
   {
     return &stored[static_cast<std::size_t>(-1 - of_batch[batch]) * batch_size];
   }
-  /** Room for matrices of its own. */
+  /** Allocates matrices of its own for a batch. */
   void store(const std::size_t batch)
   {
     of_batch[batch] = -1 - static_cast<int>(stored.size() / batch_size);
@@ -98,24 +100,23 @@ public:
   }
 
   static constexpr int integrated = std::numeric_limits<int>::min();
-  /** By batch: the number of a shared matrix, -1 - the number of n_lanes stored ones, or
-   * integrated. */
+  /** The storage of each batch: the number of a shared matrix, -1 - the number of n_lanes stored
+   * ones, or integrated. */
   std::vector<int> of_batch;
   std::vector<Number> shared, stored;
-  /** For integrated ones. */
+  /** The rule for batches whose products are integrated. */
   std::shared_ptr<const PointRule<dim, Number>> rule;
 };
 
-/** The rule of the next coarser level: with its nodes. */
+/** Returns the rule of the next coarser level, with its nodes. */
 template <int dim, typename Number>
 std::shared_ptr<const PointRule<dim, Number>> coarsen(const PointRule<dim, Number> &fine,
                                                       const BlockGrid<dim> &coarse_grid);
 
-/**
- * The matrices of the next coarser level: the energy of functions that are linear along the edges
- * of its cells, sum over the children of P^T K P. In double precision: a slender body bends with
- * less energy than rounding to single precision gives to rigid motions of its cells.
- */
+/** Returns the matrices of the next coarser level: the energy of functions that are linear along
+ * the edges of its cells, the sum over the children of Pᵀ K P. It is computed in double precision:
+ * a slender body bends with less energy than rounding to single precision gives to rigid motions of
+ * its cells. */
 template <int dim>
 CellMatrices<dim, double> coarsen(const CellMatrices<dim, double> &fine,
                                   const BlockGrid<dim> &fine_grid,

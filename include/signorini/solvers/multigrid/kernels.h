@@ -5,7 +5,7 @@
 
 namespace Signorini
 {
-/** What processors may have; each kernel exists for all of them. */
+/** The instruction sets of processors; each kernel exists for all of them. */
 enum class Instructions
 {
   basic,
@@ -13,7 +13,7 @@ enum class Instructions
   avx512
 };
 
-/** The best that this processor has. */
+/** Returns the best instruction set of this processor. */
 Instructions instructions_of_this_machine();
 
 /** The inverses of the nodes' diagonal blocks, one array per entry: those on the diagonal, then
@@ -21,7 +21,7 @@ Instructions instructions_of_this_machine();
 template <int dim>
 using NodeBlocks = LevelVector<dim *(dim + 1) / 2, float>;
 
-/** y = K x, cell by cell, nothing constrained. */
+/** Computes y = K x, cell by cell, without constraints. */
 template <int dim, typename Number>
 void multiply(LevelVector<dim, Number> &y,
               const LevelVector<dim, Number> &x,
@@ -29,7 +29,8 @@ void multiply(LevelVector<dim, Number> &y,
               const CellMatrices<dim, Number> &matrices,
               Instructions instructions);
 
-/** d = alpha d + gamma B (b - y); x += d. Without y and d (null): d = gamma B b, x = d. */
+/** The step d = α d + γ B (b - y); x += d. Without y and d (null) it is d = γ B b, x =
+ * d. */
 template <int dim>
 struct SmootherStep
 {
@@ -38,7 +39,7 @@ struct SmootherStep
   const NodeBlocks<dim> &B;
   unsigned int n_nodes;
   float alpha, gamma;
-  /** Whether x and d are zero, and y need not be known. */
+  /** Whether x and d are zero, and y is not needed. */
   bool is_first;
 };
 template <int dim>

@@ -11,20 +11,23 @@
 namespace Signorini
 {
 /**
- * A cell by cell, and a V-cycle on the levels of the mesh. Elements of degree one on meshes without
- * hanging nodes, on one rank.
+ * The stiffness A cell by cell, and a V-cycle on the levels of the mesh. It exists for elements of
+ * degree one on meshes without hanging nodes, and is serial.
  *
  * Cells of the coarse mesh are blocks of cells of the fine one. Cells that are congruent share a
  * matrix; others have one each. Products with A are computed in double precision and agree with the
  * assembled matrix up to rounding. The V-cycle computes in single precision: matrices of coarse
- * cells are sums over their children, A_H = P^T A P, Chebyshev's iteration with diagonal blocks of
+ * cells are sums over their children, A_H = Pᵀ A P, Chebyshev's iteration with diagonal blocks of
  * nodes smooths, and the coarsest level is solved directly.
  */
 template <int dim>
 class StiffnessMultigrid final : public StiffnessOperator
 {
 public:
-  /** @throws ComputationError if the coarsest level cannot be factorised. */
+  /**
+   * Sets up all levels.
+   * @throws ComputationError if the coarsest level cannot be factorised.
+   */
   StiffnessMultigrid(const DisplacementSpace<dim> &space, const Scene<dim> &scene);
   ~StiffnessMultigrid() override;
 
@@ -32,11 +35,11 @@ public:
   void apply(Vector &y, const Vector &x) const override;
   void precondition(Vector &z, const Vector &r) const override;
 
-  /** The diagonal of A; the unit of A at constrained degrees of freedom. */
+  /** Returns the diagonal of A; the unit of A at constrained degrees of freedom. */
   Vector diagonal() const;
-  /** How many levels a V-cycle has. */
+  /** Returns the number of levels of a V-cycle. */
   unsigned int n_levels() const;
-  /** Bytes of all that is kept. */
+  /** Returns the memory of all stored data in bytes. */
   std::size_t memory() const;
 
 private:
@@ -45,15 +48,20 @@ private:
   std::unique_ptr<Levels> levels_;
 };
 
-/** The goal of solves whose error must not matter. */
+/** The tolerance of solves whose error must be negligible. */
 constexpr double goal_of_solves = 1e-12;
 
-/** A^{-1} by conjugate gradients, each step with one V-cycle and one product with A, until the
- * energy norm of the error, as the V-cycle measures it, is a given part of what it was. */
+/** The inverse A⁻¹ by conjugate gradients, each step with one V-cycle and one product with A.
+ * They end when the energy norm of the error, as the V-cycle measures it, has fallen to a given
+ * part. */
 class MultigridInverse final : public StiffnessInverse
 {
 public:
-  /** @param diagonal of A. @param goal that part. */
+  /**
+   * Stores the operator.
+   * @param diagonal of A.
+   * @param goal that part.
+   */
   MultigridInverse(std::shared_ptr<const StiffnessOperator> A,
                    const Vector &diagonal,
                    double goal = goal_of_solves);
@@ -67,7 +75,7 @@ public:
   {
     return *A_;
   }
-  /** The largest number of V-cycles that a solve took so far. */
+  /** Returns the largest number of V-cycles that a solve took so far. */
   unsigned int largest_number_of_cycles() const
   {
     return largest_number_of_cycles_;
@@ -76,7 +84,10 @@ public:
 private:
   void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const override;
   void residual(Vector &r, const Vector &x, const Vector &b, bool accurate) const override;
-  /** @throws ComputationError if the iteration does not converge. */
+  /**
+   * Solves for one right-hand side.
+   * @throws ComputationError if the iteration does not converge.
+   */
   void solve_one(Vector &x, const Vector &b) const;
 
   std::shared_ptr<const StiffnessOperator> A_;
@@ -84,7 +95,10 @@ private:
   mutable unsigned int largest_number_of_cycles_ = 0;
 };
 
-/** The multigrid solver of a scene; one rank. @throws ComputationError */
+/**
+ * Makes the multigrid solver of a scene; serial.
+ * @throws ComputationError see StiffnessMultigrid.
+ */
 template <int dim>
 std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace<dim> &space,
                                                          const Scene<dim> &scene,

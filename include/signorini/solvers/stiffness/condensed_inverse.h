@@ -7,12 +7,13 @@
 
 namespace Signorini
 {
-/** A = L L^T by CHOLMOD's supernodal Cholesky factorisation, on one rank, with chosen unknowns
- * eliminated last. */
+/** The inverse of A = L Lᵀ by CHOLMOD's supernodal Cholesky factorisation, serial, with chosen
+ * unknowns eliminated last. */
 class CondensedInverse final : public MatrixInverse
 {
 public:
   /**
+   * Factorises A.
    * @param last the chosen unknowns, without repetitions; may be empty.
    * @throws ComputationError if A is not positive definite or memory runs out.
    */
