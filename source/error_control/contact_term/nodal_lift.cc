@@ -338,7 +338,7 @@ NodalVector interpolate_layers(const DisplacementSpace<2> &space,
   return w;
 }
 
-/** Returns Eᵀ A⁻¹ D P: the last column of [E, D P]^T A⁻¹ [E, D P], which a trailing factor
+/** Returns Eᵀ A⁻¹ D P: the last column of [E, D P]ᵀ A⁻¹ [E, D P], which a trailing factor
  * gives without a solve. */
 Vector pushed_by(const Vector &P,
                  const Coupling &condensed_D,

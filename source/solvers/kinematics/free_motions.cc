@@ -256,7 +256,7 @@ bool is_only_solution(const MotionProblem &problem, const MotionState &state)
   return BoundConstrainedQP(C_TT, Vector(touching.size())).has_unique_solution(pressing);
 }
 
-/** Returns the begin of the search: the given pressure, or that of separate springs. */
+/** Returns the start of the search: the given pressure, or that of separate springs. */
 MotionSearch begin(const MotionProblem &problem, const Vector &start)
 {
   MotionSearch search;

@@ -42,7 +42,8 @@ private:
    * triangle. */
   static constexpr unsigned int n_moduli = n_strains * (n_strains + 1) / 2;
 
-  /** The values of the shape functions at a point, and their derivatives on the reference cell. */
+  /** The values of the shape functions at a point, their derivatives on the reference cell, and the
+   * weight. */
   struct Point
   {
     std::array<double, n_vertices> values;
