@@ -61,8 +61,8 @@ inline std::string entry(const std::string &section,
 using Field = Signorini::FieldFunction::Field;
 
 /** The field's values at all nodes, on every rank. */
-inline Signorini::NodalVector nodal_values(const Signorini::DisplacementSpace<2> &space,
-                                           const Field &field)
+inline Signorini::Displacement nodal_values(const Signorini::DisplacementSpace<2> &space,
+                                            const Field &field)
 {
   return interpolate_at_nodes(space, Signorini::FieldFunction(field));
 }

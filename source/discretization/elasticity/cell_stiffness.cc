@@ -178,7 +178,7 @@ typename CellStiffness<dim>::Matrix CellStiffness<dim>::share(const CellIterator
 template <int dim>
 InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
                                     const Scene<dim> &scene,
-                                    const NodalVector &U)
+                                    const Displacement &U)
 {
   CellStiffness<dim> stiffness(space, scene);
   InternalForces<dim> result = {space.make_vector(), space.make_vector()};
@@ -211,8 +211,8 @@ template class CellStiffness<2>;
 template class CellStiffness<3>;
 template InternalForces<2> internal_forces(const DisplacementSpace<2> &,
                                            const Scene<2> &,
-                                           const NodalVector &);
+                                           const Displacement &);
 template InternalForces<3> internal_forces(const DisplacementSpace<3> &,
                                            const Scene<3> &,
-                                           const NodalVector &);
+                                           const Displacement &);
 } // namespace Signorini

@@ -146,7 +146,7 @@ dealii::AffineConstraints<double> continuity_conditions(const dealii::DoFHandler
 }
 
 /** Sets the constrained values of w = T w_free. */
-void set_constrained(const dealii::AffineConstraints<double> &constraints, NodalVector &w)
+void set_constrained(const dealii::AffineConstraints<double> &constraints, Displacement &w)
 {
   for (const auto &line : constraints.get_lines())
   {
@@ -224,6 +224,10 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
       essential = std::move(conditions);
     }
   constraints_ = merge(std::move(essential), continuity_);
+  dealii::IndexSet relevant;
+  dealii::DoFTools::extract_locally_relevant_dofs(dofs_, relevant);
+  rows_ = std::make_shared<const dealii::Utilities::MPI::Partitioner>(
+    locally_owned(), relevant, mesh_.communicator());
 }
 
 template <int dim>
@@ -233,56 +237,86 @@ DistributedVector DisplacementSpace<dim>::make_vector() const
 }
 
 template <int dim>
-NodalVector DisplacementSpace<dim>::complete(const DistributedVector &free_values) const
+Displacement DisplacementSpace<dim>::complete(const DistributedVector &free_values) const
 {
-  NodalVector values(free_values);
-  constraints_.distribute(values);
+  Displacement values = displacement(free_values);
+  values.zero_out_ghost_values();
+  constraints_.distribute(values.entries());
+  values.update_ghost_values();
   return values;
 }
 
 template <int dim>
-NodalVector DisplacementSpace<dim>::prescribed(const Scene<dim> &scene) const
+Displacement DisplacementSpace<dim>::prescribed(const Scene<dim> &scene) const
 {
-  NodalVector k(dofs_.n_dofs());
-  merge(essential_conditions(mesh_, dofs_, scene), continuity_).distribute(k);
+  Displacement k = zero();
+  merge(essential_conditions(mesh_, dofs_, scene), continuity_).distribute(k.entries());
+  k.update_ghost_values();
   return k;
 }
 
 template <int dim>
-void DisplacementSpace<dim>::distribute_homogeneous(NodalVector &w) const
+void DisplacementSpace<dim>::distribute_homogeneous(Displacement &w) const
 {
   set_constrained(constraints_, w);
 }
 
 template <int dim>
-void DisplacementSpace<dim>::distribute_without_pins(NodalVector &w) const
+void DisplacementSpace<dim>::distribute_without_pins(Displacement &w) const
 {
   set_constrained(constraints_without_pins(), w);
 }
 
 template <int dim>
-NodalVector DisplacementSpace<dim>::condense(const NodalVector &functional) const
+Displacement DisplacementSpace<dim>::displacement(const DistributedVector &rows) const
+{
+  Displacement U = zero();
+  for (const auto i : locally_owned())
+    U(i) = rows(i);
+  U.update_ghost_values();
+  return U;
+}
+
+template <int dim>
+DualVector DisplacementSpace<dim>::dual(const DistributedVector &rows) const
+{
+  DualVector functional(rows_);
+  for (const auto i : locally_owned())
+    functional(i) = rows(i);
+  return functional;
+}
+
+namespace
+{
+/** Adds the rows of constrained degrees of freedom to those that they follow, and clears them. */
+void carry(const dealii::AffineConstraints<double> &constraints, DualVector &functional)
+{
+  functional.zero_out_ghost_values();
+  for (const auto &line : constraints.get_lines())
+  {
+    if (!functional.in_local_range(line.index))
+      continue;
+    for (const auto &entry : line.entries)
+      functional(entry.first) += entry.second * functional(line.index);
+    functional(line.index) = 0.;
+  }
+  functional.compress(dealii::VectorOperation::add);
+}
+} // namespace
+
+template <int dim>
+DualVector DisplacementSpace<dim>::condense(const DualVector &functional) const
 {
   // AffineConstraints::condense() refuses prescribed displacements, which T leaves out.
-  NodalVector condensed = functional;
-  for (const auto &line : constraints_.get_lines())
-  {
-    for (const auto &entry : line.entries)
-      condensed[entry.first] += entry.second * functional[line.index];
-    condensed[line.index] = 0.;
-  }
+  DualVector condensed = functional;
+  carry(constraints_, condensed);
   return condensed;
 }
 
 template <int dim>
-void DisplacementSpace<dim>::carry_to_masters(NodalVector &functional) const
+void DisplacementSpace<dim>::carry_to_masters(DualVector &functional) const
 {
-  for (const auto &line : continuity_.get_lines())
-  {
-    for (const auto &entry : line.entries)
-      functional[entry.first] += entry.second * functional[line.index];
-    functional[line.index] = 0.;
-  }
+  carry(continuity_, functional);
 }
 
 template <int dim>

@@ -14,7 +14,7 @@ namespace Signorini
 template <int dim>
 double energy_norm(const DisplacementSpace<dim> &space,
                    const Scene<dim> &scene,
-                   const NodalVector &U)
+                   const Displacement &U)
 {
   CellStiffness<dim> stiffness(space, scene);
   dealii::Vector<double> on_cell;
@@ -39,7 +39,7 @@ double energy_norm(const DisplacementSpace<dim> &space,
 template <int dim>
 std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
                                            const Scene<dim> &scene,
-                                           const NodalVector &U)
+                                           const Displacement &U)
 {
   constexpr double unit_roundoff = std::numeric_limits<double>::epsilon();
   const double motion = U.linfty_norm(), size = space.mesh().size();
@@ -74,7 +74,7 @@ double energy_scale(const double norm,
                     const double error,
                     const DisplacementSpace<dim> &space,
                     const Scene<dim> &scene,
-                    const NodalVector &U)
+                    const Displacement &U)
 {
   constexpr double rounding = 1e-7;
   const std::optional<double> rigid = norm_of_rigid_motion(space, scene, U);
@@ -83,16 +83,16 @@ double energy_scale(const double norm,
   return error <= rounding * *rigid ? *rigid : error;
 }
 
-template double energy_norm(const DisplacementSpace<2> &, const Scene<2> &, const NodalVector &);
-template double energy_norm(const DisplacementSpace<3> &, const Scene<3> &, const NodalVector &);
+template double energy_norm(const DisplacementSpace<2> &, const Scene<2> &, const Displacement &);
+template double energy_norm(const DisplacementSpace<3> &, const Scene<3> &, const Displacement &);
 template std::optional<double> norm_of_rigid_motion(const DisplacementSpace<2> &,
                                                     const Scene<2> &,
-                                                    const NodalVector &);
+                                                    const Displacement &);
 template std::optional<double> norm_of_rigid_motion(const DisplacementSpace<3> &,
                                                     const Scene<3> &,
-                                                    const NodalVector &);
+                                                    const Displacement &);
 template double
-energy_scale(double, double, const DisplacementSpace<2> &, const Scene<2> &, const NodalVector &);
+energy_scale(double, double, const DisplacementSpace<2> &, const Scene<2> &, const Displacement &);
 template double
-energy_scale(double, double, const DisplacementSpace<3> &, const Scene<3> &, const NodalVector &);
+energy_scale(double, double, const DisplacementSpace<3> &, const Scene<3> &, const Displacement &);
 } // namespace Signorini

@@ -364,9 +364,9 @@ Resultant<dim> add_loads(const DisplacementSpace<dim> &space,
 template <int dim>
 void subtract_prescribed(const DisplacementSpace<dim> &space,
                          const Scene<dim> &scene,
-                         NodalVector &functional)
+                         DualVector &functional)
 {
-  const NodalVector k = space.prescribed(scene);
+  const Displacement k = space.prescribed(scene);
   if (k.linfty_norm() == 0.)
     return;
   CellStiffness<dim> stiffness(space, scene);
@@ -374,6 +374,8 @@ void subtract_prescribed(const DisplacementSpace<dim> &space,
   std::vector<dealii::types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
+    if (!cell->is_locally_owned())
+      continue;
     const unsigned int n = cell->get_fe().n_dofs_per_cell();
     of_cell.reinit(n);
     cell->get_dof_values(k, of_cell);
@@ -386,6 +388,7 @@ void subtract_prescribed(const DisplacementSpace<dim> &space,
     forces *= -1.;
     functional.add(indices, forces);
   }
+  functional.compress(dealii::VectorOperation::add);
 }
 } // namespace
 
@@ -419,13 +422,13 @@ LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
     {}, stiffness_unit(space, *scene.material), space.make_vector(), space.make_vector(), {}};
   system.applied = add_loads(space, scene, n_points, system.loads);
   system.loads.compress(dealii::VectorOperation::add);
-  NodalVector functional(system.loads);
+  DualVector functional = space.dual(system.loads);
   functional /= system.unit;
   subtract_prescribed(space, scene, functional);
   functional *= system.unit;
-  const NodalVector condensed = space.condense(functional);
+  const DualVector condensed = space.condense(functional);
   for (const auto i : space.locally_owned())
-    system.f(i) = condensed[i];
+    system.f(i) = condensed(i);
   system.f.compress(dealii::VectorOperation::insert);
   return system;
 }

@@ -33,18 +33,18 @@ TraceValues<dim>::reinit(const ContactFace<dim> &face,
 template <int dim>
 std::vector<dealii::Tensor<1, dim>> TraceValues<dim>::displacement(const ContactFace<dim> &face,
                                                                    const SurfaceRule<dim> &rule,
-                                                                   const NodalVector &U)
+                                                                   const Displacement &U)
 {
   const auto &values = reinit(face, rule.on_face);
   std::vector<dealii::Tensor<1, dim>> u(rule.size());
-  values[dealii::FEValuesExtractors::Vector(0)].get_function_values(U, u);
+  values[dealii::FEValuesExtractors::Vector(0)].get_function_values(U.entries(), u);
   return u;
 }
 
 template <int dim>
 std::vector<double> TraceValues<dim>::normal_displacement(const ContactFace<dim> &face,
                                                           const SurfaceRule<dim> &rule,
-                                                          const NodalVector &U)
+                                                          const Displacement &U)
 {
   const std::vector<dealii::Tensor<1, dim>> u = displacement(face, rule, U);
   std::vector<double> u_n(rule.size());
@@ -59,11 +59,11 @@ template class TraceValues<3>;
 // I^h. (VectorTools::interpolate fills in the locally owned cells only.)
 
 template <int dim>
-NodalVector interpolate_at_nodes(const DisplacementSpace<dim> &space,
-                                 const dealii::Function<dim> &u)
+Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space,
+                                  const dealii::Function<dim> &u)
 {
   NodePositions<dim> positions(space);
-  NodalVector values(space.dofs().n_dofs());
+  Displacement values = space.zero();
   std::vector<bool> visited(values.size(), false);
   std::vector<dealii::types::global_dof_index> indices;
   dealii::Vector<double> u_at_node(dim);
@@ -86,11 +86,12 @@ NodalVector interpolate_at_nodes(const DisplacementSpace<dim> &space,
       }
     }
   }
+  values.update_ghost_values();
   return values;
 }
 
-template NodalVector interpolate_at_nodes(const DisplacementSpace<2> &,
-                                          const dealii::Function<2> &);
-template NodalVector interpolate_at_nodes(const DisplacementSpace<3> &,
-                                          const dealii::Function<3> &);
+template Displacement interpolate_at_nodes(const DisplacementSpace<2> &,
+                                           const dealii::Function<2> &);
+template Displacement interpolate_at_nodes(const DisplacementSpace<3> &,
+                                           const dealii::Function<3> &);
 } // namespace Signorini

@@ -169,7 +169,7 @@ double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
 }
 
 template <int dim>
-double MultiplierSpace<dim>::value(const Vector &P,
+double MultiplierSpace<dim>::value(const Pressure &P,
                                    const unsigned int patch,
                                    const dealii::Point<dim - 1> &s) const
 {
@@ -280,12 +280,23 @@ void Coupling::add_product(const dealii::Vector<double> &P, DistributedVector &v
           vector(entry.first) += entry.second * P[tau];
 }
 
-dealii::Vector<double> Coupling::transpose_product(const NodalVector &U) const
+dealii::Vector<double> Coupling::transpose_product(const dealii::Vector<double> &U) const
 {
   dealii::Vector<double> product(n_columns());
   for (unsigned int tau = 0; tau < n_columns(); ++tau)
     for (const auto &entry : columns_[tau])
       product[tau] += entry.second * U[entry.first];
+  return product;
+}
+
+dealii::Vector<double> Coupling::transpose_product(const Displacement &U) const
+{
+  dealii::Vector<double> product(n_columns());
+  for (unsigned int tau = 0; tau < n_columns(); ++tau)
+    for (const auto &entry : columns_[tau])
+      if (U.in_local_range(entry.first))
+        product[tau] += entry.second * U(entry.first);
+  dealii::Utilities::MPI::sum(product, U.get_mpi_communicator(), product);
   return product;
 }
 

@@ -17,7 +17,8 @@ void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &soluti
   const bool writes_compliance = problem.parameters.output.compliance;
   if (solution.dual && !writes_compliance)
     solution.dual->C = nullptr;
-  if (!has_cases)
+  // C of several ranks is written column by column, each by a solve.
+  if (!has_cases && !writes_compliance)
     solution.inverse = nullptr;
   if (!has_cases && !writes_compliance && !problem.parameters.output.lemmas)
     solution.system = nullptr;

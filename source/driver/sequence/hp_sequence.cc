@@ -20,8 +20,8 @@ namespace
 struct HpStep
 {
   std::shared_ptr<const Discretization<2>> discretization;
-  NodalVector U;
-  dealii::Vector<double> P;
+  Displacement U;
+  Pressure P;
 };
 
 /** The mesh is graded to the places where data is singular, so that rules need not be. */
@@ -90,9 +90,9 @@ public:
     LevelResult<2> result;
     result.discretization = next_;
     const Discretization<2> &discretization = *next_;
-    dealii::Vector<double> start;
+    ContactStart start;
     if (parameters.solver.warm_start && last_.discretization != nullptr)
-      start =
+      start.P =
         transfer_pressure(last_.discretization->multipliers, last_.P, discretization.multipliers);
     LevelSolution<2> &solution = result.solution;
     solution = solve_level<2>({parameters, scene_, choose_solvers(parameters, scene_, 0, 1)},

@@ -143,8 +143,8 @@ private:
         return;
       const auto write_fields = [&](const unsigned int number,
                                     const Scene<2> &scene_of_case,
-                                    const NodalVector &U,
-                                    const dealii::Vector<double> &P) {
+                                    const Displacement &U,
+                                    const Pressure &P) {
         writer_.write_case_fields(*level.discretization, scene_of_case, U, P, number);
       };
       writer_.write_cases(solve_load_cases({parameters_, scene}, level, write_fields, progress));

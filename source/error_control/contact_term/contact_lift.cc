@@ -23,7 +23,7 @@ namespace
 class Remainder
 {
 public:
-  Remainder(const PenetrationFace &face, const NodalVector &w_h)
+  Remainder(const PenetrationFace &face, const Displacement &w_h)
     : face_(face)
     , presses_(face.presses_everywhere())
     , chord_{face.d.value(0.), face.d.value(1.)}
@@ -141,8 +141,8 @@ double contact_term(const ContactTrace &trace, const LiftField &lift, const unsi
 ContactLift::ContactLift(const DisplacementSpace<2> &space,
                          const Scene<2> &scene,
                          const MultiplierSpace<2> &multipliers,
-                         const NodalVector &U,
-                         const dealii::Vector<double> &P,
+                         const Displacement &U,
+                         const Pressure &P,
                          const std::optional<DualData> &dual,
                          const std::vector<FaceField> &fields)
   : space_(space)
@@ -171,7 +171,7 @@ ContactLift::ContactLift(const DisplacementSpace<2> &space,
     consider_dual(*raised, LiftMethod::raised_dual);
 }
 
-void ContactLift::consider(NodalVector w_h, const LiftMethod method)
+void ContactLift::consider(Displacement w_h, const LiftMethod method)
 {
   std::vector<EdgeFunction> remainders;
   for (const PenetrationFace &face : trace_->faces())
@@ -218,7 +218,7 @@ std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
                                         const ContactTrace &trace,
                                         const StiffnessInverse &inverse)
 {
-  const std::optional<NodalVector> z = lift_of_one(space, trace, inverse);
+  const std::optional<Displacement> z = lift_of_one(space, trace, inverse);
   if (!z)
     return {};
   const LiftField lift(space, scene, trace, *z, std::vector<EdgeFunction>(trace.faces().size()));

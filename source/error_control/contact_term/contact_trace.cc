@@ -34,7 +34,7 @@ bool PenetrationFace::presses_everywhere() const
     pressures.begin(), pressures.end(), [](const Pressed &part) { return part.presses; });
 }
 
-double PenetrationFace::component(const NodalVector &V,
+double PenetrationFace::component(const Displacement &V,
                                   const double t,
                                   const dealii::Tensor<1, 2> &direction) const
 {
@@ -47,8 +47,8 @@ double PenetrationFace::component(const NodalVector &V,
 ContactTrace::ContactTrace(const DisplacementSpace<2> &space,
                            const Scene<2> &scene,
                            const MultiplierSpace<2> &multipliers,
-                           const NodalVector &U,
-                           const dealii::Vector<double> &P,
+                           const Displacement &U,
+                           const Pressure &P,
                            const std::vector<FaceField> &fields)
   : space_(space)
   , scene_(scene)
@@ -62,7 +62,7 @@ ContactTrace::ContactTrace(const DisplacementSpace<2> &space,
   find_obstacle();
 }
 
-void ContactTrace::find_faces(const dealii::Vector<double> &P, const std::vector<FaceField> &fields)
+void ContactTrace::find_faces(const Pressure &P, const std::vector<FaceField> &fields)
 {
   const ContactSurface<2> &surface = multipliers_.surface();
   const double rounding = 1e-14 * U_.linfty_norm();
@@ -271,7 +271,7 @@ void ContactTrace::find_obstacle()
 
 std::vector<unsigned int> pressing_edges(const EdgeMesh &mesh,
                                          const MultiplierSpace<2> &multipliers,
-                                         const dealii::Vector<double> &P)
+                                         const Pressure &P)
 {
   const ContactSurface<2> &surface = multipliers.surface();
   const double threshold = pressing_threshold(P);

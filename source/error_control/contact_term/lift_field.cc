@@ -44,7 +44,7 @@ constexpr unsigned int longest_column = 64;
 LiftField::LiftField(const DisplacementSpace<2> &space,
                      const Scene<2> &scene,
                      const ContactTrace &trace,
-                     NodalVector w_h,
+                     Displacement w_h,
                      std::vector<EdgeFunction> remainders)
   : space_(space)
   , scene_(scene)

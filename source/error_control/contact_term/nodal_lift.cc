@@ -162,7 +162,7 @@ namespace
 using dealii::Tensor;
 using Vector = dealii::Vector<double>;
 
-double product(const Coupling::Column &a, const NodalVector &w)
+double product(const Coupling::Column &a, const Displacement &w)
 {
   double sum = 0.;
   for (const auto &entry : a)
@@ -226,7 +226,7 @@ std::array<double, 2> shortest_way(const double a,
 
 /** Moves w_n at contact nodes by the shortest way to the targets; with only_raise, only where w_n
  * is below them. */
-void impose(const Coupling &E, const Vector &targets, const bool only_raise, NodalVector &w)
+void impose(const Coupling &E, const Vector &targets, const bool only_raise, Displacement &w)
 {
   for (const std::vector<unsigned int> &node : conditions_by_node(E))
   {
@@ -310,17 +310,17 @@ private:
 
 /** Interpolates the layers of all contact sides at the nodes, with the given w_n at contact nodes.
  */
-NodalVector interpolate_layers(const DisplacementSpace<2> &space,
-                               const Scene<2> &scene,
-                               const ContactTrace &trace,
-                               const Vector &omega)
+Displacement interpolate_layers(const DisplacementSpace<2> &space,
+                                const Scene<2> &scene,
+                                const ContactTrace &trace,
+                                const Vector &omega)
 {
   std::vector<Layer> layers;
   // A chain turns: there, w lives at the contact nodes alone.
   for (const unsigned int side : scene.contact_sides())
     if (scene.geometry.sides[side].n_pieces() == 1)
       layers.emplace_back(scene, trace, side, omega);
-  NodalVector w(space.dofs().n_dofs());
+  Displacement w = space.zero();
   std::vector<bool> done(space.mesh().triangulation().n_vertices(), false);
   for (const auto &cell : space.dofs().active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
@@ -340,7 +340,7 @@ NodalVector interpolate_layers(const DisplacementSpace<2> &space,
 
 /** Returns Eᵀ A⁻¹ D P: the last column of [E, D P]ᵀ A⁻¹ [E, D P], which a trailing factor
  * gives without a solve. */
-Vector pushed_by(const Vector &P,
+Vector pushed_by(const Pressure &P,
                  const Coupling &condensed_D,
                  const Coupling &E,
                  const StiffnessInverse &inverse)
@@ -367,13 +367,13 @@ Vector pushed_by(const Vector &P,
 }
 
 /** Returns the solution of the dual problem of dual_lift(). */
-NodalVector pressed_displacement(const DisplacementSpace<2> &space,
-                                 const ContactTrace &trace,
-                                 const Coupling &condensed_D,
-                                 const StiffnessInverse &inverse,
-                                 const Vector &P,
-                                 const Vector &required,
-                                 NodalCompliance &C)
+Displacement pressed_displacement(const DisplacementSpace<2> &space,
+                                  const ContactTrace &trace,
+                                  const Coupling &condensed_D,
+                                  const StiffnessInverse &inverse,
+                                  const Pressure &P,
+                                  const Vector &required,
+                                  NodalCompliance &C)
 {
   Vector F = pushed_by(P, condensed_D, C.columns(), inverse), start(F.size());
   for (unsigned int i = 0; i < F.size(); ++i)
@@ -417,9 +417,9 @@ std::optional<Vector> raised_values(const ContactTrace &trace)
   return changed ? std::optional<Vector>(raised) : std::nullopt;
 }
 
-NodalVector layer_lift(const DisplacementSpace<2> &space,
-                       const Scene<2> &scene,
-                       const ContactTrace &trace)
+Displacement layer_lift(const DisplacementSpace<2> &space,
+                        const Scene<2> &scene,
+                        const ContactTrace &trace)
 {
   Vector omega = required_values(trace);
   for (unsigned int k = 0; k < omega.size(); ++k)
@@ -430,15 +430,15 @@ NodalVector layer_lift(const DisplacementSpace<2> &space,
   return interpolate_layers(space, scene, trace, omega);
 }
 
-NodalVector dual_lift(const DisplacementSpace<2> &space,
-                      const ContactTrace &trace,
-                      const Coupling &condensed_D,
-                      const StiffnessInverse &inverse,
-                      const dealii::Vector<double> &P,
-                      const dealii::Vector<double> &required)
+Displacement dual_lift(const DisplacementSpace<2> &space,
+                       const ContactTrace &trace,
+                       const Coupling &condensed_D,
+                       const StiffnessInverse &inverse,
+                       const Pressure &P,
+                       const dealii::Vector<double> &required)
 {
   NodalCompliance C(space, trace, inverse);
-  NodalVector w(space.dofs().n_dofs());
+  Displacement w = space.zero();
   if (!C.numbers().empty())
     w = pressed_displacement(space, trace, condensed_D, inverse, P, required, C);
   // This corrects the remainder of the solver's tolerance, and pins.
@@ -447,9 +447,9 @@ NodalVector dual_lift(const DisplacementSpace<2> &space,
   return w;
 }
 
-std::optional<NodalVector> lift_of_one(const DisplacementSpace<2> &space,
-                                       const ContactTrace &trace,
-                                       const StiffnessInverse &inverse)
+std::optional<Displacement> lift_of_one(const DisplacementSpace<2> &space,
+                                        const ContactTrace &trace,
+                                        const StiffnessInverse &inverse)
 {
   NodalCompliance C(space, trace, inverse);
   const auto &conditions = trace.conditions();
@@ -462,7 +462,7 @@ std::optional<NodalVector> lift_of_one(const DisplacementSpace<2> &space,
   const Vector forces = C.solve(one);
   DistributedVector b = space.make_vector();
   C.columns().add_product(forces, b);
-  NodalVector z = solve_homogeneous(inverse, space, b);
+  Displacement z = solve_homogeneous(inverse, space, b);
   impose(trace.normals(), everywhere, false, z);
   space.distribute_without_pins(z);
   return z;

@@ -84,7 +84,7 @@ void balance(const DisplacementSpace<dim> &space,
 template <int dim>
 double support_error(const DisplacementSpace<dim> &space,
                      const Scene<dim> &scene,
-                     const NodalVector &U)
+                     const Displacement &U)
 {
   double scale = U.linfty_norm();
   // A vertex between two sides takes the displacement of one; on rollers alone, it obeys both.
@@ -142,7 +142,7 @@ double support_error(const DisplacementSpace<dim> &space,
 /** U without the translation of the whole body, and how much that is. */
 struct Deformation
 {
-  NodalVector V;
+  Displacement V;
   /** Certificate::translation. */
   double translation = 1.;
 };
@@ -166,7 +166,7 @@ std::vector<unsigned int> components_of(const DisplacementSpace<dim> &space)
 
 /** The translation is the middle of the range of each component. */
 template <int dim>
-Deformation deformation(const DisplacementSpace<dim> &space, const NodalVector &U)
+Deformation deformation(const DisplacementSpace<dim> &space, const Displacement &U)
 {
   dealii::Tensor<1, dim> low, high;
   for (unsigned int d = 0; d < dim; ++d)
@@ -244,7 +244,7 @@ double duality_gap(const ContactState<dim> &contact,
                    const NodalForces &forces,
                    const double energy_scale)
 {
-  NodalVector V = contact.U;
+  Displacement V = contact.U;
   V -= data.free.U;
   const double primal = 0.5 * (V * forces.internal - V * forces.loads);
   const double dual = contact.P * data.free.F - 0.5 * (contact.P * data.C_P);

@@ -58,7 +58,7 @@ template <int dim>
 class ShiftedPressure
 {
 public:
-  ShiftedPressure(const MultiplierSpace<dim> &multipliers, const dealii::Vector<double> &P)
+  ShiftedPressure(const MultiplierSpace<dim> &multipliers, const Pressure &P)
     : recovered_(multipliers, P)
     , shifts_(P)
   {
@@ -109,7 +109,7 @@ PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &dat
 template <int dim>
 Coupling recovered_load(const DisplacementSpace<dim> &space,
                         const MultiplierSpace<dim> &multipliers,
-                        const dealii::Vector<double> &P)
+                        const Pressure &P)
 {
   const ContactSurface<dim> &surface = multipliers.surface();
   const dealii::FEValuesExtractors::Vector displacement(0);
@@ -146,7 +146,7 @@ PressureCorrection correct_pressure(const PressureData<dim> &data)
     if (const auto P = solve_on(multipliers, data))
       return presses_nowhere(*P) && presses_nowhere(data.P)
                ? PressureCorrection()
-               : correct_by<dim>(recovered_load(data.space, multipliers, *P), data);
+               : correct_by<dim>(recovered_load(data.space, multipliers, Pressure(*P)), data);
   }
   return presses_nowhere(data.P)
            ? PressureCorrection()
@@ -155,11 +155,11 @@ PressureCorrection correct_pressure(const PressureData<dim> &data)
 
 template Coupling recovered_load(const DisplacementSpace<2> &,
                                  const MultiplierSpace<2> &,
-                                 const dealii::Vector<double> &);
+                                 const Pressure &);
 template PressureCorrection correct_pressure(const PressureData<2> &);
 template Coupling recovered_load(const DisplacementSpace<3> &,
                                  const MultiplierSpace<3> &,
-                                 const dealii::Vector<double> &);
+                                 const Pressure &);
 template PressureCorrection correct_pressure(const PressureData<3> &);
 
 // Distances between interpolations of the nodal values; (24) and (31) make the first an estimate of
@@ -195,7 +195,7 @@ public:
   // parallelograms.
   Distance(const DisplacementSpace<dim> &space,
            const Material<dim> *const material,
-           const NodalVector &U,
+           const Displacement &U,
            const unsigned int fine)
     : material_(material)
     , U_(U)
@@ -233,7 +233,7 @@ public:
 private:
   /** The material; null if energies are not wanted. */
   const Material<dim> *material_;
-  const NodalVector &U_;
+  const Displacement &U_;
   dealii::FEValues<dim> values_;
   PatchInterpolation<dim> v_, w_;
   dealii::SymmetricTensor<4, dim> hooke_;
@@ -243,7 +243,7 @@ private:
 template <int dim>
 Squares integrate(const DisplacementSpace<dim> &space,
                   const Material<dim> *const material,
-                  const NodalVector &U,
+                  const Displacement &U,
                   const unsigned int fine)
 {
   Squares sum;
@@ -272,7 +272,7 @@ double norm_1(const Squares &squares, const double unit_of_length)
 template <int dim>
 ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
                              const Scene<dim> &scene,
-                             const NodalVector &U,
+                             const Displacement &U,
                              const PressureCorrection &correction,
                              const OtherErrors &others)
 {
@@ -281,7 +281,7 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
   double mesh_square = of_U.energy;
   if (correction.z.size() > 0)
   {
-    NodalVector corrected(U);
+    Displacement corrected(U);
     corrected += correction.z;
     mesh_square = integrate(space, material, corrected, 1).energy;
   }
@@ -301,7 +301,7 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
-unsigned int best_interpolation(const DisplacementSpace<dim> &space, const NodalVector &U)
+unsigned int best_interpolation(const DisplacementSpace<dim> &space, const Displacement &U)
 {
   if (space.mesh().n_nested_ancestors() < 2)
     return space.mesh().n_nested_ancestors();
@@ -324,14 +324,14 @@ Columns<ErrorEstimate> ErrorEstimate::columns()
 
 template ErrorEstimate estimate_error(const DisplacementSpace<2> &,
                                       const Scene<2> &,
-                                      const NodalVector &,
+                                      const Displacement &,
                                       const PressureCorrection &,
                                       const OtherErrors &);
 template ErrorEstimate estimate_error(const DisplacementSpace<3> &,
                                       const Scene<3> &,
-                                      const NodalVector &,
+                                      const Displacement &,
                                       const PressureCorrection &,
                                       const OtherErrors &);
-template unsigned int best_interpolation(const DisplacementSpace<2> &, const NodalVector &);
-template unsigned int best_interpolation(const DisplacementSpace<3> &, const NodalVector &);
+template unsigned int best_interpolation(const DisplacementSpace<2> &, const Displacement &);
+template unsigned int best_interpolation(const DisplacementSpace<3> &, const Displacement &);
 } // namespace Signorini

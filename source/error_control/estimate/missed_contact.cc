@@ -29,7 +29,7 @@ bool touch(const Patch<3> &a, const Patch<3> &b)
 
 /** Returns whether a patch presses or touches one that does. */
 bool is_near_contact(const MultiplierSpace<3> &multipliers,
-                     const dealii::Vector<double> &P,
+                     const Pressure &P,
                      const Patch<3> &patch)
 {
   const double threshold = pressing_threshold(P);
@@ -51,8 +51,8 @@ double modulus_at(const Scene<3> &scene, const dealii::Point<3> &x)
 double energy_of_missed_contact(const DisplacementSpace<3> &space,
                                 const MultiplierSpace<3> &multipliers,
                                 const Scene<3> &scene,
-                                const NodalVector &U,
-                                const dealii::Vector<double> &P)
+                                const Displacement &U,
+                                const Pressure &P)
 {
   const ContactSurface<3> &surface = multipliers.surface();
   // Coarse meshes, which miss contact, are sampled densely.

@@ -12,7 +12,7 @@ namespace Signorini
 {
 template <int dim>
 RecoveredDisplacement<dim>::RecoveredDisplacement(const DisplacementSpace<dim> &space,
-                                                  const NodalVector &U)
+                                                  const Displacement &U)
   : element_(dealii::FE_Q<dim>(2 * space.element().degree), dim)
   , dofs_(space.mesh().triangulation())
 {

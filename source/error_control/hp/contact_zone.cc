@@ -16,7 +16,7 @@ namespace
 {
 /** Returns whether all multipliers of a patch press. */
 bool presses_everywhere(const MultiplierSpace<2> &multipliers,
-                        const dealii::Vector<double> &P,
+                        const Pressure &P,
                         const unsigned int patch)
 {
   const double threshold = pressing_threshold(P);
@@ -30,8 +30,8 @@ bool presses_everywhere(const MultiplierSpace<2> &multipliers,
 void add_contact_misfit(const DisplacementSpace<2> &space,
                         const MultiplierSpace<2> &multipliers,
                         const Scene<2> &scene,
-                        const NodalVector &U,
-                        const dealii::Vector<double> &P,
+                        const Displacement &U,
+                        const Pressure &P,
                         std::vector<CellIndicator> &indicators)
 {
   const ContactSurface<2> &surface = multipliers.surface();
@@ -75,7 +75,7 @@ class Penetration
 public:
   Penetration(const DisplacementSpace<2> &space,
               const ContactSurface<2> &surface,
-              const NodalVector &U)
+              const Displacement &U)
     : surface_(surface)
     , U_(U)
     , traces_(space)
@@ -119,7 +119,7 @@ public:
 private:
   static constexpr unsigned int n_intervals = 32;
   const ContactSurface<2> &surface_;
-  const NodalVector &U_;
+  const Displacement &U_;
   TraceValues<2> traces_;
   std::vector<dealii::Point<1>> positions_;
   std::vector<double> values_, g_;
@@ -127,8 +127,8 @@ private:
 
 std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
                                      const MultiplierSpace<2> &multipliers,
-                                     const NodalVector &U,
-                                     const dealii::Vector<double> &P)
+                                     const Displacement &U,
+                                     const Pressure &P)
 {
   const ContactSurface<2> &surface = multipliers.surface();
   std::vector<PatchState> states(surface.patches().size());
@@ -149,8 +149,8 @@ std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
 
 std::vector<unsigned int> unseen_contact(const DisplacementSpace<2> &space,
                                          const MultiplierSpace<2> &multipliers,
-                                         const NodalVector &U,
-                                         const dealii::Vector<double> &P)
+                                         const Displacement &U,
+                                         const Pressure &P)
 {
   constexpr double rounding = 1e-10, noticeable = 1e-3;
   const std::vector<PatchState> states = patch_states(space, multipliers, U, P);
@@ -177,12 +177,12 @@ std::vector<unsigned int> unseen_contact(const DisplacementSpace<2> &space,
 
 // A pressure at the nodes of another mesh.
 
-dealii::Vector<double> transfer_pressure(const MultiplierSpace<2> &from,
-                                         const dealii::Vector<double> &P,
-                                         const MultiplierSpace<2> &to)
+Pressure transfer_pressure(const MultiplierSpace<2> &from,
+                           const Pressure &P,
+                           const MultiplierSpace<2> &to)
 {
   const std::vector<Patch<2>> &known = from.surface().patches();
-  dealii::Vector<double> transferred(to.n_multipliers());
+  Pressure transferred(to.n_multipliers());
   std::size_t patch = 0;
   for (unsigned int k = 0; k < transferred.size(); ++k)
   {

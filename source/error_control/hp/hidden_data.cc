@@ -291,7 +291,7 @@ std::optional<dealii::Point<2>> show_hidden_data(const Scene<2> &scene, MeshPlan
 
 void add_jump_misfit(const DisplacementSpace<2> &space,
                      const Scene<2> &scene,
-                     const NodalVector &U,
+                     const Displacement &U,
                      std::vector<CellIndicator> &indicators)
 {
   if (scene.material->is_constant())

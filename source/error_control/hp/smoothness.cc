@@ -61,7 +61,7 @@ LineTable make_line_table(const unsigned int degree, const std::vector<double> &
   return table;
 }
 
-CellField::CellField(const dealii::DoFHandler<2>::active_cell_iterator &cell, const NodalVector &U)
+CellField::CellField(const dealii::DoFHandler<2>::active_cell_iterator &cell, const Displacement &U)
   : degree_(cell->get_fe().degree)
 {
   const dealii::FiniteElement<2> &element = cell->get_fe();
@@ -205,7 +205,7 @@ double indicator_modulus(const Scene<2> &scene, const dealii::Point<2> &x)
 
 std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
                                     const Scene<2> &scene,
-                                    const NodalVector &U)
+                                    const Displacement &U)
 {
   std::map<unsigned int, Analysis> analyses;
   std::vector<CellIndicator> indicators;

@@ -122,7 +122,7 @@ PrescribedLift::EdgeRest PrescribedLift::interpolate(const unsigned int k,
   }
 }
 
-PrescribedLift::PrescribedLift(const Scene<2> &scene, const EdgeMesh &mesh, const NodalVector &U)
+PrescribedLift::PrescribedLift(const Scene<2> &scene, const EdgeMesh &mesh, const Displacement &U)
   : scale_(U.linfty_norm())
   , cells_(mesh.cells().size(), false)
 {

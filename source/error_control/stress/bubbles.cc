@@ -117,7 +117,7 @@ dealii::Quadrature<2> bubble_points()
 
 PatchBubbles::PatchBubbles(const DisplacementSpace<2> &space,
                            const EdgeMesh &mesh,
-                           const NodalVector &U)
+                           const Displacement &U)
   : mesh_(mesh)
   , edges_(mesh.edges().size())
   , cells_(mesh.cells().size())

@@ -150,7 +150,7 @@ struct PressedPart
 /** Returns p_H on the pieces face ∩ patch, along Edge::vertices. */
 std::vector<PressedPart> pressed_parts(const EdgeMesh &mesh,
                                        const MultiplierSpace<2> &multipliers,
-                                       const dealii::Vector<double> &P)
+                                       const Pressure &P)
 {
   const ContactSurface<2> &surface = multipliers.surface();
   std::vector<PressedPart> parts;
@@ -265,7 +265,7 @@ GivenTractions given_tractions(const DisplacementSpace<2> &space,
                                const Scene<2> &scene,
                                const EdgeMesh &mesh,
                                const MultiplierSpace<2> &multipliers,
-                               const dealii::Vector<double> &P,
+                               const Pressure &P,
                                const unsigned int n_points)
 {
   GivenTractions given = {std::vector<double>(mesh.n_moments(), 0.),

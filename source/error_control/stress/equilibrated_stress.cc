@@ -36,6 +36,8 @@ void add_edge(const std::array<EdgePoint, 2> &points,
 
 std::string EquilibratedStress::objection(const StressData &data)
 {
+  if (data.space.largest_degree() > 1)
+    return "the displacement has a degree above one, and the bound is for bilinear elements";
   std::string of_mesh = EdgeMesh::objection(data.space.mesh());
   if (!of_mesh.empty())
     return of_mesh;

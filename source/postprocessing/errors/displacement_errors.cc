@@ -42,8 +42,8 @@ struct Fields
 {
   const DisplacementSpace<dim> &space;
   const Scene<dim> &scene;
-  const NodalVector &U;
-  const NodalVector &interpolant_minus_U;
+  const Displacement &U;
+  const Displacement &interpolant_minus_U;
   unsigned int n_points;
 };
 
@@ -108,10 +108,10 @@ public:
     du_.resize(n);
     e_.resize(n);
     de_.resize(n);
-    values[displacement].get_function_values(fields_.U, u_);
-    values[displacement].get_function_gradients(fields_.U, du_);
-    values[displacement].get_function_values(fields_.interpolant_minus_U, e_);
-    values[displacement].get_function_gradients(fields_.interpolant_minus_U, de_);
+    values[displacement].get_function_values(fields_.U.entries(), u_);
+    values[displacement].get_function_gradients(fields_.U.entries(), du_);
+    values[displacement].get_function_values(fields_.interpolant_minus_U.entries(), e_);
+    values[displacement].get_function_gradients(fields_.interpolant_minus_U.entries(), de_);
     exact_.evaluate(*fields_.scene.exact_displacement, values.get_quadrature_points());
     Squares squares;
     for (unsigned int q = 0; q < n; ++q)
@@ -173,11 +173,11 @@ Squares integrate_errors(const Fields<dim> &fields)
 template <int dim>
 DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &space,
                                                const Scene<dim> &scene,
-                                               const NodalVector &U,
+                                               const Displacement &U,
                                                const unsigned int n_points)
 {
   const MPI_Comm communicator = space.mesh().communicator();
-  NodalVector interpolant_minus_U = interpolate_at_nodes(space, *scene.exact_displacement);
+  Displacement interpolant_minus_U = interpolate_at_nodes(space, *scene.exact_displacement);
   interpolant_minus_U -= U;
   const Squares squares = integrate_errors<dim>({space, scene, U, interpolant_minus_U, n_points});
   const auto root_of_sum = [&](const double square) {
@@ -211,10 +211,10 @@ Columns<DisplacementErrors> DisplacementErrors::columns()
 
 template DisplacementErrors compute_displacement_errors(const DisplacementSpace<2> &,
                                                         const Scene<2> &,
-                                                        const NodalVector &,
+                                                        const Displacement &,
                                                         unsigned int);
 template DisplacementErrors compute_displacement_errors(const DisplacementSpace<3> &,
                                                         const Scene<3> &,
-                                                        const NodalVector &,
+                                                        const Displacement &,
                                                         unsigned int);
 } // namespace Signorini

@@ -71,7 +71,7 @@ std::vector<double> cut_side(const Side<2> &side,
 SampledFunction sample_difference(const MultiplierSpace<2> &space,
                                   const dealii::Function<2> &p,
                                   const Kinks<2> &kinks,
-                                  const dealii::Vector<double> &P,
+                                  const Pressure &P,
                                   const dealii::Vector<double> *projected_p,
                                   const unsigned int first,
                                   const unsigned int last,
@@ -146,7 +146,7 @@ template dealii::Vector<double> ExactPressure<3>::project(const MultiplierSpace<
 
 template <>
 DualNormErrors ExactPressure<2>::errors_on_side(const MultiplierSpace<2> &space,
-                                                const dealii::Vector<double> &P,
+                                                const Pressure &P,
                                                 const dealii::Vector<double> &projected_p,
                                                 const unsigned int first,
                                                 const unsigned int last) const
@@ -193,8 +193,7 @@ DualNormErrors ExactPressure<2>::errors_on_side(const MultiplierSpace<2> &space,
 }
 
 template <>
-DualNormErrors ExactPressure<2>::errors(const MultiplierSpace<2> &space,
-                                        const dealii::Vector<double> &P) const
+DualNormErrors ExactPressure<2>::errors(const MultiplierSpace<2> &space, const Pressure &P) const
 {
   const dealii::Vector<double> projected_p = project(space);
   DualNormErrors sum = {0., 0., 0., 0.};

@@ -63,10 +63,10 @@ double dual_norm(const DisplacementSpace<2> &space,
                  const StiffnessInverse &inverse,
                  const DistributedVector &b)
 {
-  const NodalVector condensed = space.condense(NodalVector(b));
+  const DualVector condensed = space.condense(space.dual(b));
   DistributedVector right_hand_side = space.make_vector();
   for (const auto i : space.locally_owned())
-    right_hand_side(i) = condensed[i];
+    right_hand_side(i) = condensed(i);
   right_hand_side.compress(dealii::VectorOperation::insert);
   DistributedVector v = space.make_vector();
   inverse.solve(v, right_hand_side);
@@ -78,7 +78,7 @@ double dual_norm(const DisplacementSpace<2> &space,
 double interpolation_trace(const DisplacementSpace<2> &space,
                            const Scene<2> &scene,
                            const ContactSurface<2> &surface,
-                           const NodalVector &interpolant)
+                           const Displacement &interpolant)
 {
   // 8 points on the length of one period of the highest of 8192 modes.
   constexpr unsigned int n_intervals = 4096, n_points = 8;
@@ -124,7 +124,7 @@ double interpolation_trace(const DisplacementSpace<2> &space,
 double trace_defect(const Scene<2> &scene,
                     const MultiplierSpace<2> &multipliers,
                     const Coupling &D,
-                    const NodalVector &interpolant,
+                    const Displacement &interpolant,
                     const unsigned int n_points)
 {
   dealii::Vector<double> b = D.transpose_product(interpolant);
@@ -154,8 +154,8 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
                                    const LinearSolver linear_solver,
                                    const unsigned int n_points)
 {
-  const dealii::Vector<double> projected_p = pressure.project(multipliers);
-  const NodalVector interpolant = interpolate_at_nodes(space, *scene.exact_displacement);
+  const Pressure projected_p(pressure.project(multipliers));
+  const Displacement interpolant = interpolate_at_nodes(space, *scene.exact_displacement);
   const auto exact_p = [&](const Piece<2> &piece, const SurfaceRule<2> &rule) {
     std::vector<double> p(rule.size());
     multipliers.surface().condition(piece).exact_pressure->value_list(rule.points, p);

@@ -17,7 +17,7 @@ namespace Signorini
 {
 template <int dim>
 PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
-                                       const dealii::Vector<double> &P,
+                                       const Pressure &P,
                                        const unsigned int n_points)
 {
   const RecoveredPressure<dim> recovered(space, P);
@@ -51,10 +51,10 @@ Columns<PressureErrors> PressureErrors::columns()
 }
 
 template PressureErrors compute_pressure_errors(const MultiplierSpace<2> &,
-                                                const dealii::Vector<double> &,
+                                                const Pressure &,
                                                 unsigned int);
 template PressureErrors compute_pressure_errors(const MultiplierSpace<3> &,
-                                                const dealii::Vector<double> &,
+                                                const Pressure &,
                                                 unsigned int);
 
 // The left-hand sides of (15) and (25) on rectangles.
@@ -109,8 +109,7 @@ ExactPressure<3>::ExactPressure(const Scene<3> &scene)
 }
 
 template <>
-DualNormErrors ExactPressure<3>::errors(const MultiplierSpace<3> &space,
-                                        const dealii::Vector<double> &P) const
+DualNormErrors ExactPressure<3>::errors(const MultiplierSpace<3> &space, const Pressure &P) const
 {
   dealii::Vector<double> difference = project(space);
   difference -= P;
@@ -153,7 +152,7 @@ std::vector<double> exact_ends(const Scene<2> &scene, const unsigned int number)
  * several nodes, the middle between a pressing node and one that does not. */
 std::vector<double> discrete_ends(const MultiplierSpace<2> &space,
                                   const unsigned int number,
-                                  const dealii::Vector<double> &P)
+                                  const Pressure &P)
 {
   const std::vector<Patch<2>> &patches = space.surface().patches();
   const double threshold = pressing_threshold(P);
@@ -189,7 +188,7 @@ double one_sided_distance(const std::vector<double> &from, const std::vector<dou
 
 std::optional<double> contact_end_error(const MultiplierSpace<2> &space,
                                         const Scene<2> &scene,
-                                        const dealii::Vector<double> &P)
+                                        const Pressure &P)
 {
   std::optional<double> largest;
   for (const unsigned int number : scene.contact_sides())

@@ -36,7 +36,7 @@ unsigned int place_of_vertex(const unsigned int child, const unsigned int vertex
 
 template <int dim>
 CoarseDisplacement<dim>::CoarseDisplacement(const DisplacementSpace<dim> &space,
-                                            const NodalVector &U)
+                                            const Displacement &U)
   : level_(space.mesh().level())
   , first_vertices_(space.mesh().triangulation().n_cells(level_))
   , values_(first_vertices_.size() * n_next_nodes<dim> * dim)
@@ -55,12 +55,12 @@ CoarseDisplacement<dim>::CoarseDisplacement(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
-NodalVector CoarseDisplacement<dim>::at_nodes_of(const DisplacementSpace<dim> &space) const
+Displacement CoarseDisplacement<dim>::at_nodes_of(const DisplacementSpace<dim> &space) const
 {
   const auto &mesh = space.mesh().triangulation();
   if (space.mesh().level() != level_ + 1 || mesh.n_cells(level_) != first_vertices_.size())
     return {};
-  NodalVector U(space.dofs().n_dofs());
+  Displacement U = space.zero();
   const double rounding = 1e-10 * space.mesh().size();
   for (const auto &parent : space.dofs().cell_iterators_on_level(level_))
   {
@@ -73,6 +73,7 @@ NodalVector CoarseDisplacement<dim>::at_nodes_of(const DisplacementSpace<dim> &s
           U[parent->child(c)->vertex_dof_index(v, d)] =
             values_[(number * n_next_nodes<dim> + place_of_vertex<dim>(c, v)) * dim + d];
   }
+  U.update_ghost_values();
   return U;
 }
 

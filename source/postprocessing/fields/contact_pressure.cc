@@ -95,7 +95,7 @@ std::vector<PressedInterval> intervals_of(const SideNodes &side)
 } // namespace
 
 std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipliers,
-                                               const dealii::Vector<double> &P)
+                                               const Pressure &P)
 {
   std::vector<PressedInterval> intervals;
   for (const SideNodes &side : nodes_by_side(multipliers, P))
@@ -108,13 +108,13 @@ std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipl
 
 // p_H: resultants, recovery, transfer between partitions.
 
-double pressing_threshold(const dealii::Vector<double> &P)
+double pressing_threshold(const Pressure &P)
 {
   return P.size() == 0 ? 0. : -1e-12 * P.linfty_norm();
 }
 
 template <int dim>
-ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const dealii::Vector<double> &P)
+ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const Pressure &P)
 {
   ContactSummary summary;
   const double threshold = pressing_threshold(P);
@@ -137,8 +137,7 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const dealii
 }
 
 template <>
-RecoveredPressure<2>::RecoveredPressure(const MultiplierSpace<2> &space,
-                                        const dealii::Vector<double> &P)
+RecoveredPressure<2>::RecoveredPressure(const MultiplierSpace<2> &space, const Pressure &P)
   : space_(space)
   , surface_(space.surface())
   , P_(P)
@@ -187,11 +186,10 @@ double RecoveredPressure<2>::operator()(const unsigned int patch, const dealii::
 }
 
 template <>
-dealii::Vector<double> transfer_pressure(const PatchPressure<2> &from,
-                                         const std::vector<Patch<2>> &to)
+Pressure transfer_pressure(const PatchPressure<2> &from, const std::vector<Patch<2>> &to)
 {
   const std::vector<Patch<2>> &patches = from.patches;
-  dealii::Vector<double> transferred(to.size());
+  Pressure transferred(to.size());
   std::size_t first = 0;
   for (std::size_t t = 0; t < to.size(); ++t)
   {
@@ -221,10 +219,8 @@ Columns<ContactSummary> ContactSummary::columns()
           {"contact_length", &ContactSummary::length}};
 }
 
-template ContactSummary summarise_contact(const MultiplierSpace<2> &,
-                                          const dealii::Vector<double> &);
-template ContactSummary summarise_contact(const MultiplierSpace<3> &,
-                                          const dealii::Vector<double> &);
+template ContactSummary summarise_contact(const MultiplierSpace<2> &, const Pressure &);
+template ContactSummary summarise_contact(const MultiplierSpace<3> &, const Pressure &);
 
 // p_H on rectangles: bilinear recovery, transfer between partitions.
 
@@ -281,8 +277,7 @@ std::vector<std::vector<Overlap>> overlaps(const std::vector<double> &from,
 } // namespace
 
 template <>
-RecoveredPressure<3>::RecoveredPressure(const MultiplierSpace<3> &space,
-                                        const dealii::Vector<double> &P)
+RecoveredPressure<3>::RecoveredPressure(const MultiplierSpace<3> &space, const Pressure &P)
   : space_(space)
   , surface_(space.surface())
   , P_(P)
@@ -312,11 +307,10 @@ double RecoveredPressure<3>::operator()(const unsigned int patch, const dealii::
 }
 
 template <>
-dealii::Vector<double> transfer_pressure(const PatchPressure<3> &from,
-                                         const std::vector<Patch<3>> &to)
+Pressure transfer_pressure(const PatchPressure<3> &from, const std::vector<Patch<3>> &to)
 {
   const std::vector<PatchGrid> given = patch_grids(from.patches);
-  dealii::Vector<double> transferred(to.size());
+  Pressure transferred(to.size());
   for (const PatchGrid &grid : patch_grids(to))
   {
     const auto known = std::find_if(

@@ -10,8 +10,7 @@
 
 namespace Signorini
 {
-std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
-                                     const dealii::Vector<double> &P)
+std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers, const Pressure &P)
 {
   const ContactSurface<2> &surface = multipliers.surface();
   const double threshold = pressing_threshold(P);
@@ -41,17 +40,17 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
                          const Scene<dim> &scene,
                          const DistributedVector &loads,
                          const Coupling &D,
-                         const NodalVector &U,
-                         const dealii::Vector<double> &P)
+                         const Displacement &U,
+                         const Pressure &P)
 {
   NodalForces forces;
   const InternalForces<dim> internal = internal_forces(space, scene, U);
-  forces.internal = NodalVector(internal.forces);
-  forces.loads = NodalVector(loads);
+  forces.internal = space.dual(internal.forces);
+  forces.loads = space.dual(loads);
   DistributedVector contact = space.make_vector();
   D.add_product(P, contact);
   contact.compress(dealii::VectorOperation::add);
-  forces.contact = NodalVector(contact);
+  forces.contact = space.dual(contact);
   forces.residual = forces.internal;
   forces.residual -= forces.loads;
   forces.residual -= forces.contact;
@@ -63,7 +62,7 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
 
 template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
-                                 const dealii::Vector<double> &P,
+                                 const Pressure &P,
                                  const Piece<dim> &piece)
 {
   Resultant<dim> resultant;
@@ -79,19 +78,19 @@ template NodalForces nodal_forces(const DisplacementSpace<2> &,
                                   const Scene<2> &,
                                   const DistributedVector &,
                                   const Coupling &,
-                                  const NodalVector &,
-                                  const dealii::Vector<double> &);
+                                  const Displacement &,
+                                  const Pressure &);
 template NodalForces nodal_forces(const DisplacementSpace<3> &,
                                   const Scene<3> &,
                                   const DistributedVector &,
                                   const Coupling &,
-                                  const NodalVector &,
-                                  const dealii::Vector<double> &);
+                                  const Displacement &,
+                                  const Pressure &);
 template Resultant<2> contact_resultant(const MultiplierSpace<2> &,
-                                        const dealii::Vector<double> &,
+                                        const Pressure &,
                                         const Piece<2> &);
 template Resultant<3> contact_resultant(const MultiplierSpace<3> &,
-                                        const dealii::Vector<double> &,
+                                        const Pressure &,
                                         const Piece<3> &);
 
 // The reactions of plates.

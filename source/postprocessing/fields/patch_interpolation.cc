@@ -180,7 +180,7 @@ void PatchInterpolation<dim>::find_nodes(const AncestorIterator &cell, const Pla
 
 template <int dim>
 typename PatchInterpolation<dim>::Place
-PatchInterpolation<dim>::collect_values(const NodalVector &U, const CellIterator &cell)
+PatchInterpolation<dim>::collect_values(const Displacement &U, const CellIterator &cell)
 {
   AncestorIterator ancestor = cell;
   Place place = {};
@@ -204,7 +204,7 @@ PatchInterpolation<dim>::collect_values(const NodalVector &U, const CellIterator
 }
 
 template <int dim>
-const std::vector<dealii::Tensor<1, dim>> &PatchInterpolation<dim>::values(const NodalVector &U,
+const std::vector<dealii::Tensor<1, dim>> &PatchInterpolation<dim>::values(const Displacement &U,
                                                                            const CellIterator &cell)
 {
   const Place place = collect_values(U, cell);
@@ -238,7 +238,7 @@ void PatchInterpolation<dim>::sum_up(const ShapeTable &shapes, const unsigned in
 }
 
 template <int dim>
-const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const NodalVector &U,
+const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const Displacement &U,
                                                           const CellIterator &cell,
                                                           const dealii::FEValues<dim> &fe_values)
 {

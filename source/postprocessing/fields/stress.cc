@@ -12,7 +12,7 @@
 namespace Signorini
 {
 template <int dim>
-std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const NodalVector &U)
+std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const Displacement &U)
 {
   std::vector<double> means;
   const dealii::QGauss<dim> gauss(2);
@@ -30,7 +30,8 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
     values.reinit(cell);
-    values[dealii::FEValuesExtractors::Vector(0)].get_function_divergences(U, divergences);
+    values[dealii::FEValuesExtractors::Vector(0)].get_function_divergences(U.entries(),
+                                                                           divergences);
     auto &sums = integral_and_volume[group(cell)];
     for (const unsigned int q : values.quadrature_point_indices())
     {
@@ -46,8 +47,8 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
   return means;
 }
 
-template std::vector<double> mean_dilatations(const DisplacementSpace<2> &, const NodalVector &);
-template std::vector<double> mean_dilatations(const DisplacementSpace<3> &, const NodalVector &);
+template std::vector<double> mean_dilatations(const DisplacementSpace<2> &, const Displacement &);
+template std::vector<double> mean_dilatations(const DisplacementSpace<3> &, const Displacement &);
 
 // Polynomials at the points of tensor product rules, direction by direction.
 

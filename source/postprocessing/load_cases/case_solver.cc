@@ -44,13 +44,12 @@ CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const
 {
   const Scene<2> scene = with_only(data_.scene, kind);
   const DisplacementSpace<2> &space = data_.space;
-  const NodalVector loads = kind == LoadKind::travel
-                              ? NodalVector(space.dofs().n_dofs())
-                              : NodalVector(assemble_loads(space, scene, data_.n_points));
-  const NodalVector k = space.prescribed(scene);
-  NodalVector r = loads;
+  const DualVector loads = space.dual(
+    kind == LoadKind::travel ? space.make_vector() : assemble_loads(space, scene, data_.n_points));
+  const Displacement k = space.prescribed(scene);
+  DualVector r = loads;
   if (kind == LoadKind::travel)
-    r -= NodalVector(internal_forces(space, scene, k).forces);
+    r -= space.dual(internal_forces(space, scene, k).forces);
   LoadResponse response;
   response.kind = kind;
   response.U = solve_prescribed(data_.inverse, space, k, r);
@@ -73,7 +72,7 @@ bool CaseSolver::slides(const LoadCase &load_case) const
 {
   if (data_.modes.unseen.empty())
     return false;
-  NodalVector loads(data_.space.dofs().n_dofs());
+  DualVector loads = data_.space.zero();
   for (const LoadResponse &response : responses_)
     loads.add(share_of(load_case, response.kind), response.loads);
   const std::vector<Plate> plates = plates_of_case(data_.scene.plates, load_case);
@@ -108,7 +107,7 @@ CaseResult CaseSolver::solve_dual(const LoadCase &load_case)
     qp = solved.qp;
     q_ = solved.q;
   }
-  P_ = qp.P;
+  P_ = Pressure(qp.P);
   result.iterations = qp.iterations;
   result.kkt = qp.kkt_residual;
   result.converged = qp.converged;
@@ -136,11 +135,11 @@ CaseResult CaseSolver::solve(const LoadCase &load_case)
   return result;
 }
 
-NodalVector CaseSolver::displacement() const
+Displacement CaseSolver::displacement() const
 {
   DistributedVector forces = data_.space.make_vector();
   data_.condensed_D.add_product(P_, forces);
-  NodalVector U = solve_homogeneous(data_.inverse, data_.space, forces);
+  Displacement U = solve_homogeneous(data_.inverse, data_.space, forces);
   for (const LoadResponse &response : responses_)
     U.add(share_of(last_, response.kind), response.U);
   if (data_.modes.size() > 0)

@@ -23,7 +23,7 @@ dealii::Tensor<1, dim> to_tensor(const AnswerVector &x)
 template <int dim, typename Maximum>
 void set_growth(const std::vector<SingularPlace<dim>> &places,
                 const MultiplierSpace<dim> &multipliers,
-                const dealii::Vector<double> &P,
+                const Pressure &P,
                 const AnswerVector &point,
                 Maximum &largest)
 {
@@ -62,7 +62,7 @@ SideForce total_force(const std::vector<SideForce> &parts)
 /** Returns the largest pressure, and the place where it grows without limit. */
 template <int dim>
 std::optional<PeakPressure> describe_peak(const MultiplierSpace<dim> &multipliers,
-                                          const dealii::Vector<double> &P,
+                                          const Pressure &P,
                                           const std::vector<SingularPlace<dim>> &places)
 {
   const std::optional<PressureMaximum> largest = peak_pressure(multipliers, P);
@@ -99,7 +99,7 @@ std::vector<dealii::Point<2>> sample_positions(std::integral_constant<int, 3> /*
 template <int dim>
 std::optional<Penetration> largest_penetration(const DisplacementSpace<dim> &space,
                                                const MultiplierSpace<dim> &multipliers,
-                                               const NodalVector &U)
+                                               const Displacement &U)
 {
   const auto positions = sample_positions(std::integral_constant<int, dim>());
   const ContactSurface<dim> &surface = multipliers.surface();
@@ -138,8 +138,8 @@ Answer compute_answer(const DisplacementSpace<dim> &space,
                       const Scene<dim> &scene,
                       const MultiplierSpace<dim> &multipliers,
                       const NodalForces &forces,
-                      const NodalVector &U,
-                      const dealii::Vector<double> &P)
+                      const Displacement &U,
+                      const Pressure &P)
 {
   Answer answer;
   answer.dimension = dim;
@@ -159,20 +159,20 @@ Answer compute_answer(const DisplacementSpace<dim> &space,
 
 template std::optional<Penetration> largest_penetration(const DisplacementSpace<2> &,
                                                         const MultiplierSpace<2> &,
-                                                        const NodalVector &);
+                                                        const Displacement &);
 template Answer compute_answer(const DisplacementSpace<2> &,
                                const Scene<2> &,
                                const MultiplierSpace<2> &,
                                const NodalForces &,
-                               const NodalVector &,
-                               const dealii::Vector<double> &);
+                               const Displacement &,
+                               const Pressure &);
 template std::optional<Penetration> largest_penetration(const DisplacementSpace<3> &,
                                                         const MultiplierSpace<3> &,
-                                                        const NodalVector &);
+                                                        const Displacement &);
 template Answer compute_answer(const DisplacementSpace<3> &,
                                const Scene<3> &,
                                const MultiplierSpace<3> &,
                                const NodalForces &,
-                               const NodalVector &,
-                               const dealii::Vector<double> &);
+                               const Displacement &,
+                               const Pressure &);
 } // namespace Signorini

@@ -13,7 +13,7 @@
 namespace Signorini
 {
 std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multipliers,
-                                             const dealii::Vector<double> &P)
+                                             const Pressure &P)
 {
   std::vector<ContactBracket> brackets;
   for (SideNodes side : nodes_by_side(multipliers, P))
@@ -80,9 +80,7 @@ double root_end(const EndOfPressure &given)
 class SidePatches
 {
 public:
-  SidePatches(const MultiplierSpace<2> &multipliers,
-              const dealii::Vector<double> &P,
-              const std::size_t first)
+  SidePatches(const MultiplierSpace<2> &multipliers, const Pressure &P, const std::size_t first)
     : surface_(multipliers.surface())
     , first_(first)
   {
@@ -209,8 +207,7 @@ void add_zones(const SidePatches &patches, std::vector<ContactZone> &zones)
 }
 } // namespace
 
-std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
-                                       const dealii::Vector<double> &P)
+std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers, const Pressure &P)
 {
   if (!multipliers.is_piecewise_constant())
     return zones_of_polynomial(multipliers, P);

@@ -69,7 +69,7 @@ private:
 };
 
 std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<2> &multipliers,
-                                             const dealii::Vector<double> &P,
+                                             const Pressure &P,
                                              const std::vector<SingularPlace<2>> &outside_of)
 {
   if (!multipliers.is_piecewise_constant())
@@ -184,7 +184,7 @@ Mirrors mirrors_of(const PatchGrid &grid, const Scene<3> &scene)
  * not press. */
 std::optional<MeanParabola> parabola_along(const PatchGrid &grid,
                                            const Mirrors &mirrors,
-                                           const dealii::Vector<double> &P,
+                                           const Pressure &P,
                                            const unsigned int d,
                                            const std::array<unsigned int, 2> &index)
 {
@@ -224,7 +224,7 @@ std::vector<double> positions_on(const PatchGrid &grid,
 } // namespace
 
 std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<3> &multipliers,
-                                             const dealii::Vector<double> &P,
+                                             const Pressure &P,
                                              const std::vector<SingularPlace<3>> &outside_of)
 {
   const ContactSurface<3> &surface = multipliers.surface();
@@ -310,7 +310,7 @@ PointOfPressure golden_maximum(const std::function<double(double)> &f, double lo
  * between its neighbours; none where the patch lies in one of the places. */
 std::optional<PointOfPressure> largest_on(const unsigned int patch,
                                           const MultiplierSpace<2> &multipliers,
-                                          const dealii::Vector<double> &P,
+                                          const Pressure &P,
                                           const std::vector<SingularPlace<2>> &outside_of)
 {
   const Patch<2> &tau = multipliers.surface().patches()[patch];
@@ -341,7 +341,7 @@ std::optional<PointOfPressure> largest_on(const unsigned int patch,
 /** Returns -∫ p_H / |τ|. */
 double mean_pressure(const unsigned int patch,
                      const MultiplierSpace<2> &multipliers,
-                     const dealii::Vector<double> &P,
+                     const Pressure &P,
                      const dealii::Vector<double> &integrals)
 {
   double force = 0.;
@@ -352,7 +352,7 @@ double mean_pressure(const unsigned int patch,
 } // namespace
 
 std::vector<ContactZone> zones_of_polynomial(const MultiplierSpace<2> &multipliers,
-                                             const dealii::Vector<double> &P)
+                                             const Pressure &P)
 {
   const ContactSurface<2> &surface = multipliers.surface();
   std::vector<ContactZone> zones;
@@ -372,7 +372,7 @@ std::vector<ContactZone> zones_of_polynomial(const MultiplierSpace<2> &multiplie
 }
 
 std::optional<PressureMaximum> peak_of_polynomial(const MultiplierSpace<2> &multipliers,
-                                                  const dealii::Vector<double> &P,
+                                                  const Pressure &P,
                                                   const std::vector<SingularPlace<2>> &outside_of)
 {
   // Of equal peaks (a symmetric body may have two) the first one is taken, independent of rounding.

@@ -9,8 +9,8 @@ namespace Signorini
 /** zones_of_polynomial() and peak_of_polynomial() are contact_zones() and peak_pressure() where
  * patches have polynomials. */
 std::vector<ContactZone> zones_of_polynomial(const MultiplierSpace<2> &multipliers,
-                                             const dealii::Vector<double> &P);
+                                             const Pressure &P);
 std::optional<PressureMaximum> peak_of_polynomial(const MultiplierSpace<2> &multipliers,
-                                                  const dealii::Vector<double> &P,
+                                                  const Pressure &P,
                                                   const std::vector<SingularPlace<2>> &outside_of);
 } // namespace Signorini

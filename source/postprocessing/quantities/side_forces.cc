@@ -25,7 +25,7 @@ dealii::Tensor<1, 3> shift(const dealii::Tensor<1, 3> &F, const Moment<3> &momen
 template <int dim>
 std::vector<SideForce> contact_forces(const MultiplierSpace<dim> &multipliers,
                                       const Scene<dim> &scene,
-                                      const dealii::Vector<double> &P)
+                                      const Pressure &P)
 {
   std::vector<SideForce> forces;
   const ContactSurface<dim> &surface = multipliers.surface();
@@ -70,13 +70,13 @@ std::optional<dealii::Point<dim>> point_of_action(const Resultant<dim> &resultan
 
 template std::vector<SideForce> contact_forces(const MultiplierSpace<2> &,
                                                const Scene<2> &,
-                                               const dealii::Vector<double> &);
+                                               const Pressure &);
 template std::optional<dealii::Point<2>> point_of_action(const Resultant<2> &,
                                                          const dealii::Point<2> &,
                                                          double);
 template std::vector<SideForce> contact_forces(const MultiplierSpace<3> &,
                                                const Scene<3> &,
-                                               const dealii::Vector<double> &);
+                                               const Pressure &);
 template std::optional<dealii::Point<3>> point_of_action(const Resultant<3> &,
                                                          const dealii::Point<3> &,
                                                          double);

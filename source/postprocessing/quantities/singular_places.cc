@@ -54,7 +54,7 @@ template <int dim>
 bool presses_at(const dealii::Point<dim> &x,
                 const unsigned int side,
                 const MultiplierSpace<dim> &multipliers,
-                const dealii::Vector<double> &P)
+                const Pressure &P)
 {
   const std::vector<Patch<dim>> &patches = multipliers.surface().patches();
   double smallest = std::numeric_limits<double>::max();
@@ -174,7 +174,7 @@ template <int dim>
 std::optional<GrowthPlace> growth_at(const dealii::Point<dim> &x,
                                      const std::vector<SingularPlace<dim>> &places,
                                      const MultiplierSpace<dim> &multipliers,
-                                     const dealii::Vector<double> &P)
+                                     const Pressure &P)
 {
   const Scene<dim> &scene = multipliers.surface().scene();
   for (const SingularPlace<dim> &place : places)
@@ -203,9 +203,9 @@ template bool any_contains(const std::vector<SingularPlace<3>> &, const dealii::
 template std::optional<GrowthPlace> growth_at(const dealii::Point<2> &,
                                               const std::vector<SingularPlace<2>> &,
                                               const MultiplierSpace<2> &,
-                                              const dealii::Vector<double> &);
+                                              const Pressure &);
 template std::optional<GrowthPlace> growth_at(const dealii::Point<3> &,
                                               const std::vector<SingularPlace<3>> &,
                                               const MultiplierSpace<3> &,
-                                              const dealii::Vector<double> &);
+                                              const Pressure &);
 } // namespace Signorini

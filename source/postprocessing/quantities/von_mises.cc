@@ -52,7 +52,7 @@ struct StressField
 {
   const DisplacementSpace<dim> &space;
   const Material<dim> &material;
-  const NodalVector &U;
+  const Displacement &U;
   /** The mean dilatations by cell; empty where the strain is that of u_h. */
   const std::vector<double> dilatation;
   const std::vector<SingularPlace<dim>> &places;
@@ -147,7 +147,7 @@ CellResults<dim> results_at_nodes(const Cells<dim> &cells, const StressField<dim
                                                          dealii::update_quadrature_points);
     values->reinit(cell);
     strains.resize(values->n_quadrature_points);
-    (*values)[displacement].get_function_symmetric_gradients(field.U, strains);
+    (*values)[displacement].get_function_symmetric_gradients(field.U.entries(), strains);
     const MeshAt mesh = {cell->diameter(), element.degree};
     results.add_cell(cell->measure(), strains[0]);
     for (unsigned int q = 1; q < strains.size(); ++q)
@@ -225,7 +225,7 @@ StressMaximum largest_of_ranks(const StressAt<dim> &mine, MPI_Comm communicator)
 template <int dim>
 VonMises largest_von_mises(const DisplacementSpace<dim> &space,
                            const Scene<dim> &scene,
-                           const NodalVector &U,
+                           const Displacement &U,
                            const std::vector<SingularPlace<dim>> &places)
 {
   const StressField<dim> field = {space,
@@ -247,10 +247,10 @@ VonMises largest_von_mises(const DisplacementSpace<dim> &space,
 
 template VonMises largest_von_mises(const DisplacementSpace<2> &,
                                     const Scene<2> &,
-                                    const NodalVector &,
+                                    const Displacement &,
                                     const std::vector<SingularPlace<2>> &);
 template VonMises largest_von_mises(const DisplacementSpace<3> &,
                                     const Scene<3> &,
-                                    const NodalVector &,
+                                    const Displacement &,
                                     const std::vector<SingularPlace<3>> &);
 } // namespace Signorini

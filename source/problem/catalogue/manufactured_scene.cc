@@ -15,10 +15,10 @@ namespace Signorini
 namespace
 {
 template <int dim>
-class Displacement : public dealii::Function<dim>
+class DisplacementField : public dealii::Function<dim>
 {
 public:
-  explicit Displacement(FieldOf<dim> field)
+  explicit DisplacementField(FieldOf<dim> field)
     : dealii::Function<dim>(dim)
     , field_(std::move(field))
   {
@@ -148,7 +148,7 @@ std::array<double, 3> cube_of_positive_part(const double a, const std::array<dou
 
 FunctionPointer<2> displacement_of(const Field &field)
 {
-  return std::make_shared<Displacement<2>>(field);
+  return std::make_shared<DisplacementField<2>>(field);
 }
 
 FunctionPointer<2> body_force_of(const Field &field)
@@ -165,7 +165,7 @@ FunctionPointer<2> traction_of(const Field &field,
 
 FunctionPointer<3> displacement_of(const FieldOf<3> &field)
 {
-  return std::make_shared<Displacement<3>>(field);
+  return std::make_shared<DisplacementField<3>>(field);
 }
 
 FunctionPointer<3> body_force_of(const FieldOf<3> &field)

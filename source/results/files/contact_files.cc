@@ -73,8 +73,8 @@ public:
   ContactTracer(const DisplacementSpace<2> &space,
                 const MultiplierSpace<2> &multipliers,
                 const std::vector<BoundaryCondition<2>> &boundary,
-                const NodalVector &U,
-                const dealii::Vector<double> &P)
+                const Displacement &U,
+                const Pressure &P)
     : multipliers_(multipliers)
     , surface_(multipliers.surface())
     , boundary_(boundary)
@@ -114,8 +114,8 @@ private:
   const MultiplierSpace<2> &multipliers_;
   const ContactSurface<2> &surface_;
   const std::vector<BoundaryCondition<2>> &boundary_;
-  const NodalVector &U_;
-  const dealii::Vector<double> &P_;
+  const Displacement &U_;
+  const Pressure &P_;
   const RecoveredPressure<2> recovered_;
   TraceValues<2> traces_;
 };
@@ -123,8 +123,8 @@ private:
 
 std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
-                                               const NodalVector &U,
-                                               const dealii::Vector<double> &P,
+                                               const Displacement &U,
+                                               const Pressure &P,
                                                const unsigned int n_parts)
 {
   return trace_contact_line(
@@ -134,8 +134,8 @@ std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space
 std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
                                                const std::vector<BoundaryCondition<2>> &boundary,
-                                               const NodalVector &U,
-                                               const dealii::Vector<double> &P,
+                                               const Displacement &U,
+                                               const Pressure &P,
                                                const unsigned int n_parts)
 {
   const ContactSurface<2> &surface = multipliers.surface();
@@ -271,8 +271,8 @@ std::vector<ContactQuadrilateral>
 trace_contact_area(const DisplacementSpace<3> &space,
                    const MultiplierSpace<3> &multipliers,
                    const std::vector<BoundaryCondition<3>> &boundary,
-                   const NodalVector &U,
-                   const dealii::Vector<double> &P)
+                   const Displacement &U,
+                   const Pressure &P)
 {
   const ContactSurface<3> &surface = multipliers.surface();
   const std::vector<dealii::Point<2>> positions = corners_and_middle_of_face();

@@ -183,14 +183,14 @@ typename dealii::DataOut<dim>::CurvedCellRegion curved_region(const Mesh<dim> &m
 
 template <int dim>
 void add_displacement(const dealii::DoFHandler<dim> &dofs,
-                      const NodalVector &U,
+                      const Displacement &U,
                       const std::string &name,
                       FieldsOnCells<dim> &fields)
 {
   using namespace dealii::DataComponentInterpretation;
   fields.add_data_vector(
     dofs,
-    U,
+    U.entries(),
     std::vector<std::string>(dim, name),
     std::vector<DataComponentInterpretation>(dim, component_is_part_of_vector));
 }
@@ -199,7 +199,7 @@ void add_displacement(const dealii::DoFHandler<dim> &dofs,
  * interpolation gives the stress. */
 template <int dim>
 FieldPiece<dim> fields_of_bilinear_cells(const DisplacementSpace<dim> &space,
-                                         const NodalVector &U,
+                                         const Displacement &U,
                                          const StressPostprocessor<dim> &stress,
                                          const BoundFields &bound)
 {
@@ -214,10 +214,10 @@ FieldPiece<dim> fields_of_bilinear_cells(const DisplacementSpace<dim> &space,
   {
     recovered.emplace(space, U);
     add_displacement(recovered->dofs(), recovered->values(), "recovered_displacement", fields);
-    fields.add_data_vector(recovered->dofs(), recovered->values(), stress);
+    fields.add_data_vector(recovered->dofs(), recovered->values().entries(), stress);
   }
   else
-    fields.add_data_vector(space.dofs(), U, stress);
+    fields.add_data_vector(space.dofs(), U.entries(), stress);
   for (const auto &[name, values] : cell_fields)
     if (values.size() > 0)
       fields.add_data_vector(values, name, dealii::DataOut<dim>::type_cell_data);
@@ -231,7 +231,7 @@ FieldPiece<dim> fields_of_bilinear_cells(const DisplacementSpace<dim> &space,
 /** Returns the fields on cells of degree p, divided into p x p, those of lower degrees first. */
 template <int dim>
 FieldPiece<dim> fields_by_degree(const DisplacementSpace<dim> &space,
-                                 const NodalVector &U,
+                                 const Displacement &U,
                                  const StressPostprocessor<dim> &stress)
 {
   dealii::Vector<double> degrees(space.mesh().triangulation().n_active_cells());
@@ -244,7 +244,7 @@ FieldPiece<dim> fields_by_degree(const DisplacementSpace<dim> &space,
       continue;
     FieldsOnCells<dim> fields;
     add_displacement(space.dofs(), U, "displacement", fields);
-    fields.add_data_vector(space.dofs(), U, stress);
+    fields.add_data_vector(space.dofs(), U.entries(), stress);
     fields.add_data_vector(degrees, "degree", dealii::DataOut<dim>::type_cell_data);
     fields.set_cell_selection([&](const typename dealii::DataOut<dim>::cell_iterator &cell) {
       return cell->is_active() && degrees[cell->active_cell_index()] == degree;
@@ -260,7 +260,7 @@ template <int dim>
 void write_solution_vtu(const std::filesystem::path &path,
                         const DisplacementSpace<dim> &space,
                         const Scene<dim> &scene,
-                        const NodalVector &U,
+                        const Displacement &U,
                         const BoundFields &bound,
                         const unsigned int number)
 {
@@ -292,7 +292,7 @@ void write_pvd(const std::filesystem::path &path,
 template void write_solution_vtu(const std::filesystem::path &,
                                  const DisplacementSpace<2> &,
                                  const Scene<2> &,
-                                 const NodalVector &,
+                                 const Displacement &,
                                  const BoundFields &,
                                  unsigned int);
 } // namespace Signorini

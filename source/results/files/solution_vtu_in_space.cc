@@ -70,7 +70,7 @@ using Hexahedra = std::vector<dealii::DataOutBase::Patch<3, 3>>;
 /** Returns the cells of this rank with their fields. */
 Hexahedra fields_of_hexahedra(const DisplacementSpace<3> &space,
                               const Material<3> &material,
-                              const NodalVector &U)
+                              const Displacement &U)
 {
   std::vector<dealii::Point<3>> corners;
   for (const unsigned int v : dealii::GeometryInfo<3>::vertex_indices())
@@ -124,7 +124,7 @@ template <>
 void write_solution_vtu(const std::filesystem::path &path,
                         const DisplacementSpace<3> &space,
                         const Scene<3> &scene,
-                        const NodalVector &U,
+                        const Displacement &U,
                         const BoundFields & /*there is no bound in space*/,
                         const unsigned int number)
 {

@@ -189,8 +189,8 @@ void ResultsWriter::prepare_pictures(const Discretization<2> &discretization,
 template <int dim>
 void ResultsWriter::write_case_fields(const Discretization<dim> &discretization,
                                       const Scene<dim> &scene,
-                                      const NodalVector &U,
-                                      const dealii::Vector<double> &P,
+                                      const Displacement &U,
+                                      const Pressure &P,
                                       const unsigned int number)
 {
   if (directory_.empty())
@@ -234,6 +234,8 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   // F = G - D^T A^{-1} f for unconstrained unknowns: prescribed displacements count as gap.
   dealii::Vector<double> G = discretization.G;
   G -= discretization.D.transpose_product(space.complete(space.make_vector()));
+  const dealii::FullMatrix<double> C =
+    solution.dual->C ? solution.dual->C->dense() : dealii::FullMatrix<double>();
   const auto write = [&](const char *name, const std::function<void(std::ostream &)> &content) {
     write_file(level_file(name, solution.record.sizes.level, ".mtx"), content);
   };
@@ -259,10 +261,8 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
         write_symmetric_matrix_market(stream, solution.dual->motions.K);
       });
     }
-    if (solution.dual->C != nullptr)
-      write("C", [&](std::ostream &stream) {
-        write_symmetric_matrix_market(stream, solution.dual->C->dense());
-      });
+    if (C.m() > 0)
+      write("C", [&](std::ostream &stream) { write_symmetric_matrix_market(stream, C); });
   });
 }
 
@@ -349,8 +349,8 @@ void ResultsWriter::abandon()
 
 template void ResultsWriter::write_case_fields(const Discretization<2> &,
                                                const Scene<2> &,
-                                               const NodalVector &,
-                                               const dealii::Vector<double> &,
+                                               const Displacement &,
+                                               const Pressure &,
                                                unsigned int);
 template void ResultsWriter::write_fields(const Scene<2> &, const LevelResult<2> &);
 template void ResultsWriter::write_fields(const Scene<3> &, const LevelResult<3> &);

@@ -293,7 +293,7 @@ void set_view(std::ostream &script, const Frame &frame, const double end_of_scal
 
 Picture deformed_picture(const DisplacementSpace<2> &space,
                          const Scene<2> &scene,
-                         const NodalVector &U,
+                         const Displacement &U,
                          const std::vector<ContactSegment> &line)
 {
   const double size = scene.geometry.longest_extent();

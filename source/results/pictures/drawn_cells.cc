@@ -26,7 +26,7 @@ constexpr unsigned int most_cells = 10000;
 class FieldSampler
 {
 public:
-  FieldSampler(const DisplacementSpace<2> &space, const Scene<2> &scene, const NodalVector &U)
+  FieldSampler(const DisplacementSpace<2> &space, const Scene<2> &scene, const Displacement &U)
     : space_(space)
     , material_(*scene.material)
     , U_(U)
@@ -59,11 +59,11 @@ public:
     std::vector<dealii::Tensor<1, 2>> u(values->n_quadrature_points);
     std::vector<dealii::Tensor<2, 2>> gradients(values->n_quadrature_points);
     const dealii::FEValuesExtractors::Vector displacement(0);
-    (*values)[displacement].get_function_values(U_, u);
+    (*values)[displacement].get_function_values(U_.entries(), u);
     if (interpolated_)
       gradients = interpolation_->evaluate(U_, dof_cell, *values).gradients;
     else
-      (*values)[displacement].get_function_gradients(U_, gradients);
+      (*values)[displacement].get_function_gradients(U_.entries(), gradients);
     std::vector<DrawnPoint> points(values->n_quadrature_points);
     for (const unsigned int q : values->quadrature_point_indices())
     {
@@ -91,7 +91,7 @@ private:
 
   const DisplacementSpace<2> &space_;
   const Material<2> &material_;
-  const NodalVector &U_;
+  const Displacement &U_;
   const std::vector<double> dilatation_;
   const bool interpolated_;
   std::optional<PatchInterpolation<2>> interpolation_;
@@ -148,7 +148,7 @@ unsigned int drawn_level(const dealii::Triangulation<2> &triangulation)
 
 std::vector<DrawnCell> collect_drawn_cells(const DisplacementSpace<2> &space,
                                            const Scene<2> &scene,
-                                           const NodalVector &U)
+                                           const Displacement &U)
 {
   const dealii::Triangulation<2> &triangulation = space.mesh().triangulation();
   FieldSampler sampler(space, scene, U);

@@ -34,5 +34,5 @@ struct DrawnCell
  * drawn. Large cells are divided so that colours change smoothly. Not collective. */
 std::vector<DrawnCell> collect_drawn_cells(const DisplacementSpace<2> &space,
                                            const Scene<2> &scene,
-                                           const NodalVector &U);
+                                           const Displacement &U);
 } // namespace Signorini

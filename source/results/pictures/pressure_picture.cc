@@ -153,8 +153,8 @@ void plot_opening(std::ostream &script, const DrawnSide &side, const std::string
 
 std::vector<ContactSegment> trace_for_pictures(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
-                                               const NodalVector &U,
-                                               const dealii::Vector<double> &P)
+                                               const Displacement &U,
+                                               const Pressure &P)
 {
   constexpr std::size_t enough_points = 300;
   const std::size_t n_pieces = std::max<std::size_t>(1, multipliers.surface().pieces().size());

@@ -100,10 +100,17 @@ private:
     return std::max((P_[i] - qp_.K[i].upper) / length_,
                     std::min((P_[i] - qp_.K[i].lower) / length_, W_[i]));
   }
-  /** The end of the interval that a step against the direction meets. */
-  double end_behind(const unsigned int i) const
+  /** Returns the largest t for which P - t v stays in K. */
+  double feasible_step(const Vector &v) const
   {
-    return direction_[i] < 0. ? qp_.K[i].upper : qp_.K[i].lower;
+    double feasible = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i < P_.size(); ++i)
+      if (v[i] != 0.)
+      {
+        const double end = v[i] < 0. ? qp_.K[i].upper : qp_.K[i].lower;
+        feasible = std::min(feasible, (P_[i] - end) / v[i]);
+      }
+    return feasible;
   }
 
   /** |beta|² <= reduced phi . phi: what bounds hold back is no more than what is free. */
@@ -140,10 +147,7 @@ private:
     const Vector product = times_C(direction_);
     const double curvature = direction_ * product;
     const double step = (W_ * direction_) / curvature;
-    double feasible = std::numeric_limits<double>::max();
-    for (unsigned int i = 0; i < P_.size(); ++i)
-      if (direction_[i] != 0.)
-        feasible = std::min(feasible, (P_[i] - end_behind(i)) / direction_[i]);
+    const double feasible = feasible_step(direction_);
     if (step <= feasible)
     {
       P_.add(-step, direction_);
@@ -167,8 +171,10 @@ private:
       if (!is_free(i))
         chopped[i] = qp_.K.inward(i, P_[i], W_[i]);
     const Vector product = times_C(chopped);
-    const double step = (W_ * chopped) / (chopped * product);
+    // With two bounds the step may end at the other one.
+    const double step = std::min((W_ * chopped) / (chopped * product), feasible_step(chopped));
     P_.add(-step, chopped);
+    qp_.K.project(P_);
     W_.add(-step, product);
     direction_ = preconditioned();
   }

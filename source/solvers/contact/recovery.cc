@@ -42,11 +42,11 @@ template FreeState solve_free_state(const StiffnessInverse &,
 // U = A⁻¹(D P + f), (23).
 
 template <int dim>
-NodalVector recover_displacement(const StiffnessInverse &inverse,
-                                 const DisplacementSpace<dim> &space,
-                                 const Coupling &condensed_D,
-                                 const dealii::Vector<double> &P,
-                                 const DistributedVector &f)
+Displacement recover_displacement(const StiffnessInverse &inverse,
+                                  const DisplacementSpace<dim> &space,
+                                  const Coupling &condensed_D,
+                                  const dealii::Vector<double> &P,
+                                  const DistributedVector &f)
 {
   DistributedVector DP_plus_f(f);
   condensed_D.add_product(P, DP_plus_f);
@@ -57,51 +57,51 @@ NodalVector recover_displacement(const StiffnessInverse &inverse,
 }
 
 template <int dim>
-NodalVector solve_homogeneous(const StiffnessInverse &inverse,
-                              const DisplacementSpace<dim> &space,
-                              DistributedVector &b)
+Displacement solve_homogeneous(const StiffnessInverse &inverse,
+                               const DisplacementSpace<dim> &space,
+                               DistributedVector &b)
 {
   b.compress(dealii::VectorOperation::add);
   DistributedVector x = space.make_vector();
   inverse.solve(x, b);
-  NodalVector w(x);
+  Displacement w = space.displacement(x);
   space.distribute_homogeneous(w);
   return w;
 }
 
 template <int dim>
-NodalVector solve_prescribed(const StiffnessInverse &inverse,
-                             const DisplacementSpace<dim> &space,
-                             const NodalVector &k,
-                             const NodalVector &r)
+Displacement solve_prescribed(const StiffnessInverse &inverse,
+                              const DisplacementSpace<dim> &space,
+                              const Displacement &k,
+                              const DualVector &r)
 {
-  const NodalVector condensed = space.condense(r);
+  const DualVector condensed = space.condense(r);
   DistributedVector b = space.make_vector();
   for (const auto i : space.locally_owned())
-    b(i) += condensed[i];
-  NodalVector U = solve_homogeneous(inverse, space, b);
+    b(i) += condensed(i);
+  Displacement U = solve_homogeneous(inverse, space, b);
   U += k;
   return U;
 }
 
-template NodalVector solve_prescribed(const StiffnessInverse &,
-                                      const DisplacementSpace<2> &,
-                                      const NodalVector &,
-                                      const NodalVector &);
-template NodalVector solve_homogeneous(const StiffnessInverse &,
+template Displacement solve_prescribed(const StiffnessInverse &,
                                        const DisplacementSpace<2> &,
-                                       DistributedVector &);
-template NodalVector solve_homogeneous(const StiffnessInverse &,
-                                       const DisplacementSpace<3> &,
-                                       DistributedVector &);
-template NodalVector recover_displacement(const StiffnessInverse &,
-                                          const DisplacementSpace<2> &,
-                                          const Coupling &,
-                                          const dealii::Vector<double> &,
-                                          const DistributedVector &);
-template NodalVector recover_displacement(const StiffnessInverse &,
-                                          const DisplacementSpace<3> &,
-                                          const Coupling &,
-                                          const dealii::Vector<double> &,
-                                          const DistributedVector &);
+                                       const Displacement &,
+                                       const DualVector &);
+template Displacement solve_homogeneous(const StiffnessInverse &,
+                                        const DisplacementSpace<2> &,
+                                        DistributedVector &);
+template Displacement solve_homogeneous(const StiffnessInverse &,
+                                        const DisplacementSpace<3> &,
+                                        DistributedVector &);
+template Displacement recover_displacement(const StiffnessInverse &,
+                                           const DisplacementSpace<2> &,
+                                           const Coupling &,
+                                           const dealii::Vector<double> &,
+                                           const DistributedVector &);
+template Displacement recover_displacement(const StiffnessInverse &,
+                                           const DisplacementSpace<3> &,
+                                           const Coupling &,
+                                           const dealii::Vector<double> &,
+                                           const DistributedVector &);
 } // namespace Signorini

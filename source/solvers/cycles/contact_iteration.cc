@@ -19,7 +19,7 @@ namespace Signorini
 struct ContactStep
 {
   /** The residual r = f + D P - A U and z = V r. */
-  NodalVector r, z;
+  dealii::Vector<double> r, z;
   /** The change d = Q - P and t Ĉ_1 d. */
   dealii::Vector<double> d, C_d;
 
@@ -43,7 +43,10 @@ public:
    * Moves U and P by @p step, or farther.
    * @param same_set whether the step keeps the set; otherwise earlier steps are forgotten.
    */
-  void advance(NodalVector &U, dealii::Vector<double> &P, const ContactStep &step, bool same_set);
+  void advance(dealii::Vector<double> &U,
+               dealii::Vector<double> &P,
+               const ContactStep &step,
+               bool same_set);
   /** Forgets all earlier steps. */
   void forget();
 
@@ -97,7 +100,7 @@ dealii::Vector<double> difference_of(dealii::Vector<double> a, const dealii::Vec
 }
 
 /** Replaces @p to by from - to. */
-void subtract_from(const NodalVector &from, dealii::Vector<float> &to)
+void subtract_from(const dealii::Vector<double> &from, dealii::Vector<float> &to)
 {
   for (unsigned int i = 0; i < to.size(); ++i)
     to[i] = static_cast<float>(from[i] - to[i]);
@@ -172,7 +175,7 @@ dealii::Vector<double> Acceleration::coefficients(const ContactStep &step) const
   return gamma;
 }
 
-void Acceleration::advance(NodalVector &U,
+void Acceleration::advance(dealii::Vector<double> &U,
                            dealii::Vector<double> &P,
                            const ContactStep &step,
                            const bool same_set)
@@ -212,7 +215,7 @@ using Vector = dealii::Vector<double>;
 /** Returns Dᵀ V D P. */
 Vector approximate_compliance_times(const ContactSystem &system, const Vector &P)
 {
-  NodalVector b(system.A.size()), z(system.A.size());
+  dealii::Vector<double> b(system.A.size()), z(system.A.size());
   add_product(system.condensed_D, P, b);
   system.A.precondition(z, b);
   return system.condensed_D.transpose_product(z);
@@ -287,17 +290,17 @@ void complete_step(const ContactSystem &system, const ContactIterationResult &at
 /** Returns (U.A U)^{1/2} up to the residual: A U = f + D P - r. */
 double energy_norm(const ContactSystem &system, const ContactIterationResult &at)
 {
-  NodalVector forces(system.f);
+  dealii::Vector<double> forces(system.f);
   add_product(system.condensed_D, at.P, forces);
   return std::sqrt(std::abs(forces * at.U));
 }
 
 /** Measures the energy of the residual by one more V-cycle, which is counted. */
 void measure_energy_of_residual(const ContactSystem &system,
-                                const NodalVector &r,
+                                const dealii::Vector<double> &r,
                                 ContactIterationResult &result)
 {
-  NodalVector z(r.size());
+  dealii::Vector<double> z(r.size());
   system.A.precondition(z, r);
   ++result.cycles;
   result.energy_of_residual = 0.5 * (r * z);
@@ -313,9 +316,10 @@ bool keeps_set(const Vector &P, const Vector &d)
 }
 } // namespace
 
-NodalVector ContactSystem::residual(const NodalVector &U, const Vector &P) const
+dealii::Vector<double> ContactSystem::residual(const dealii::Vector<double> &U,
+                                               const Vector &P) const
 {
-  NodalVector r(A.size());
+  dealii::Vector<double> r(A.size());
   A.apply(r, U);
   r *= -1.;
   r += f;
@@ -323,7 +327,7 @@ NodalVector ContactSystem::residual(const NodalVector &U, const Vector &P) const
   return r;
 }
 
-Vector ContactSystem::opening(const NodalVector &U) const
+Vector ContactSystem::opening(const dealii::Vector<double> &U) const
 {
   Vector W = condensed_D.transpose_product(U);
   W -= gap;
@@ -363,7 +367,7 @@ double estimate_scale(const ContactSystem &system, const unsigned int n_steps)
 }
 
 ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
-                                               const NodalVector &U,
+                                               const dealii::Vector<double> &U,
                                                const Vector &P,
                                                const ContactIterationOptions &options)
 {

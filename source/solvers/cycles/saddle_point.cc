@@ -17,7 +17,7 @@
 
 namespace Signorini
 {
-void add_product(const Coupling &D, const dealii::Vector<double> &P, NodalVector &vector)
+void add_product(const Coupling &D, const dealii::Vector<double> &P, dealii::Vector<double> &vector)
 {
   for (unsigned int k = 0; k < P.size(); ++k)
     if (P[k] != 0.)
@@ -27,7 +27,7 @@ void add_product(const Coupling &D, const dealii::Vector<double> &P, NodalVector
 
 double rounding_of(const StiffnessOperator &A)
 {
-  NodalVector x(A.size()), y(A.size());
+  dealii::Vector<double> x(A.size()), y(A.size());
   for (unsigned int i = 0; i < x.size(); ++i)
     x[i] = std::sin(1. + 2.3 * i);
   A.apply(y, x);
@@ -45,10 +45,10 @@ double relative_or_absolute(const double value, const double scale)
  * Sets the stationarity.
  * @return the residual.
  */
-NodalVector measure_forces(const ContactSystem &system, ContactIterationResult &result)
+dealii::Vector<double> measure_forces(const ContactSystem &system, ContactIterationResult &result)
 {
   constexpr double least_share_of_terms = 1e-3;
-  NodalVector pressing(system.A.size()), r(system.A.size());
+  dealii::Vector<double> pressing(system.A.size()), r(system.A.size());
   add_product(system.condensed_D, result.P, pressing);
   system.A.apply(r, result.U);
   const double of_contact = pressing.l2_norm();
@@ -91,12 +91,12 @@ void measure_contact(const ContactSystem &system, ContactIterationResult &result
 }
 } // namespace
 
-NodalVector measure(const ContactSystem &system,
-                    const ContactIterationOptions &options,
-                    ContactIterationResult &result)
+dealii::Vector<double> measure(const ContactSystem &system,
+                               const ContactIterationOptions &options,
+                               ContactIterationResult &result)
 {
   constexpr double multiples_of_rounding = 10.;
-  const NodalVector r = measure_forces(system, result);
+  const dealii::Vector<double> r = measure_forces(system, result);
   measure_contact(system, result);
   const auto is_small = [](const double residual, const double allowed, const double rounding) {
     return residual <= std::max(allowed, multiples_of_rounding * rounding);

@@ -6,7 +6,9 @@
 namespace Signorini
 {
 /** Adds D P to @p vector. */
-void add_product(const Coupling &D, const dealii::Vector<double> &P, NodalVector &vector);
+void add_product(const Coupling &D,
+                 const dealii::Vector<double> &P,
+                 dealii::Vector<double> &vector);
 
 /** Returns the unit roundoff times |A x|/|x| for a rough x. */
 double rounding_of(const StiffnessOperator &A);
@@ -16,7 +18,7 @@ double rounding_of(const StiffnessOperator &A);
  * enough.
  * @return f + D P - A U.
  */
-NodalVector measure(const ContactSystem &system,
-                    const ContactIterationOptions &options,
-                    ContactIterationResult &result);
+dealii::Vector<double> measure(const ContactSystem &system,
+                               const ContactIterationOptions &options,
+                               ContactIterationResult &result);
 } // namespace Signorini

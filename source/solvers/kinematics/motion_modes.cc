@@ -16,36 +16,39 @@ namespace Signorini
 namespace
 {
 /** Returns the nodal values of a rigid motion. */
-NodalVector interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space)
+Displacement interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space)
 {
   return interpolate_at_nodes(
     space, FieldFunction([&](const dealii::Point<2> &x) { return motion.velocity(x); }));
 }
 
 /** Returns the values of the motion on plates, pins and other supports; zero elsewhere. */
-NodalVector lift(const FreeMotion &motion, const DisplacementSpace<2> &space, const Scene<2> &scene)
+Displacement lift(const FreeMotion &motion,
+                  const DisplacementSpace<2> &space,
+                  const Scene<2> &scene)
 {
-  NodalVector k = space.prescribed(with_only_plates_moved(scene, motion.plates));
+  Displacement k = space.prescribed(with_only_plates_moved(scene, motion.plates));
   if (motion.rigid)
     for (const auto &pin : space.pins())
-      k[pin.dof] = motion.rigid->velocity(pin.node)[pin.component];
+      if (k.in_local_range(pin.dof))
+        k(pin.dof) = motion.rigid->velocity(pin.node)[pin.component];
+  k.update_ghost_values();
   return k;
 }
 
 /** Returns the forces of a mode; empty where all of them are rounding: V^h contains the rigid
  * motion. */
-NodalVector forces_of_mode(const NodalVector &z,
-                           const DisplacementSpace<2> &space,
-                           const Scene<2> &scene)
+DualVector forces_of_mode(const Displacement &z,
+                          const DisplacementSpace<2> &space,
+                          const Scene<2> &scene)
 {
   constexpr double rounding = 10. * std::numeric_limits<double>::epsilon();
   const InternalForces<2> internal = internal_forces(space, scene, z);
-  NodalVector forces(internal.forces);
-  const NodalVector magnitudes(internal.magnitudes);
-  double size = 0.;
-  for (unsigned int i = 0; i < z.size(); ++i)
-    size += std::abs(z[i]) * magnitudes[i];
-  return z * forces <= rounding * size ? NodalVector() : forces;
+  const DualVector forces = space.dual(internal.forces);
+  DualVector sizes = space.dual(internal.magnitudes);
+  for (unsigned int i = 0; i < sizes.locally_owned_size(); ++i)
+    sizes.local_element(i) *= z.local_element(i);
+  return z * forces <= rounding * sizes.l1_norm() ? DualVector() : forces;
 }
 
 /** A sum with the sum of the absolute values of its terms. */
@@ -60,20 +63,22 @@ struct WorkSum
     magnitude += std::abs(term);
   }
   /** Adds the terms of factor a.b. */
-  void add_product(const NodalVector &a, const NodalVector &b, const double factor)
+  void add_product(const DualVector &a, const DualVector &b, const double factor)
   {
-    for (unsigned int i = 0; i < a.size(); ++i)
-      add(factor * a[i] * b[i]);
+    DualVector terms(a);
+    terms.scale(b);
+    value += factor * (a * b);
+    magnitude += std::abs(factor) * terms.l1_norm();
   }
 };
 
 /** Returns k - A⁻¹ A k. */
-NodalVector extend(const NodalVector &k,
-                   const DisplacementSpace<2> &space,
-                   const Scene<2> &scene,
-                   const StiffnessInverse &inverse)
+Displacement extend(const Displacement &k,
+                    const DisplacementSpace<2> &space,
+                    const Scene<2> &scene,
+                    const StiffnessInverse &inverse)
 {
-  NodalVector r(internal_forces(space, scene, k).forces);
+  DualVector r = space.dual(internal_forces(space, scene, k).forces);
   r *= -1.;
   return solve_prescribed(inverse, space, k, r);
 }
@@ -97,7 +102,7 @@ MotionModes<2> modes_of_plane(const DisplacementSpace<2> &space,
       !motion.rigid || (space.mesh().is_curved() && !motion.rigid->is_translation());
     modes.Z.push_back(strains ? extend(lift(motion, space, scene), space, scene, inverse)
                               : interpolate(*motion.rigid, space));
-    modes.forces.push_back(strains ? forces_of_mode(modes.Z.back(), space, scene) : NodalVector());
+    modes.forces.push_back(strains ? forces_of_mode(modes.Z.back(), space, scene) : DualVector());
   }
   const unsigned int k = modes.size();
   modes.K.reinit(k, k);
@@ -131,8 +136,8 @@ dealii::FullMatrix<double> MotionModes<dim>::couple(const Coupling &D) const
 
 template <int dim>
 MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates,
-                                  const NodalVector &loads,
-                                  const NodalVector &U_0) const
+                                  const DualVector &loads,
+                                  const Displacement &U_0) const
 {
   MotionWork work = {dealii::Vector<double>(size()), dealii::Vector<double>(size())};
   for (unsigned int j = 0; j < size(); ++j)
@@ -150,7 +155,7 @@ MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates,
 
 template <int dim>
 std::optional<unsigned int> MotionModes<dim>::driven_unseen(const std::vector<Plate> &plates,
-                                                            const NodalVector &loads) const
+                                                            const DualVector &loads) const
 {
   for (unsigned int j = 0; j < unseen.size(); ++j)
   {
@@ -164,7 +169,7 @@ std::optional<unsigned int> MotionModes<dim>::driven_unseen(const std::vector<Pl
 }
 
 template <int dim>
-void MotionModes<dim>::add_to(NodalVector &U, const dealii::Vector<double> &q) const
+void MotionModes<dim>::add_to(Displacement &U, const dealii::Vector<double> &q) const
 {
   for (unsigned int j = 0; j < size(); ++j)
     U.add(q[j], Z[j]);

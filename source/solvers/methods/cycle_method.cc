@@ -25,21 +25,29 @@ constexpr double stationarity_per_tolerance = 10.;
 /** How exactly the linear systems behind the estimate of the error are solved. */
 constexpr double tolerance_of_estimates = 1e-4;
 
-/** Nodal values without those of constrained rows; zero where there are none. */
+using Vector = dealii::Vector<double>;
+
+/** Returns the entries as V-cycles take them: all are on this rank. */
+Vector serial(const DualVector &entries)
+{
+  return Vector(entries.begin(), entries.end());
+}
+
+/** Returns nodal values without those of constrained rows; zero where there are none. */
 template <int dim>
-NodalVector free_part(const DisplacementSpace<dim> &space, const NodalVector &U)
+Vector free_part(const DisplacementSpace<dim> &space, const Displacement &U)
 {
   if (U.size() == 0)
-    return NodalVector(space.dofs().n_dofs());
-  NodalVector free(U);
+    return Vector(space.dofs().n_dofs());
+  Vector free = serial(U);
   for (const auto &line : space.constraints().get_lines())
     free[line.index] = 0.;
   return free;
 }
 
-/** U = T U_free + k. */
+/** Returns U = T U_free + k. */
 template <int dim>
-NodalVector complete_free_part(const DisplacementSpace<dim> &space, const NodalVector &U_free)
+Displacement complete_free_part(const DisplacementSpace<dim> &space, const Vector &U_free)
 {
   DistributedVector free = space.make_vector();
   for (const auto i : space.locally_owned())
@@ -91,8 +99,8 @@ private:
   {
     const DisplacementSpace<dim> &space = discretization.space;
     const auto model = make_boundary_model(discretization.multipliers);
-    const NodalVector f(state.system->f);
-    dealii::Vector<double> gap(discretization.G);
+    const Vector f = serial(space.dual(state.system->f));
+    Vector gap(discretization.G);
     gap -= discretization.D.transpose_product(space.prescribed(scene_));
     const ContactIterationOptions options = options_for(start);
     const ContactIterationResult result =
@@ -101,11 +109,11 @@ private:
                                discretization.condensed_D,
                                gap,
                                *model,
-                               space.condense(NodalVector(state.system->loads)).l2_norm()},
+                               space.condense(space.dual(state.system->loads)).l2_norm()},
                               free_part(space, start.U),
-                              start.P.size() > 0 ? start.P : dealii::Vector<double>(gap.size()),
+                              start.P.size() > 0 ? start.P : Pressure(gap.size()),
                               options);
-    state.P = result.P;
+    state.P = Pressure(result.P);
     state.U = complete_free_part(space, result.U);
     state.cycles = CycleData{result.scale, result.energy_of_residual};
     state.report.method = ContactSolver::multigrid;
@@ -114,11 +122,11 @@ private:
     state.report.converged = result.converged;
     state.report.stalled = result.stalled;
     state.report.energy_tolerance = options.energy_tolerance;
-    dealii::Vector<double> diagonal = model->diagonal();
+    Vector diagonal = model->diagonal();
     diagonal *= result.scale;
     state.diagonal_P = result.P;
     state.diagonal_P.scale(diagonal);
-    dealii::Vector<double> W = discretization.D.transpose_product(state.U);
+    Vector W = discretization.D.transpose_product(state.U);
     W -= discretization.G;
     state.algebraic_error = std::hypot(
       algebraic_error(discretization.multipliers.admissible_set(), result.P, W, diagonal),

@@ -63,7 +63,7 @@ public:
     factorise_stiffness(discretization, progress, state);
     find_free_state(discretization, state);
     DualData &dual = *state.dual;
-    state.P.reinit(discretization.multipliers.n_multipliers());
+    state.P = Pressure(discretization.multipliers.n_multipliers());
     if (state.modes.size() == 0 && dual.free.nothing_touches())
       state.U = dual.free.U;
     else
@@ -118,7 +118,7 @@ private:
     dual.F = dual.free.F;
     state.modes = make_motion_modes(space, scene_, *state.inverse);
     const MotionModes<dim> &modes = state.modes;
-    const NodalVector loads(state.system->loads);
+    const DualVector loads = space.dual(state.system->loads);
     if (modes.size() > 0)
     {
       const MotionWork work = modes.work(scene_.plates, loads, dual.free.U);
@@ -173,7 +173,7 @@ private:
       result = found.qp;
     }
     state.report = summary_of(result, choice_.contact);
-    state.P = result.P;
+    state.P = Pressure(result.P);
     state.dual->C_P = dual.C->apply(state.P);
     state.diagonal_P = effect_on_itself(*dual.C, state.P);
   }

@@ -287,13 +287,13 @@ constexpr double refine_solves_above = 1e-8;
 constexpr double loose_goal = 1e-10;
 constexpr double refuse_solves_above = 1e-4;
 
-NodalVector to_nodal(const StiffnessInverse::Vector &from)
+dealii::Vector<double> to_nodal(const StiffnessInverse::Vector &from)
 {
   const double *const values = from.trilinos_vector()[0];
-  return NodalVector(values, values + from.size());
+  return dealii::Vector<double>(values, values + from.size());
 }
 
-void copy_to(StiffnessInverse::Vector &to, const NodalVector &from)
+void copy_to(StiffnessInverse::Vector &to, const dealii::Vector<double> &from)
 {
   std::copy(from.begin(), from.end(), to.trilinos_vector()[0]);
 }
@@ -326,7 +326,7 @@ void MultigridInverse::residual(Vector &r,
                                 const Vector &b,
                                 const bool /*accurate*/) const
 {
-  NodalVector product(A_->size());
+  dealii::Vector<double> product(A_->size());
   A_->apply(product, to_nodal(x));
   product.sadd(-1., 1., to_nodal(b));
   copy_to(r, product);
@@ -340,9 +340,9 @@ void MultigridInverse::apply(std::vector<Vector> &x, const std::vector<Vector> &
 
 void MultigridInverse::solve_one(Vector &x, const Vector &b) const
 {
-  NodalVector r = to_nodal(b), z(r.size()), q(r.size()), u(r.size());
+  dealii::Vector<double> r = to_nodal(b), z(r.size()), q(r.size()), u(r.size());
   A_->precondition(z, r);
-  NodalVector p = z;
+  dealii::Vector<double> p = z;
   double rz = r * z;
   const double start = rz, goal = goal_ * goal_ * start;
   unsigned int n_cycles = 1;

@@ -30,7 +30,7 @@ struct System
   {
   }
 
-  NodalVector solve() const
+  Displacement solve() const
   {
     DistributedVector U = space.make_vector();
     factorise(system.matrix, system.unit, LinearSolver::automatic)->solve(U, system.f);
@@ -50,7 +50,7 @@ void check_resultant(Checks &checks,
                      const Point<2> &force,
                      const double moment)
 {
-  const NodalVector loads(body.system.loads);
+  const Displacement loads(body.system.loads);
   const auto work = [&](const Field &field) { return loads * nodal_values(body.space, field); };
   checks.near(name + ": force", (body.system.applied.force - force).norm(), 0., 1e-13);
   checks.near(name + ": moment", body.system.applied.moment[0], moment, 1e-13);
@@ -168,7 +168,7 @@ void linear_field(Checks &checks)
 
 /** max |(u - expected)_direction| over the nodes of a side. */
 double largest_on_side(const System &body,
-                       const NodalVector &U,
+                       const Displacement &U,
                        const unsigned int side,
                        const dealii::Tensor<1, 2> &direction,
                        const dealii::Tensor<1, 2> &expected)
@@ -193,7 +193,7 @@ void rollers(Checks &checks)
            boundary + "end\n" + entry("Load", "Body force", "1; -2") + elastic;
   };
   const System clamped(text("set Rollers = side0\nset Clamped = side2\nset Contact = side1\n"), 3);
-  const NodalVector U = clamped.solve();
+  const Displacement U = clamped.solve();
   const auto n = clamped.scene.geometry.sides[0].normal(0.);
   const dealii::Tensor<1, 2> zero, tangent = Point<2>(-n[1], n[0]);
   checks.near("no motion normal to a roller", largest_on_side(clamped, U, 0, n, zero), 0., 1e-14);
@@ -205,7 +205,7 @@ void rollers(Checks &checks)
               1e-15);
 
   const System corner(text("set Rollers = side0 side1\nset Contact = side2\n"), 3);
-  const NodalVector V = corner.solve();
+  const Displacement V = corner.solve();
   for (const unsigned int side : {0U, 1U})
     checks.near(
       "two rollers that meet: side " + std::to_string(side),
@@ -217,7 +217,7 @@ void rollers(Checks &checks)
   const System moved(text("set Rollers = side0\nset Displacement = side1: 0.2; 0.1\n"
                           "set Contact = side2\n"),
                      3);
-  const NodalVector W = moved.solve();
+  const Displacement W = moved.solve();
   const Point<2> given(0.2, 0.1);
   checks.near("prescribed side beside a roller",
               largest_on_side(moved, W, 1, n, given) + largest_on_side(moved, W, 1, tangent, given),

@@ -89,7 +89,7 @@ void moments(Checks &checks, const std::string &name, const OneLevel &level)
   const char *const names[] = {": constant field", ": linear field"};
   for (unsigned int k = 0; k < 2; ++k)
   {
-    const NodalVector U = nodal_values(level.space(), fields[k]);
+    const Displacement U = nodal_values(level.space(), fields[k]);
     const auto DtU = level.discretization.D.transpose_product(U);
     double largest = 0.;
     for (unsigned int tau = 0; tau < DtU.size(); ++tau)
@@ -137,9 +137,9 @@ void condensed(Checks &checks, const std::string &name, const OneLevel &level)
 {
   const auto &space = level.space();
   RandomNumbers random(5);
-  NodalVector U = random.vector(space.dofs().n_dofs());
+  Displacement U = random.vector(space.dofs().n_dofs());
   space.constraints().set_zero(U);
-  const NodalVector U_free = U;
+  const Displacement U_free = U;
   space.constraints().distribute(U);
   const Coupling &condensed_D = level.discretization.condensed_D;
   checks.near(
@@ -167,7 +167,7 @@ void products(Checks &checks)
   D.add_product(P, DP);
   DP.compress(dealii::VectorOperation::add);
   const auto DtU = D.transpose_product(U);
-  checks.near("U.(D P) = P.(D^T U)", NodalVector(DP) * U, P * DtU, 1e-14);
+  checks.near("U.(D P) = P.(D^T U)", Displacement(DP) * U, P * DtU, 1e-14);
   for (const auto i : level.space().locally_owned())
     distributed_U(i) = U[i];
   distributed_U.compress(dealii::VectorOperation::insert);

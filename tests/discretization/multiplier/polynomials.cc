@@ -161,7 +161,7 @@ void couplings(Checks &checks, const Pentagon &level)
     const Side<2> &side = space.surface().side(patch);
     return u(side.point(s)) * side.normal(s);
   };
-  const NodalVector U = nodal_values(level.space(), u);
+  const Displacement U = nodal_values(level.space(), u);
   const Coupling &D = level.discretization.D, &condensed_D = level.discretization.condensed_D;
   checks.near("D^T U", moment_error(space, D.transpose_product(U), normal), 0., 1e-13);
   checks.near("G",
@@ -176,7 +176,7 @@ void couplings(Checks &checks, const Pentagon &level)
   // u = 0 on the clamped side0, where y = 0: the condensed D sees the free values only, and gives
   // the same product, hanging nodes or not.
   const Field held = [](const Point<2> &x) { return Point<2>(x[0] * x[1], x[1] * x[1]); };
-  const NodalVector V = nodal_values(level.space(), held);
+  const Displacement V = nodal_values(level.space(), held);
   checks.near("condensed D^T U",
               distance(condensed_D.transpose_product(V), D.transpose_product(V)),
               0.,
@@ -191,7 +191,7 @@ void highest_degrees(Checks &checks)
   {
     const GradedLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n",
                             uniform_plan(2, p));
-    const NodalVector U = nodal_values(
+    const Displacement U = nodal_values(
       level.space(), [p](const Point<2> &x) { return Point<2>(0., -std::pow(x[0], p)); });
     double error = 0.;
     const MultiplierSpace<2> &space = level.multipliers();

@@ -19,7 +19,7 @@ const auto nothing = field([](const dealii::Point<3> &) { return Vector3(); });
 const auto compression = field([](const auto &x) { return Vector3({0., 0., -0.1 - 0.2 * x[2]}); });
 constexpr double sigma = -0.2 * confined_modulus, sigma_across = -0.2 * lambda;
 
-NodalForces forces_of(const Box &box, const NodalVector &U, const Vector &P)
+NodalForces forces_of(const Box &box, const Displacement &U, const Pressure &P)
 {
   const LinearSystem<3> system = assemble_linear_system(box.space, box.scene, 3);
   return nodal_forces(box.space, box.scene, system.loads, box.D, U, P);
@@ -41,7 +41,7 @@ void forces(Checks &checks)
   const Scene<3> scene =
     make_box_scene(scalar([](const auto &) { return 0.1; }), compression, {1., 2., 1.});
   const Box box(scene, 2, 2);
-  const NodalVector U = interpolate_at_nodes(box.space, *compression);
+  const Displacement U = interpolate_at_nodes(box.space, *compression);
   Vector P(box.multipliers.n_multipliers());
   P = sigma;
   const Answer answer =
@@ -140,7 +140,7 @@ void held_sides(Checks &checks)
     left.role = Role::displacement;
     left.data = compression;
     const Box box(scene, level, 2);
-    const NodalVector U = interpolate_at_nodes(box.space, *compression);
+    const Displacement U = interpolate_at_nodes(box.space, *compression);
     Vector P(box.multipliers.n_multipliers());
     P = sigma;
     const auto found = reactions(box.space, scene, forces_of(box, U, P));

@@ -122,10 +122,10 @@ void stiffness_and_loads(Checks &checks)
   const auto strained = field([](const auto &x) {
     return Vector3({x[0] + x[1], x[2], 3. * x[2]});
   });
-  const NodalVector U = interpolate_at_nodes(box.space, *strained);
+  const Displacement U = interpolate_at_nodes(box.space, *strained);
   // eps = diag(1, 0, 3) + 1/2 off the diagonal twice: sigma:eps = lambda 16 + 2 mu (10 + 1).
   checks.near("energy of a linear field",
-              U * NodalVector(internal(strained)),
+              U * Displacement(internal(strained)),
               16. * lambda + 22. * mu,
               1e-13);
   DistributedVector V = box.space.make_vector();
@@ -134,7 +134,7 @@ void stiffness_and_loads(Checks &checks)
   DistributedVector residual(internal_forces(box.space, scene, box.space.complete(V)).forces);
   residual -= system.loads;
   checks.near("A^{-1} f balances the loads",
-              box.space.condense(NodalVector(residual)).linfty_norm(),
+              box.space.condense(Displacement(residual)).linfty_norm(),
               0.,
               1e-13);
 }

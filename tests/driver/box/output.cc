@@ -42,7 +42,7 @@ void contact(Checks &checks)
   const auto sinking = field([](const auto &x) { return Vector3({0.1 * x[1], 0., -0.3 - x[0]}); });
   const Scene<3> scene = scene_with_pressure(sinking);
   const Box box(scene, 3, 2);
-  const NodalVector U = interpolate_at_nodes(box.space, *sinking);
+  const Displacement U = interpolate_at_nodes(box.space, *sinking);
   dealii::Vector<double> P(box.multipliers.n_multipliers());
   for (unsigned int tau = 0; tau < P.size(); ++tau)
   {

@@ -35,13 +35,13 @@ void patch_test(Checks &checks,
   double seconds = 0.;
   const auto C = make_compliance(*inverse, box.condensed_D, seconds);
   const QPResult dual = solve_dual_problem(C, free.F, {}, {});
-  const NodalVector U =
+  const Displacement U =
     recover_displacement(*inverse, box.space, box.condensed_D, dual.P, system.f);
 
   const std::string name = "H = " + std::to_string(ratio) + " h" +
                            (distortion > 0. ? ", distorted" : "") +
                            (degree > 1 ? ", degree " + std::to_string(degree) : "") + ": ";
-  NodalVector difference = interpolate_at_nodes(box.space, *u);
+  Displacement difference = interpolate_at_nodes(box.space, *u);
   difference -= U;
   checks.near(name + "displacement", difference.linfty_norm(), 0., 1e-13);
   double pressure_error = 0.;
@@ -91,7 +91,7 @@ void interpolation(Checks &checks)
     const auto u = field([&](const auto &x) {
       return Vector3({power(x[0]) * power(x[1]) * power(x[2]), power(x[1]) + x[2], x[0] * x[1]});
     });
-    const NodalVector U = interpolate_at_nodes(box.space, *u);
+    const Displacement U = interpolate_at_nodes(box.space, *u);
     const dealii::QGauss<3> gauss(2);
     PatchInterpolation<3> interpolate(box.space, gauss, generations);
     dealii::FEValues<3> values(box.mesh.mapping(),

@@ -33,7 +33,7 @@ Vector at_centres(const Box &box, const std::function<double(const dealii::Point
 /** The largest difference between the recovered pressure and a function at points of all patches,
  * on their edges, too. */
 double recovery_error(const Box &box,
-                      const Vector &P,
+                      const Pressure &P,
                       const std::function<double(const dealii::Point<2> &)> &p)
 {
   const RecoveredPressure<3> recovered(box.multipliers, P);

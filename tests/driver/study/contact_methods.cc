@@ -113,7 +113,7 @@ void stop_early(Checks &checks)
                                               entry("Solver", "Contact solver", method),
                                             scene.level)
                                      .solve();
-    NodalVector difference(found.U);
+    Displacement difference(found.U);
     difference -= exact.U;
     const double error = energy_norm(level.space(), level.scene, difference);
     checks.that(std::string(method) + ": stops early", error > 1e-8 * exact.U.linfty_norm());

@@ -108,12 +108,12 @@ void finer_reference(Checks &checks)
                             entry("Output", "Inf-sup constant", "false") +
                             entry("Discretization", "Coarsest level", "2");
   const OneLevel fine(block, 7);
-  const NodalVector U = fine.solve().U;
+  const Displacement U = fine.solve().U;
   for (const char *partition : {"4", "8"})
   {
     const OneLevel coarse(block + entry("Discretization", "Patches", partition), 5);
     const LevelSolution<2> solution = coarse.solve();
-    NodalVector difference(U.size());
+    Displacement difference(U.size());
     dealii::VectorTools::interpolate_to_different_mesh(
       coarse.space().dofs(), solution.U, fine.space().dofs(), difference);
     difference -= U;

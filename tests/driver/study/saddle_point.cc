@@ -46,7 +46,7 @@ private:
 /** Solution of the mixed problem (5): displacements, pressures, and W = D^T U - G. */
 struct MixedSolution
 {
-  NodalVector U;
+  Displacement U;
   Vector P, W;
   bool converged = false;
 };
@@ -81,7 +81,7 @@ public:
     }
     pattern_.copy_from(pattern);
     // W of the prescribed displacements alone.
-    NodalVector k(n_);
+    Displacement k(n_);
     level.space().constraints().distribute(k);
     prescribed_ = level.discretization.D.transpose_product(k);
     const Vector lengths = level.multipliers().integrals();
@@ -135,7 +135,7 @@ private:
     dealii::SparseDirectUMFPACK inverse;
     inverse.solve(matrix, x);
     MixedSolution solution;
-    solution.U = NodalVector(x.begin(), x.begin() + n_);
+    solution.U = Displacement(x.begin(), x.begin() + n_);
     level_.space().constraints().distribute(solution.U);
     solution.P = Vector(x.begin() + n_, x.end());
     solution.W = level_.discretization.D.transpose_product(solution.U);

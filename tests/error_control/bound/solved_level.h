@@ -53,7 +53,7 @@ struct SolvedLevel
   Signorini::LinearSystem<2> system;
   std::unique_ptr<Signorini::StiffnessInverse> inverse;
   dealii::Vector<double> P;
-  Signorini::NodalVector U;
+  Signorini::Displacement U;
 };
 
 /** The parameter file of a scene of the catalogue, or of a whole file's text. */

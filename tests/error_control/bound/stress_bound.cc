@@ -45,7 +45,7 @@ struct Bounded
 };
 
 /** |||u - u_h||| with the exact solution of the scene. */
-double energy_error(const OneLevel &level, const NodalVector &U)
+double energy_error(const OneLevel &level, const Displacement &U)
 {
   const dealii::FEValuesExtractors::Vector displacement(0);
   CellValues<2> all_values(level.space().mesh().mapping(),

@@ -26,7 +26,7 @@ struct Errors
 };
 
 /** With six Gauss points per direction on cells that are cut at kinks. */
-Errors energy_errors(const OneLevel &level, const NodalVector &U)
+Errors energy_errors(const OneLevel &level, const Displacement &U)
 {
   const DisplacementSpace<2> &space = level.space();
   const Scene<2> &scene = level.scene;

@@ -29,7 +29,7 @@ namespace
 class GridField
 {
 public:
-  GridField(const DisplacementSpace<2> &space, const NodalVector &U)
+  GridField(const DisplacementSpace<2> &space, const Displacement &U)
   {
     std::map<double, unsigned int> x, y;
     const auto &triangulation = space.mesh().triangulation();
@@ -90,15 +90,15 @@ struct Reference
     , energy(square(U))
   {
   }
-  double square(const NodalVector &V) const
+  double square(const Displacement &V) const
   {
-    const NodalVector forces(internal_forces(space, level.scene, V).forces);
+    const Displacement forces(internal_forces(space, level.scene, V).forces);
     return std::max(0., V * forces);
   }
 
   OneLevel level;
   DisplacementSpace<2> space;
-  NodalVector U;
+  Displacement U;
   double energy;
 };
 
@@ -126,8 +126,8 @@ public:
                          given.level);
     const LevelSolution<2> solution = level.solve();
     const GridField u_h(level.space(), solution.U);
-    const NodalVector on_fine = nodal_values(fine.space, u_h);
-    NodalVector difference(fine.U);
+    const Displacement on_fine = nodal_values(fine.space, u_h);
+    Displacement difference(fine.U);
     difference -= on_fine;
     const double error = std::sqrt(fine.square(difference)), energy = fine.square(on_fine);
     const ErrorBound &bound = *solution.record.bound;

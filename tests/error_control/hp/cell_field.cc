@@ -66,7 +66,7 @@ void gradients(Checks &checks)
   {
     MeshPlan plan = uniform_plan(1, p);
     const GradedLevel level(square, plan);
-    const NodalVector U = nodal_values(level.space(), [p](const Point<2> &x) {
+    const Displacement U = nodal_values(level.space(), [p](const Point<2> &x) {
       return Point<2>(std::pow(x[0], p) * std::pow(x[1], p - 1.), x[0] - std::pow(x[1], p));
     });
     const std::vector<double> along_x = {0., 0.3, 0.9}, along_y = {0.2, 1.};

@@ -27,7 +27,7 @@ dealii::Vector<double> pressure(const MultiplierSpace<2> &space,
 void check(Checks &checks,
            const std::string &name,
            const MultiplierSpace<2> &space,
-           const dealii::Vector<double> &P,
+           const Pressure &P,
            const std::vector<ContactBracket> &expected)
 {
   const std::vector<ContactBracket> found = contact_brackets(space, P);

@@ -19,7 +19,7 @@ void distances(Checks &checks)
                             entry("Contact", "Gap", "x") +
                             entry("Material", "Poisson's ratio", "0"),
                           uniform_plan(2, 2));
-  const NodalVector U(level.space().dofs().n_dofs());
+  const Displacement U(level.space().dofs().n_dofs());
   dealii::Vector<double> P(level.multipliers().n_multipliers());
   P = -1.;
   const unsigned int open = 2;

@@ -40,12 +40,12 @@ struct TwoMeshes
   /** |||u - v|||, u on the first mesh and v on the second. */
   double distance(const Field &u, const Field &v) const
   {
-    const NodalVector U = nodal_values(first.space(), u), V = nodal_values(second.space(), v);
+    const Displacement U = nodal_values(first.space(), u), V = nodal_values(second.space(), v);
     return energy_distance({first.space(), U}, {second.space(), V}, first.scene);
   }
   double opposite(const Field &u, const Field &v) const
   {
-    const NodalVector U = nodal_values(first.space(), u), V = nodal_values(second.space(), v);
+    const Displacement U = nodal_values(first.space(), u), V = nodal_values(second.space(), v);
     return energy_distance({second.space(), V}, {first.space(), U}, first.scene);
   }
 
@@ -105,7 +105,7 @@ void interpolants(Checks &checks)
         const double difference = slope(0.5 * h * half + x, h) - slope(x, 0.5 * h);
         square_of_slope += 0.5 * gauss.weight(q) * difference * difference;
       }
-    const NodalVector U = nodal_values(coarse.space(), u), V = nodal_values(fine.space(), u);
+    const Displacement U = nodal_values(coarse.space(), u), V = nodal_values(fine.space(), u);
     checks.near("interpolants of x^3, h = " + std::to_string(h),
                 energy_distance({coarse.space(), U}, {fine.space(), V}, coarse.scene),
                 std::sqrt(3. * square_of_slope),

@@ -36,7 +36,7 @@ struct Level : public GradedLevel
     return middles;
   }
 
-  NodalVector U;
+  Displacement U;
   dealii::Vector<double> P;
 };
 

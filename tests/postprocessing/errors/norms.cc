@@ -29,7 +29,7 @@ std::string scene(const std::string &geometry,
          discretization + "end\n";
 }
 
-DisplacementErrors errors(const OneLevel &level, const NodalVector &U)
+DisplacementErrors errors(const OneLevel &level, const Displacement &U)
 {
   return compute_displacement_errors(level.space(), level.scene, U, 4);
 }
@@ -42,7 +42,7 @@ void norms(Checks &checks,
            const double h1_seminorm_squared,
            const double tolerance)
 {
-  const DisplacementErrors found = errors(level, NodalVector(level.space().dofs().n_dofs()));
+  const DisplacementErrors found = errors(level, Displacement(level.space().dofs().n_dofs()));
   const double h1 = std::sqrt(l2_squared + h1_seminorm_squared);
   checks.near(name + ": L2", found.l2, std::sqrt(l2_squared), tolerance);
   checks.near(name + ": H1", found.h1, h1, tolerance);
@@ -80,7 +80,7 @@ void polynomials(Checks &checks)
         seminorm,
         1e-10);
   checks.that("no recovery on level 0",
-              !errors(OneLevel(scene("", u, du, ""), 0), NodalVector(8)).post_h1);
+              !errors(OneLevel(scene("", u, du, ""), 0), Displacement(8)).post_h1);
 }
 
 /** u = ((x - c)_+, (y - d)_+): int u^2 = (1-c)^3/3 + (1-d)^3/3, int grad^2 = (1-c) + (1-d). */
@@ -111,11 +111,11 @@ void interpolants(Checks &checks)
 {
   const OneLevel a1(entry("Scene", "Name", "A1"), 2);
   const auto &exact = *a1.scene.exact_displacement;
-  const NodalVector Iu = nodal_values(
+  const Displacement Iu = nodal_values(
     a1.space(), [&](const Point<2> &x) { return Point<2>(exact.value(x, 0), exact.value(x, 1)); });
   const DisplacementErrors found = errors(a1, Iu);
   checks.near("A1, U = I^h u: superclose", found.superclose_h1, 0., 1e-14);
-  NodalVector shifted = Iu;
+  Displacement shifted = Iu;
   shifted.add(0.5);
   checks.near("A1, U = I^h u + (1/2, 1/2): superclose",
               errors(a1, shifted).superclose_h1,
@@ -124,7 +124,7 @@ void interpolants(Checks &checks)
 
   // x^2 differs from its interpolant by h^2/3 (slope) and h^4/30 (value), squared.
   const OneLevel parabola(scene("", "x^2; 0", "2*x; 0; 0; 0", ""), 2);
-  const NodalVector U =
+  const Displacement U =
     nodal_values(parabola.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], 0.); });
   const DisplacementErrors by_hand = errors(parabola, U);
   const double h = 0.25, l2 = std::pow(h, 4) / 30.;
@@ -133,7 +133,7 @@ void interpolants(Checks &checks)
   checks.near("x^2: pi^{2h} is exact", *by_hand.post_h1, 0., 1e-14);
   checks.throws<InputError>("no finite value", "no finite value", [] {
     const OneLevel level(scene("", "x; y", "1; 0; 0; abs(y-0.5206255924)<1e-6?0/0:1", ""), 4);
-    errors(level, NodalVector(level.space().dofs().n_dofs()));
+    errors(level, Displacement(level.space().dofs().n_dofs()));
   });
 }
 
@@ -203,7 +203,7 @@ void threads(Checks &checks)
                        "set Displacement = sin(3*x)*y; max(x-0.3,0)^2*exp(y)\nend\n"
                        "subsection Discretization\nset Kinks at x = 0.3\nend\n",
                        5);
-  const NodalVector U = RandomNumbers(11).vector(level.space().dofs().n_dofs());
+  const Displacement U = RandomNumbers(11).vector(level.space().dofs().n_dofs());
   const auto numbers = [&](const unsigned int n_threads) {
     setenv("DEAL_II_NUM_THREADS", std::to_string(n_threads).c_str(), 1);
     const DisplacementErrors e = compute_displacement_errors(level.space(), level.scene, U, 4);

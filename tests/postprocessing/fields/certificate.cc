@@ -33,13 +33,13 @@ struct Solved
   {
   }
 
-  NodalVector recover(const dealii::Vector<double> &pressure) const
+  Displacement recover(const Pressure &pressure) const
   {
     return recover_displacement(
       *inverse, level.space(), level.discretization.condensed_D, pressure, system.f);
   }
-  Certificate judge(const NodalVector &displacement,
-                    const dealii::Vector<double> &pressure,
+  Certificate judge(const Displacement &displacement,
+                    const Pressure &pressure,
                     const LinearSystem<2> &linear_system,
                     const dealii::Vector<double> &G) const
   {
@@ -65,7 +65,7 @@ struct Solved
                    level.multipliers(),
                    {contact, level.discretization.D, G, forces});
   }
-  Certificate judge(const NodalVector &displacement, const dealii::Vector<double> &pressure) const
+  Certificate judge(const Displacement &displacement, const Pressure &pressure) const
   {
     return judge(displacement, pressure, system, level.discretization.G);
   }
@@ -77,7 +77,7 @@ struct Solved
   double seconds = 0.;
   std::shared_ptr<const ComplianceOperator> C;
   dealii::Vector<double> P;
-  NodalVector U;
+  Displacement U;
 };
 
 /** Pressed onto a parabola: some patches press, others do not. */
@@ -122,7 +122,7 @@ void correct_answers(Checks &checks)
 void energies(Checks &checks)
 {
   const Solved solved(loaded, 3);
-  const double work = solved.U * NodalVector(solved.system.loads);
+  const double work = solved.U * Displacement(solved.system.loads);
   const double expected = -0.5 * work + 0.5 * (solved.P * solved.level.discretization.G);
   const Certificate c = solved.judge(solved.U, solved.P);
   checks.near("energy", c.energy, expected, 1e-13 * std::abs(expected));
@@ -146,7 +146,7 @@ dealii::types::global_dof_index dof_at(const DisplacementSpace<2> &space, const 
 
 void wrong_displacements(Checks &checks, const Solved &solved)
 {
-  NodalVector U = solved.U;
+  Displacement U = solved.U;
   U[dof_at(solved.level.space(), {0., 0.5})] += 1e-5;
   Certificate c = solved.judge(U, solved.P);
   checks.that("a moved node disturbs equilibrium", c.stationarity > 1e-5);
@@ -205,7 +205,7 @@ void wrong_loads(Checks &checks, const Solved &solved)
 /** P and W = D^T U - G by hand, at rest: U = 0, G = (0, 0, 1, ...). */
 void degenerate(Checks &checks, const Solved &solved)
 {
-  NodalVector U(solved.U.size());
+  Displacement U(solved.U.size());
   dealii::Vector<double> P(solved.P.size()), G(P.size());
   G = 1.;
   G[0] = G[1] = G[2] = 0.;

@@ -135,7 +135,7 @@ void closed_side(Checks &checks)
     "closed side: mean of the neighbours", recovered(0, start), 0.5 * (P[0] + P[m - 1]), 1e-14);
 }
 
-double force(const std::vector<Patch<2>> &patches, const Vector &P, const unsigned int side)
+double force(const std::vector<Patch<2>> &patches, const Pressure &P, const unsigned int side)
 {
   double sum = 0.;
   for (unsigned int tau = 0; tau < patches.size(); ++tau)

@@ -24,7 +24,7 @@ void means(Checks &checks)
   for (const unsigned int number : {0, 3})
   {
     const OneLevel level(block, number);
-    const NodalVector U = nodal_values(
+    const Displacement U = nodal_values(
       level.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], 3. * x[1]); });
     const std::vector<double> means = mean_dilatations(level.space(), U);
     double largest = 0.;

@@ -64,7 +64,7 @@ using Gradient = std::function<Tensor<2, 2>(const Point<2> &)>;
 /** Largest distance of the interpolation of U and its gradient from a function at points of all
  * cells. */
 double largest_distance(const DisplacementSpace<2> &space,
-                        const NodalVector &U,
+                        const Displacement &U,
                         const dealii::Quadrature<2> &points,
                         const Field &value,
                         const Gradient &gradient,
@@ -98,7 +98,7 @@ void reproduces(Checks &checks,
                 const Gradient &gradient,
                 const unsigned int n_generations = 1)
 {
-  const NodalVector U = nodal_values(level.space(), value);
+  const Displacement U = nodal_values(level.space(), value);
   for (const unsigned int n_points : {2U, 4U})
     checks.near(name + ", " + std::to_string(n_points) + " points",
                 largest_distance(
@@ -130,7 +130,7 @@ void polynomials(Checks &checks)
   checks.that("no parents on level 0", !OneLevel(sides, 0).discretization.mesh.has_parents());
 
   // pi^{2h} U takes the values U at the nodes: I^h pi^{2h} = identity, so pi^{2h} is a projection.
-  const NodalVector U = RandomNumbers(2).vector(distorted.space().dofs().n_dofs());
+  const Displacement U = RandomNumbers(2).vector(distorted.space().dofs().n_dofs());
   PatchInterpolation<2> interpolation(distorted.space());
   dealii::FEValues<2> vertices(distorted.discretization.mesh.mapping(),
                                distorted.space().element(),
@@ -274,7 +274,7 @@ void estimates(Checks &checks)
   {
     const OneLevel level(sides + material, number);
     const double h = std::pow(0.5, number);
-    const NodalVector U = nodal_values(
+    const Displacement U = nodal_values(
       level.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], x[1] * x[1]); });
     const ErrorEstimate estimate = estimate_error(level.space(), level.scene, U);
     const double exact = std::sqrt(2. * (h * h / 3. + std::pow(h, 4) / 30.));
@@ -287,7 +287,7 @@ void estimates(Checks &checks)
     checks.near(name + ": relative", estimate.relative, energy / scale, 1e-13);
     checks.that(name + ": no pressure",
                 estimate.mesh == estimate.energy && estimate.pressure == 0.);
-    NodalVector moved(U);
+    Displacement moved(U);
     moved.add(1000.);
     checks.near(name + ": relative, after a translation",
                 estimate_error(level.space(), level.scene, moved).relative,
@@ -298,19 +298,19 @@ void estimates(Checks &checks)
   const OneLevel graded(sides + entry("Material", "Young's modulus", "1+x") +
                           entry("Material", "Poisson's ratio", "0"),
                         2);
-  const NodalVector squares = nodal_values(
+  const Displacement squares = nodal_values(
     graded.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], x[1] * x[1]); });
   checks.near("a material that varies",
               estimate_error(graded.space(), graded.scene, squares).energy,
               0.25,
               1e-14);
   const OneLevel distorted(entry("Geometry", "Distortion", "0.3") + sides, 3);
-  const NodalVector linear = nodal_values(distorted.space(), [](const Point<2> &x) { return x; });
+  const Displacement linear = nodal_values(distorted.space(), [](const Point<2> &x) { return x; });
   checks.near("linear functions have no error",
               estimate_error(distorted.space(), distorted.scene, linear).h1.value(),
               0.,
               1e-13);
-  NodalVector zero(linear.size());
+  Displacement zero(linear.size());
   checks.near(
     "nothing moves", estimate_error(distorted.space(), distorted.scene, zero).relative, 0., 0.);
 }

@@ -22,7 +22,7 @@ std::string with_ratio(const std::string &text, const unsigned int ratio)
   return text + entry("Discretization", "Patch ratio", std::to_string(ratio));
 }
 
-PressureCorrection correct(const SolvedLevel &given, const Vector &P)
+PressureCorrection correct(const SolvedLevel &given, const Pressure &P)
 {
   const Discretization<2> &level = given.level;
   const FreeState free =
@@ -44,7 +44,7 @@ PressureCorrection correct(const SolvedLevel &given, const Vector &P)
 }
 
 /** b.v for a function of V^h that is zero on the supports. */
-double work(const Coupling &load, const NodalVector &v)
+double work(const Coupling &load, const Displacement &v)
 {
   return load.transpose_product(v)[0];
 }
@@ -133,11 +133,11 @@ void long_patches(Checks &checks)
   {
     const auto corrected = [&](const std::string &text) {
       const SolvedLevel level(text, 4);
-      NodalVector v = level.U;
+      Displacement v = level.U;
       v += correct(level, level.P).z;
       return v;
     };
-    const NodalVector expected = corrected(with_ratio(named_scene(scene), 2));
+    const Displacement expected = corrected(with_ratio(named_scene(scene), 2));
     for (const unsigned int ratio : {4U, 8U})
       checks.near(std::string(scene) + ", H = " + std::to_string(ratio) + " h, u_h + z_h",
                   distance(corrected(with_ratio(named_scene(scene), ratio)), expected) /

@@ -50,7 +50,7 @@ struct GramMatrix
   {
   }
 
-  DistributedVector distribute(const NodalVector &values) const
+  DistributedVector distribute(const Displacement &values) const
   {
     DistributedVector vector = space.make_vector();
     for (const auto i : space.locally_owned())
@@ -59,7 +59,7 @@ struct GramMatrix
     return vector;
   }
   /** v^T A_1 w. */
-  double product(const NodalVector &v, const NodalVector &w) const
+  double product(const Displacement &v, const Displacement &w) const
   {
     DistributedVector image = space.make_vector();
     A_1.vmult(image, distribute(w));
@@ -99,8 +99,8 @@ void linear_fields(Checks &checks)
   {
     const GramMatrix body(loose(), level);
     const std::string name = "level " + std::to_string(level);
-    const NodalVector v = nodal_values(body.space, linear), c = nodal_values(body.space, shift),
-                      r = nodal_values(body.space, rotation);
+    const Displacement v = nodal_values(body.space, linear), c = nodal_values(body.space, shift),
+                       r = nodal_values(body.space, rotation);
     checks.near(name + ": a constant field", body.product(c, c), area, 1e-12);
     // |grad v|^2 = 0.09 + 0.49 + 1.21 + 0.16.
     const double square = integral(linear, linear) + 1.95 * area;
@@ -135,7 +135,7 @@ void trapezoids(Checks &checks)
     for (auto &condition : scene.boundary)
       condition.role = Role::free;
     const GramMatrix body(std::move(scene), 0);
-    const NodalVector v =
+    const Displacement v =
       nodal_values(body.space, [](const Point<2> &x) { return Point<2>(x[1] > 0. ? 1. : 0., 0.); });
     const double square = (1. + a / 2.) / 3. + (1. + a * a / 3.) * std::log(1. + a) / a;
     checks.near("trapezoid with sides 1 and " + std::to_string(1. + a),
@@ -149,7 +149,7 @@ void positive_definite(Checks &checks, const std::string &name, const GramMatrix
 {
   const unsigned int n = body.space.dofs().n_dofs();
   RandomNumbers random(2);
-  const NodalVector v = random.vector(n), w = random.vector(n);
+  const Displacement v = random.vector(n), w = random.vector(n);
   checks.near(name + ": symmetric products",
               body.product(v, w),
               body.product(w, v),

@@ -19,7 +19,7 @@ const std::string material =
   "subsection Material\nset Young's modulus = 2.5\nset Poisson's ratio = 0.25\nend\n";
 
 /** With the contact pressure p everywhere. */
-NodalForces forces_of(const OneLevel &level, const NodalVector &U, const double p)
+NodalForces forces_of(const OneLevel &level, const Displacement &U, const double p)
 {
   const LinearSystem<2> system = assemble_linear_system(level.space(), level.scene, 3);
   dealii::Vector<double> P(level.multipliers().n_multipliers());
@@ -44,7 +44,7 @@ void rollers(Checks &checks)
                                   "set Traction = right: 0.1; 0\nset Contact = top\n"
                                   "end\nsubsection Contact\nset Gap = 1\nend\n",
                        1);
-  const NodalVector U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
+  const Displacement U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
     return Vector2({0.1 * x[0], -0.2 * x[1]});
   });
   // The top is pulled by sigma n = (0, -0.5); for the balance it counts as contact pressure.
@@ -70,7 +70,7 @@ void inclined_rollers(Checks &checks)
                                   "set Traction = side1: 0.4; 0\nset Contact = side2\n"
                                   "end\nsubsection Contact\nset Gap = 1\nend\n",
                        1);
-  const NodalVector U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
+  const Displacement U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
     return Vector2({0.1 * x[0], 0.1 * x[1]});
   });
   const auto found = reactions(level.space(), level.scene, forces_of(level, U, 0.4));
@@ -94,7 +94,7 @@ void held_sides(Checks &checks)
         "subsection Boundary\nset Displacement = left: 0.1*x; 0 | top: 0.1*x; 0 | right: 0.1*x; 0\n"
         "set Contact = bottom\nend\nsubsection Contact\nset Gap = 1\nend\n",
       0);
-    const NodalVector U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
+    const Displacement U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
       return Vector2({0.1 * x[0], 0.});
     });
     // sigma = diag(0.3, 0.1).
@@ -123,13 +123,13 @@ void penetration(Checks &checks)
                          "end\nsubsection Contact\nset Gap = 0.01 + (x - 0.28125)^2\nend\n",
                        0);
   // u_n = -u_2 = 0.05 (1 - y): the deepest point is a sample between the nodes.
-  const NodalVector U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
+  const Displacement U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
     return Vector2({0., -0.05 * (1. - x[1])});
   });
   const auto found = largest_penetration(level.space(), level.multipliers(), U);
   checks.near("penetration", found->value, 0.04, 1e-15);
   checks.near("its place", found->place.point.distance({0.28125, 0.}), 0., 1e-14);
-  const NodalVector lifted = nodal_values(level.space(), [](const dealii::Point<2> &) {
+  const Displacement lifted = nodal_values(level.space(), [](const dealii::Point<2> &) {
     return Vector2({0., 0.5});
   });
   checks.near("an opening is negative",

@@ -67,7 +67,7 @@ std::string square(const unsigned int faces)
 void peak(Checks &checks)
 {
   const Polynomials coarse(square(3), 0, 5);
-  const auto of = [](const Polynomials &where, const Vector &P) {
+  const auto of = [](const Polynomials &where, const Pressure &P) {
     return *peak_pressure(where.multipliers, P);
   };
   // -p = x (1 - x)^3 has the maximum 27/256 at 1/4, on the face from 0 to 1/3.

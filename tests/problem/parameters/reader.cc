@@ -222,7 +222,7 @@ void test_options(Checks &checks)
   test_option<Element>(
     checks,
     "Discretization/Element",
-    {{Element::q1, "Q1"}, {Element::q1_b_bar, "Q1 B-bar"}},
+    {{Element::q1, "Q1"}, {Element::q1_b_bar, "Q1 B-bar"}, {Element::q2, "Q2"}},
     [](const Parameters &p) { return p.discretization.element; },
     Element::q1);
   test_option<ContactSolver>(

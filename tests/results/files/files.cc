@@ -122,7 +122,7 @@ void contact_line(Checks &checks)
                          entry("Exact solution", "Pressure", "-x") +
                          entry("Discretization", "Patch ratio", "3"),
                        3);
-  const NodalVector U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
+  const Displacement U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
     return dealii::Point<2>(x[0], 2. * x[0] - x[1]);
   });
   dealii::Vector<double> P(2);
@@ -167,7 +167,7 @@ void contact_line(Checks &checks)
   write_contact_csv(
     without,
     trace_contact_line(
-      unknown.space(), unknown.multipliers(), NodalVector(18), dealii::Vector<double>(1)));
+      unknown.space(), unknown.multipliers(), Displacement(18), dealii::Vector<double>(1)));
   checks.that("contact line: no exact pressure", read_csv(without.str())[0].at("p_exact").empty());
 }
 

@@ -80,7 +80,7 @@ public:
   DisplacementSpace<2> space;
   ContactSurface<2> surface;
   MultiplierSpace<2> multipliers;
-  NodalVector U;
+  Displacement U;
 };
 
 /** In plane strain with E = 2.5, nu = 1/4: lambda = mu = 1. */

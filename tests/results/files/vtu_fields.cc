@@ -85,7 +85,7 @@ std::string read(const std::string &path)
   return text.str();
 }
 
-std::string body_vtu(const OneLevel &level, const NodalVector &U, const BoundFields &bound)
+std::string body_vtu(const OneLevel &level, const Displacement &U, const BoundFields &bound)
 {
   const std::string file = "vtu_fields_solution.vtu";
   write_solution_vtu(file, level.space(), level.scene, U, bound, 7);
@@ -175,7 +175,7 @@ void stresses(Checks &checks)
                            "subsection Material\n" +
                              c.material + "end\n" + c.more,
                            number);
-      const NodalVector U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
+      const Displacement U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
         return dealii::Point<2>(0.1 * x[0] + 0.3 * x[1], 0.3 * x[0] + 0.2 * x[1]);
       });
       compare_stresses(checks,
@@ -229,7 +229,7 @@ void contact(Checks &checks)
   const OneLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
                          entry("Contact", "Gap", "0.1 + x^2"),
                        2);
-  const NodalVector U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
+  const Displacement U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
     return dealii::Point<2>(x[0], 2. * x[0] - x[1]);
   });
   dealii::Vector<double> P(2);

@@ -51,14 +51,14 @@ void compare(Checks &checks,
   checks.near(name + ": symmetric", asymmetry(C), 0., 0.);
   const auto P = RandomNumbers(5).vector(C.m());
   const DistributedVector zero = level.space().make_vector();
-  const NodalVector U = recover_displacement(*condensed, level.space(), D, P, zero);
+  const Displacement U = recover_displacement(*condensed, level.space(), D, P, zero);
   for (const LinearSolver solver : {LinearSolver::amesos_klu, LinearSolver::amesos_mumps})
   {
     const auto inverse = factorise(A, unit, solver);
     const std::string other = to_text(solver);
     checks.near(name + ": C as by " + other, relative_distance(C, compliance(*inverse)), 0., 1e-12);
     checks.that(name + ": a solve per patch by " + other, inverse->n_solves() == C.m());
-    const NodalVector V = recover_displacement(*inverse, level.space(), D, P, zero);
+    const Displacement V = recover_displacement(*inverse, level.space(), D, P, zero);
     checks.near(name + ": U as by " + other, distance(U, V), 0., 1e-12 * V.l2_norm());
   }
   // Without the contact unknowns the columns are solved for.

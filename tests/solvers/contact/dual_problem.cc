@@ -41,11 +41,11 @@ struct DualProblem
   {
   }
 
-  NodalVector recover(const dealii::Vector<double> &P, const DistributedVector &f) const
+  Displacement recover(const dealii::Vector<double> &P, const DistributedVector &f) const
   {
     return recover_displacement(*inverse, level.space(), level.discretization.condensed_D, P, f);
   }
-  dealii::Vector<double> transpose_product(const NodalVector &U) const
+  dealii::Vector<double> transpose_product(const Displacement &U) const
   {
     return level.discretization.D.transpose_product(U);
   }
@@ -112,10 +112,10 @@ void equilibrium(Checks &checks, const std::string &name, const DualProblem &pro
 {
   const auto &space = problem.level.space();
   const auto P = RandomNumbers(8).vector(problem.C.m());
-  const NodalVector U = problem.recover(P, problem.system.f);
-  NodalVector residual(internal_forces(space, problem.level.scene, U).forces);
+  const Displacement U = problem.recover(P, problem.system.f);
+  Displacement residual(internal_forces(space, problem.level.scene, U).forces);
   const double scale = residual.l2_norm();
-  residual -= NodalVector(problem.system.loads);
+  residual -= Displacement(problem.system.loads);
   for (unsigned int tau = 0; tau < P.size(); ++tau)
     for (const auto &entry : problem.level.discretization.D.column(tau))
       residual[entry.first] -= entry.second * P[tau];

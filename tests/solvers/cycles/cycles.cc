@@ -18,9 +18,9 @@ using namespace Signorini;
 namespace
 {
 /** V-cycles of conjugate gradients for A x = b, to 1e-8 of the residual. */
-unsigned int linear_cycles(const StiffnessOperator &A, const NodalVector &b)
+unsigned int linear_cycles(const StiffnessOperator &A, const Displacement &b)
 {
-  NodalVector x(A.size()), r(b), z(A.size()), p(A.size()), q(A.size());
+  Displacement x(A.size()), r(b), z(A.size()), p(A.size()), q(A.size());
   A.precondition(z, r);
   p = z;
   double r_z = r * z;
@@ -60,11 +60,11 @@ Cycles count(const DisplacementSpace<dim> &space,
              const dealii::Vector<double> &G)
 {
   const StiffnessMultigrid<dim> A(space, scene);
-  const NodalVector loads(assemble_loads(space, scene, 2));
+  const Displacement loads(assemble_loads(space, scene, 2));
   // f = T^T (loads - a(k, .)).
-  const NodalVector k = space.prescribed(scene);
-  NodalVector f(loads);
-  f -= NodalVector(internal_forces(space, scene, k).forces);
+  const Displacement k = space.prescribed(scene);
+  Displacement f(loads);
+  f -= Displacement(internal_forces(space, scene, k).forces);
   f = space.condense(f);
   dealii::Vector<double> gap(G);
   gap -= D.transpose_product(k);
@@ -74,8 +74,8 @@ Cycles count(const DisplacementSpace<dim> &space,
   options.tolerance = 1e-8;
   options.stationarity = 1e-8;
   const ContactIterationResult result = solve_contact_by_cycles(
-    system, NodalVector(A.size()), dealii::Vector<double>(gap.size()), options);
-  const NodalVector pressed = system.residual(NodalVector(A.size()), result.P);
+    system, Displacement(A.size()), dealii::Vector<double>(gap.size()), options);
+  const Displacement pressed = system.residual(Displacement(A.size()), result.P);
   return {linear_cycles(A, pressed),
           result.converged ? result.cycles : 1000,
           result.scale,

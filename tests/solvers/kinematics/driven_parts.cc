@@ -46,7 +46,7 @@ void test_column(Checks &checks)
       checks.near("column: p = -w", p, -3., 1e-10);
   // Nodal values of a problem in one dimension with a quadratic solution are exact.
   const double compliance = 3. * 1.2 * 0.6 / (7. * 0.8);
-  const NodalVector exact = nodal_values(level.space(), [&](const dealii::Point<2> &x) {
+  const Displacement exact = nodal_values(level.space(), [&](const dealii::Point<2> &x) {
     return dealii::Tensor<1, 2>({0., compliance * (0.5 * x[1] * x[1] - x[1]) - 0.25});
   });
   // All of g is a mean over patches: the lowest node is where the mean says.

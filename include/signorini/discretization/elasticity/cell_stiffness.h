@@ -96,5 +96,5 @@ struct InternalForces
 template <int dim>
 InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
                                     const Scene<dim> &scene,
-                                    const NodalVector &U);
+                                    const Displacement &U);
 } // namespace Signorini

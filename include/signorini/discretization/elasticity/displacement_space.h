@@ -9,6 +9,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/trilinos_vector.h>
 #include <deal.II/lac/vector.h>
 
@@ -17,8 +18,43 @@ namespace Signorini
 /** A vector whose rows are distributed over the ranks like those of A. */
 using DistributedVector = dealii::TrilinosWrappers::MPI::Vector;
 
-/** Nodal values U; every rank stores all of them. */
-using NodalVector = dealii::Vector<double>;
+/**
+ * A functional r on V^h by its values r_j = r(φ_j), such as forces at nodes. A rank stores the rows
+ * that it owns; the products r·U and the norms are sums over all ranks.
+ */
+using DualVector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+/**
+ * U, the nodal values of a function in V^h. A rank stores the values that it owns and, as ghosts,
+ * those at all other nodes of the cells that its mesh holds (DisplacementSpace::zero()). What is
+ * read cell by cell on these cells is there; nothing else is. Norms and products are collective.
+ */
+class Displacement : public dealii::LinearAlgebra::distributed::Vector<double>
+{
+public:
+  using Base = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  Displacement() = default;
+  /** Zero values, all of them on this rank. */
+  explicit Displacement(const unsigned int n)
+    : Base(n)
+  {
+  }
+  /** Zero values with this distribution. */
+  explicit Displacement(const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &rows)
+    : Base(rows)
+  {
+  }
+  /** Returns the values as a vector of deal.II, whose functions are compiled for these only. */
+  const Base &entries() const
+  {
+    return *this;
+  }
+  Base &entries()
+  {
+    return *this;
+  }
+};
 
 /** The operator by which a(.,.) takes the strain of a function of V^h. */
 enum class StrainOperator
@@ -136,20 +172,29 @@ public:
   }
   /** Returns the prescribed values of a scene with the same roles: k at constrained degrees of
    * freedom (those on pins are zero), zero at all others. */
-  NodalVector prescribed(const Scene<dim> &scene) const;
+  Displacement prescribed(const Scene<dim> &scene) const;
   const dealii::IndexSet &locally_owned() const
   {
     return dofs_.locally_owned_dofs();
   }
   /** Returns a zero vector with the distribution of the rows of A. */
   DistributedVector make_vector() const;
+  /** Returns U = 0 with the ghosts of this rank. */
+  Displacement zero() const
+  {
+    return Displacement(rows_);
+  }
+  /** Returns U with the values of a vector that is distributed like A, as they are. */
+  Displacement displacement(const DistributedVector &rows) const;
+  /** Returns the functional with the rows of a vector that is distributed like A. */
+  DualVector dual(const DistributedVector &rows) const;
   /** Returns all nodal values on every rank, the constrained ones computed from the others. */
-  NodalVector complete(const DistributedVector &free_values) const;
+  Displacement complete(const DistributedVector &free_values) const;
   /** Sets the constrained values of a difference of two displacements: T w_free, zero where
    * displacements are prescribed. */
-  void distribute_homogeneous(NodalVector &w) const;
+  void distribute_homogeneous(Displacement &w) const;
   /** Sets the same values without pins: the body may move as a whole. */
-  void distribute_without_pins(NodalVector &w) const;
+  void distribute_without_pins(Displacement &w) const;
   /** Returns constraints() without pins. */
   const dealii::AffineConstraints<double> &constraints_without_pins() const
   {
@@ -158,11 +203,11 @@ public:
   /** Returns the functional restricted to V^h: Tᵀ r, where v = T v_free for v in V^h. r_j =
    * r(φ_j) for all j; the result is zero at constrained degrees of freedom, whatever is
    * prescribed there. */
-  NodalVector condense(const NodalVector &functional) const;
+  DualVector condense(const DualVector &functional) const;
   /** Adds r_j of degrees of freedom that only keep u_h continuous to those of their masters: the
    * functional is the same on continuous functions. Reactions are then at supports and nowhere
    * else. */
-  void carry_to_masters(NodalVector &functional) const;
+  void carry_to_masters(DualVector &functional) const;
   /** Returns one of the mesh's cells with its degrees of freedom. */
   typename dealii::DoFHandler<dim>::active_cell_iterator dof_cell(const CellIterator &cell) const;
   /** Returns the degrees of freedom of one of the mesh's cells. */
@@ -182,6 +227,8 @@ private:
    */
   dealii::AffineConstraints<double> continuity_;
   dealii::IndexSet supports_;
+  /** The rows that this rank owns, and its ghosts. */
+  std::shared_ptr<const dealii::Utilities::MPI::Partitioner> rows_;
   std::vector<Pin> pins_;
 };
 } // namespace Signorini

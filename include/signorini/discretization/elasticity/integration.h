@@ -172,7 +172,7 @@ public:
 template <int dim>
 double energy_norm(const DisplacementSpace<dim> &space,
                    const Scene<dim> &scene,
-                   const NodalVector &U);
+                   const Displacement &U);
 
 /** Returns, where the body moves as a whole, the energy norm that such a displacement has if it
  * strains the body: max|u_h| E_0^{1/2} l^{(dim-2)/2} with the unit of stiffness_unit(); max|u_h|
@@ -182,7 +182,7 @@ double energy_norm(const DisplacementSpace<dim> &space,
 template <int dim>
 std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
                                            const Scene<dim> &scene,
-                                           const NodalVector &U);
+                                           const Displacement &U);
 
 /**
  * Returns the scale of an error in the energy norm: |||u_h|||. Where the body moves rigidly,
@@ -196,5 +196,5 @@ double energy_scale(double norm,
                     double error,
                     const DisplacementSpace<dim> &space,
                     const Scene<dim> &scene,
-                    const NodalVector &U);
+                    const Displacement &U);
 } // namespace Signorini

@@ -33,12 +33,12 @@ public:
   /** Returns u_h at the points of a rule on the face. */
   std::vector<dealii::Tensor<1, dim>> displacement(const ContactFace<dim> &face,
                                                    const SurfaceRule<dim> &rule,
-                                                   const NodalVector &U);
+                                                   const Displacement &U);
 
   /** Returns u_h.n at the points of a rule on the face. */
   std::vector<double> normal_displacement(const ContactFace<dim> &face,
                                           const SurfaceRule<dim> &rule,
-                                          const NodalVector &U);
+                                          const Displacement &U);
 
 private:
   const DisplacementSpace<dim> &space_;
@@ -85,8 +85,8 @@ private:
 
 /** Returns I^h u: the values of u at the nodes of V^h, all of them on every rank. */
 template <int dim>
-NodalVector interpolate_at_nodes(const DisplacementSpace<dim> &space,
-                                 const dealii::Function<dim> &u);
+Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space,
+                                  const dealii::Function<dim> &u);
 
 /** A moment: a number in 2-D, a vector in 3-D. */
 template <int dim>

@@ -12,6 +12,23 @@
 
 namespace Signorini
 {
+/** P, the values of p_H at the nodes of its basis (force/length^{dim-1}). Every rank stores all of
+ * them: a boundary has few. */
+class Pressure : public dealii::Vector<double>
+{
+public:
+  Pressure() = default;
+  /** Zero values. */
+  explicit Pressure(const unsigned int n)
+    : dealii::Vector<double>(n)
+  {
+  }
+  explicit Pressure(const dealii::Vector<double> &values)
+    : dealii::Vector<double>(values)
+  {
+  }
+};
+
 /**
  * The space Q^H of functions that are polynomials on every patch; on most meshes constants.
  *
@@ -111,7 +128,7 @@ public:
   /** Returns ψ_k at the point @p s of the side, on the patch to which the unknown belongs. */
   double shape_value(unsigned int unknown, const dealii::Point<dim - 1> &s) const;
   /** Returns p_H at a point of a patch. */
-  double value(const Vector &P, unsigned int patch, const dealii::Point<dim - 1> &s) const;
+  double value(const Pressure &P, unsigned int patch, const dealii::Point<dim - 1> &s) const;
 
   /** Returns the largest P_k that N^H allows: p_H ≤ 0 at every node. */
   Vector upper_bounds() const;
@@ -207,8 +224,10 @@ public:
   }
   /** Adds D P to the locally owned rows of @p vector. The caller compresses. */
   void add_product(const dealii::Vector<double> &P, DistributedVector &vector) const;
-  /** Returns Dᵀ U. */
-  dealii::Vector<double> transpose_product(const NodalVector &U) const;
+  /** Returns Dᵀ U. Collective. */
+  dealii::Vector<double> transpose_product(const Displacement &U) const;
+  /** Returns Dᵀ U for entries that are all on this rank. */
+  dealii::Vector<double> transpose_product(const dealii::Vector<double> &U) const;
   /** Returns Dᵀ U from the locally owned rows of a distributed U; summed over the ranks it is Dᵀ
    * U. */
   dealii::Vector<double> local_transpose_product(const DistributedVector &U) const;

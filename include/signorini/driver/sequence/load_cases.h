@@ -9,8 +9,8 @@
 namespace Signorini
 {
 /** The fields of a load case: its number from one on, its scene, U and P. */
-using CaseFields = std::function<
-  void(unsigned int, const Scene<2> &, const NodalVector &, const dealii::Vector<double> &)>;
+using CaseFields =
+  std::function<void(unsigned int, const Scene<2> &, const Displacement &, const Pressure &)>;
 
 /**
  * Solves the load cases of the scene on a level that is solved, and adds the summary to the record.

@@ -95,8 +95,8 @@ public:
   ContactLift(const DisplacementSpace<2> &space,
               const Scene<2> &scene,
               const MultiplierSpace<2> &multipliers,
-              const NodalVector &U,
-              const dealii::Vector<double> &P,
+              const Displacement &U,
+              const Pressure &P,
               const std::optional<DualData> &dual,
               const std::vector<FaceField> &fields = {});
 
@@ -124,7 +124,7 @@ public:
   }
 
 private:
-  void consider(NodalVector w_h, LiftMethod method);
+  void consider(Displacement w_h, LiftMethod method);
   ContactBound evaluate(const LiftField &lift, LiftMethod method) const;
 
   const DisplacementSpace<2> &space_;

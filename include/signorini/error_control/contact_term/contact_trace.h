@@ -82,9 +82,9 @@ struct PenetrationFace
   bool presses() const;
   bool presses_everywhere() const;
   /** Returns the component of a function of V^h at t. */
-  double component(const NodalVector &V, double t, const dealii::Tensor<1, 2> &direction) const;
+  double component(const Displacement &V, double t, const dealii::Tensor<1, 2> &direction) const;
   /** Returns v_n at t, with the normal of the face. */
-  double normal_value(const NodalVector &V, const double t) const
+  double normal_value(const Displacement &V, const double t) const
   {
     return component(V, t, normal);
   }
@@ -117,8 +117,8 @@ public:
   ContactTrace(const DisplacementSpace<2> &space,
                const Scene<2> &scene,
                const MultiplierSpace<2> &multipliers,
-               const NodalVector &U,
-               const dealii::Vector<double> &P,
+               const Displacement &U,
+               const Pressure &P,
                const std::vector<FaceField> &fields = {});
 
   const std::vector<PenetrationFace> &faces() const
@@ -173,7 +173,7 @@ public:
   }
 
 private:
-  void find_faces(const dealii::Vector<double> &P, const std::vector<FaceField> &fields);
+  void find_faces(const Pressure &P, const std::vector<FaceField> &fields);
   void find_conditions();
   using ConditionsOfVertices = std::map<unsigned int, std::vector<unsigned int>>;
   /** Returns the number of the condition at one end of a face, and makes it if it is new. */
@@ -186,7 +186,7 @@ private:
   const DisplacementSpace<2> &space_;
   const Scene<2> &scene_;
   const MultiplierSpace<2> &multipliers_;
-  const NodalVector &U_;
+  const Displacement &U_;
   std::vector<PenetrationFace> faces_;
   std::vector<NodeCondition> conditions_;
   Coupling normals_;
@@ -199,7 +199,7 @@ private:
  * pressing_threshold(). */
 std::vector<unsigned int> pressing_edges(const EdgeMesh &mesh,
                                          const MultiplierSpace<2> &multipliers,
-                                         const dealii::Vector<double> &P);
+                                         const Pressure &P);
 
 /** Returns τ_n at both ends of an edge, in the order of Edge::vertices (force/area). */
 std::array<double, 2> normal_tractions(const Edge &edge,

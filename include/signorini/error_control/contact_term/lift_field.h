@@ -40,7 +40,7 @@ public:
   LiftField(const DisplacementSpace<2> &space,
             const Scene<2> &scene,
             const ContactTrace &trace,
-            NodalVector w_h,
+            Displacement w_h,
             std::vector<EdgeFunction> remainders);
 
   /** Returns w_n at t of a face. */
@@ -104,7 +104,7 @@ private:
   const DisplacementSpace<2> &space_;
   const Scene<2> &scene_;
   const ContactTrace &trace_;
-  NodalVector w_h_;
+  Displacement w_h_;
   std::vector<EdgeFunction> remainders_;
   /** The Gauss rules of two, three and four points. */
   std::array<dealii::QGauss<1>, 3> rules_;

@@ -72,9 +72,9 @@ private:
  * ω'²))^{1/2} has the least bound of the energy; D is at most the shortest extent of the body.
  * At contact nodes themselves the conditions decide (a corner has two). There is no solve.
  */
-NodalVector layer_lift(const DisplacementSpace<2> &space,
-                       const Scene<2> &scene,
-                       const ContactTrace &trace);
+Displacement layer_lift(const DisplacementSpace<2> &space,
+                        const Scene<2> &scene,
+                        const ContactTrace &trace);
 
 /** Returns the required values of all conditions. */
 dealii::Vector<double> required_values(const ContactTrace &trace);
@@ -95,16 +95,16 @@ std::optional<dealii::Vector<double>> raised_values(const ContactTrace &trace);
  * solved like the dual problem of the scene. It takes one solve with a trailing factor, otherwise
  * two and one per contact node that is needed. Collective.
  */
-NodalVector dual_lift(const DisplacementSpace<2> &space,
-                      const ContactTrace &trace,
-                      const Coupling &condensed_D,
-                      const StiffnessInverse &inverse,
-                      const dealii::Vector<double> &P,
-                      const dealii::Vector<double> &required);
+Displacement dual_lift(const DisplacementSpace<2> &space,
+                       const ContactTrace &trace,
+                       const Coupling &condensed_D,
+                       const StiffnessInverse &inverse,
+                       const Pressure &P,
+                       const dealii::Vector<double> &required);
 
 /** Returns a z in V^h of small energy that is zero on essential boundaries and has z_n = 1 on
  * Γ_c; none where a contact node is held. Collective. */
-std::optional<NodalVector> lift_of_one(const DisplacementSpace<2> &space,
-                                       const ContactTrace &trace,
-                                       const StiffnessInverse &inverse);
+std::optional<Displacement> lift_of_one(const DisplacementSpace<2> &space,
+                                        const ContactTrace &trace,
+                                        const StiffnessInverse &inverse);
 } // namespace Signorini

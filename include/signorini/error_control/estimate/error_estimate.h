@@ -16,7 +16,7 @@ struct PressureCorrection
 {
   /** The nodal values of z_h, zero where displacements are prescribed; if there are none, z_h = 0.
    */
-  NodalVector z;
+  Displacement z;
   /** The energy norm |||z_h||| (root of force x length^{dim-1}). */
   double energy_norm = 0.;
 };
@@ -37,8 +37,8 @@ struct PressureData
   const Scene<dim> &scene;
   const MultiplierSpace<dim> &multipliers;
   /** The complete nodal values U_0 = A⁻¹ f. */
-  const NodalVector &U_free;
-  const dealii::Vector<double> &P;
+  const Displacement &U_free;
+  const Pressure &P;
   const Coupling &condensed_D;
   const StiffnessInverse &inverse;
   /** The number of Gauss points per direction for the gap, as in the dual problem. */
@@ -53,7 +53,7 @@ struct PressureData
 template <int dim>
 Coupling recovered_load(const DisplacementSpace<dim> &space,
                         const MultiplierSpace<dim> &multipliers,
-                        const dealii::Vector<double> &P);
+                        const Pressure &P);
 
 /**
  * Returns z_h = A⁻¹(b - D P) with b_j = ∫ p v_n: with p = σ_n(u), u_h + z_h would be the
@@ -115,7 +115,7 @@ struct ErrorEstimate
 template <int dim>
 ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
                              const Scene<dim> &scene,
-                             const NodalVector &U,
+                             const Displacement &U,
                              const PressureCorrection &correction = {},
                              const OtherErrors &others = {});
 
@@ -124,5 +124,5 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
  * two, π^{2h} itself); 0 (u_h) where there is no T^{2h}. On meshes that are too coarse for the
  * solution the quartic oscillates more than that. Collective. */
 template <int dim>
-unsigned int best_interpolation(const DisplacementSpace<dim> &space, const NodalVector &U);
+unsigned int best_interpolation(const DisplacementSpace<dim> &space, const Displacement &U);
 } // namespace Signorini

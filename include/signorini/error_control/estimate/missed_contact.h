@@ -19,6 +19,6 @@ namespace Signorini
 double energy_of_missed_contact(const DisplacementSpace<3> &space,
                                 const MultiplierSpace<3> &multipliers,
                                 const Scene<3> &scene,
-                                const NodalVector &U,
-                                const dealii::Vector<double> &P);
+                                const Displacement &U,
+                                const Pressure &P);
 } // namespace Signorini

@@ -16,14 +16,14 @@ class RecoveredDisplacement
 public:
   /** Interpolates u_h. The space must outlive the object, and Mesh::has_parents() must be true.
    * Collective. */
-  RecoveredDisplacement(const DisplacementSpace<dim> &space, const NodalVector &U);
+  RecoveredDisplacement(const DisplacementSpace<dim> &space, const Displacement &U);
 
   const dealii::DoFHandler<dim> &dofs() const
   {
     return dofs_;
   }
   /** Returns the nodal values, set on the cells that this rank stores. */
-  const NodalVector &values() const
+  const Displacement &values() const
   {
     return values_;
   }
@@ -31,6 +31,6 @@ public:
 private:
   dealii::FESystem<dim> element_;
   dealii::DoFHandler<dim> dofs_;
-  NodalVector values_;
+  Displacement values_;
 };
 } // namespace Signorini

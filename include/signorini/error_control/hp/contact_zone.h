@@ -21,8 +21,8 @@ namespace Signorini
 void add_contact_misfit(const DisplacementSpace<2> &space,
                         const MultiplierSpace<2> &multipliers,
                         const Scene<2> &scene,
-                        const NodalVector &U,
-                        const dealii::Vector<double> &P,
+                        const Displacement &U,
+                        const Pressure &P,
                         std::vector<CellIndicator> &indicators);
 
 /** Returns the active cells with a contact face on which the body penetrates the foundation
@@ -31,12 +31,12 @@ void add_contact_misfit(const DisplacementSpace<2> &space,
  * than a thousandth of the largest |u_n - g|. @throws InputError where g has no value. */
 std::vector<unsigned int> unseen_contact(const DisplacementSpace<2> &space,
                                          const MultiplierSpace<2> &multipliers,
-                                         const NodalVector &U,
-                                         const dealii::Vector<double> &P);
+                                         const Displacement &U,
+                                         const Pressure &P);
 
 /** Returns the values of p_H at the nodes of other multipliers on the same sides, cut off at zero,
  * as a start for an active set. */
-dealii::Vector<double> transfer_pressure(const MultiplierSpace<2> &from,
-                                         const dealii::Vector<double> &P,
-                                         const MultiplierSpace<2> &to);
+Pressure transfer_pressure(const MultiplierSpace<2> &from,
+                           const Pressure &P,
+                           const MultiplierSpace<2> &to);
 } // namespace Signorini

@@ -29,6 +29,6 @@ std::optional<dealii::Point<2>> show_hidden_data(const Scene<2> &scene, MeshPlan
  * whatever the direction of the layers. */
 void add_jump_misfit(const DisplacementSpace<2> &space,
                      const Scene<2> &scene,
-                     const NodalVector &U,
+                     const Displacement &U,
                      std::vector<CellIndicator> &indicators);
 } // namespace Signorini

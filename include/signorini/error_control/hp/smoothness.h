@@ -32,7 +32,7 @@ const std::vector<double> &nodes_of_edge(unsigned int degree);
 class CellField
 {
 public:
-  CellField(const dealii::DoFHandler<2>::active_cell_iterator &cell, const NodalVector &U);
+  CellField(const dealii::DoFHandler<2>::active_cell_iterator &cell, const Displacement &U);
 
   unsigned int degree() const
   {
@@ -75,7 +75,7 @@ struct CellIndicator
  */
 std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
                                     const Scene<2> &scene,
-                                    const NodalVector &U);
+                                    const Displacement &U);
 
 /** Returns a modulus for the energy of all strains but those that incompressible bodies avoid
  * (force/area). */

@@ -51,7 +51,7 @@ private:
 struct StepField
 {
   const DisplacementSpace<2> &space;
-  const NodalVector &U;
+  const Displacement &U;
 };
 
 /** Returns |||u_h - v_h||| for functions on two meshes that come from the same mesh by splitting

@@ -12,8 +12,8 @@ struct SolvedStep
 {
   const DisplacementSpace<2> &space;
   const MultiplierSpace<2> &multipliers;
-  const NodalVector &U;
-  const dealii::Vector<double> &P;
+  const Displacement &U;
+  const Pressure &P;
   /** What the contact solver leaves, (force length)^{1/2}. */
   double algebraic_error = 0.;
 };

@@ -21,7 +21,7 @@ namespace Signorini
 class PrescribedLift
 {
 public:
-  PrescribedLift(const Scene<2> &scene, const EdgeMesh &mesh, const NodalVector &U);
+  PrescribedLift(const Scene<2> &scene, const EdgeMesh &mesh, const Displacement &U);
 
   /** Returns for every cell whether z is not zero on it. */
   const std::vector<bool> &cells() const

@@ -32,7 +32,7 @@ public:
   using Coefficients = std::array<dealii::Tensor<1, 2>, 5>;
 
   /** Interpolates u_h. Needs Mesh::has_parents(). */
-  PatchBubbles(const DisplacementSpace<2> &space, const EdgeMesh &mesh, const NodalVector &U);
+  PatchBubbles(const DisplacementSpace<2> &space, const EdgeMesh &mesh, const Displacement &U);
 
   Coefficients on(const unsigned int cell) const
   {

@@ -26,7 +26,7 @@ GivenTractions given_tractions(const DisplacementSpace<2> &space,
                                const Scene<2> &scene,
                                const EdgeMesh &mesh,
                                const MultiplierSpace<2> &multipliers,
-                               const dealii::Vector<double> &P,
+                               const Pressure &P,
                                unsigned int n_points);
 
 /** Adds EdgeMoments::rest() at the vertices of contact edges to their given tractions. On curved

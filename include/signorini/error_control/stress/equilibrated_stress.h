@@ -88,8 +88,8 @@ struct StressData
   const DisplacementSpace<2> &space;
   const Scene<2> &scene;
   const MultiplierSpace<2> &multipliers;
-  const NodalVector &U;
-  const dealii::Vector<double> &P;
+  const Displacement &U;
+  const Pressure &P;
   /** The number of Gauss points per direction for loads, as in the system. */
   unsigned int n_points;
 };

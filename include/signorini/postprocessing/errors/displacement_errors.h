@@ -38,6 +38,6 @@ struct DisplacementErrors
 template <int dim>
 DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &space,
                                                const Scene<dim> &scene,
-                                               const NodalVector &U,
+                                               const Displacement &U,
                                                unsigned int n_points);
 } // namespace Signorini

@@ -38,7 +38,7 @@ public:
   /** Returns the errors. The paper's norm is Richardson's extrapolation of grids with 8 m and 16 m
    * cells, m the patches of the side. It is left out where a side has more than 128 of them (its
    * cost grows like m³), on arcs (distances are not arc lengths there), and in 3-D. */
-  DualNormErrors errors(const MultiplierSpace<dim> &space, const dealii::Vector<double> &P) const;
+  DualNormErrors errors(const MultiplierSpace<dim> &space, const Pressure &P) const;
 
   /** Returns R^H p: the mean of p on every patch. */
   dealii::Vector<double> project(const MultiplierSpace<dim> &space) const;
@@ -46,7 +46,7 @@ public:
 private:
   /** Returns the errors on the patches [first, last), which make up a side. For 2-D only. */
   DualNormErrors errors_on_side(const MultiplierSpace<dim> &space,
-                                const dealii::Vector<double> &P,
+                                const Pressure &P,
                                 const dealii::Vector<double> &projected_p,
                                 unsigned int first,
                                 unsigned int last) const;

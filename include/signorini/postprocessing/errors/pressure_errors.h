@@ -26,7 +26,7 @@ struct PressureErrors
  */
 template <int dim>
 PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
-                                       const dealii::Vector<double> &P,
+                                       const Pressure &P,
                                        unsigned int n_points);
 
 /**
@@ -38,7 +38,7 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
  */
 std::optional<double> contact_end_error(const MultiplierSpace<2> &space,
                                         const Scene<2> &scene,
-                                        const dealii::Vector<double> &P);
+                                        const Pressure &P);
 
 /** Returns nothing: in 3-D contact ends along curves, and there is no such number. */
 inline std::optional<double> contact_end_error(const MultiplierSpace<3> & /*space*/,

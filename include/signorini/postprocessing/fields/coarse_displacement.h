@@ -16,11 +16,11 @@ class CoarseDisplacement
 {
 public:
   /** Elements of degree one. */
-  CoarseDisplacement(const DisplacementSpace<dim> &space, const NodalVector &U);
+  CoarseDisplacement(const DisplacementSpace<dim> &space, const Displacement &U);
 
   /** Nodal values on the next level, which is refined everywhere; empty if @p space is not that.
    */
-  NodalVector at_nodes_of(const DisplacementSpace<dim> &space) const;
+  Displacement at_nodes_of(const DisplacementSpace<dim> &space) const;
 
 private:
   /** The level of the cells. */

@@ -43,11 +43,11 @@ struct PressedInterval
  * its length.
  */
 std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipliers,
-                                               const dealii::Vector<double> &P);
+                                               const Pressure &P);
 
 /** Returns the value below which a pressure presses, -1e-12 max|P|: smaller values are zeros up to
  * the tolerance of a solver. */
-double pressing_threshold(const dealii::Vector<double> &P);
+double pressing_threshold(const Pressure &P);
 
 /** A summary of the contact pressure. */
 struct ContactSummary
@@ -67,8 +67,7 @@ struct ContactSummary
 };
 
 template <int dim>
-ContactSummary summarise_contact(const MultiplierSpace<dim> &space,
-                                 const dealii::Vector<double> &P);
+ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const Pressure &P);
 
 /**
  * A continuous pressure of second order, recovered from the means of p_H over the patches and cut
@@ -82,7 +81,7 @@ template <int dim>
 class RecoveredPressure
 {
 public:
-  RecoveredPressure(const MultiplierSpace<dim> &space, const dealii::Vector<double> &P);
+  RecoveredPressure(const MultiplierSpace<dim> &space, const Pressure &P);
 
   /** Returns the value at the point @p s of the side to which @p patch belongs; @p patch contains
    * it. */
@@ -108,7 +107,7 @@ private:
 
   const MultiplierSpace<dim> &space_;
   const ContactSurface<dim> &surface_;
-  dealii::Vector<double> P_;
+  Pressure P_;
   /** The means of the patches. */
   std::vector<double> means_;
   /** The grids of the sides, in 3-D. */
@@ -122,13 +121,12 @@ template <int dim>
 struct PatchPressure
 {
   std::vector<Patch<dim>> patches;
-  dealii::Vector<double> P;
+  Pressure P;
 };
 
 /** Transfers P of another partition to the patches of @p to: the mean of the piecewise constant
  * function on each patch (its L2-projection). The time is proportional to the number of overlaps,
  * after sorting. */
 template <int dim>
-dealii::Vector<double> transfer_pressure(const PatchPressure<dim> &from,
-                                         const std::vector<Patch<dim>> &to);
+Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Patch<dim>> &to);
 } // namespace Signorini

@@ -30,22 +30,21 @@ struct SideNodes
 
 /** Returns the nodes of all multipliers, side after side; those below pressing_threshold(P) press.
  */
-std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
-                                     const dealii::Vector<double> &P);
+std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers, const Pressure &P);
 
 /** The forces at all degrees of freedom j (force per thickness); every rank stores all of them.
  * They are integrals over cells; the assembled and factorised A is not used. */
 struct NodalForces
 {
   /** The internal forces a(u_h, φ_j). */
-  NodalVector internal;
+  DualVector internal;
   /** The loads ∫ f.φ_j + ∫_{Γ_F} t.φ_j. */
-  NodalVector loads;
+  DualVector loads;
   /** The contact forces ∫_{Γ_c} p_H φ_j.n. */
-  NodalVector contact;
+  DualVector contact;
   /** The residual internal - loads - contact: zero on free, the reaction on constrained degrees of
    * freedom. */
-  NodalVector residual;
+  DualVector residual;
   /** The size |A| |U| of the terms that make up the internal forces. */
   double magnitude = 0.;
 
@@ -76,13 +75,13 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
                          const Scene<dim> &scene,
                          const DistributedVector &loads,
                          const Coupling &D,
-                         const NodalVector &U,
-                         const dealii::Vector<double> &P);
+                         const Displacement &U,
+                         const Pressure &P);
 
 /** Returns ∫ p_H n and ∫ p_H x × n over a piece of Γ_c. */
 template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
-                                 const dealii::Vector<double> &P,
+                                 const Pressure &P,
                                  const Piece<dim> &piece);
 
 /** The force and the moment that act on the body through a plate (per thickness). */

@@ -49,11 +49,12 @@ public:
 
   /** Returns the interpolation of the nodal values @p U at the points of @p fe_values, which is at
    * @p cell and provides its inverse Jacobians. */
-  const FieldValues<dim> &evaluate(const NodalVector &U,
+  const FieldValues<dim> &evaluate(const Displacement &U,
                                    const CellIterator &cell,
                                    const dealii::FEValues<dim> &fe_values);
   /** Returns the values alone, at the points of the usual rule. */
-  const std::vector<dealii::Tensor<1, dim>> &values(const NodalVector &U, const CellIterator &cell);
+  const std::vector<dealii::Tensor<1, dim>> &values(const Displacement &U,
+                                                    const CellIterator &cell);
 
 private:
   /** The place of a cell among the descendants of its ancestor: 0..2^k-1 per direction. */
@@ -82,7 +83,7 @@ private:
    * Fills nodal_values_ for the ancestor of a cell.
    * @return the place of the cell.
    */
-  Place collect_values(const NodalVector &U, const CellIterator &cell);
+  Place collect_values(const Displacement &U, const CellIterator &cell);
   /** Fills nodal_dofs_ from the descendants of an ancestor. */
   void find_nodes(const AncestorIterator &cell, const Place &place);
 

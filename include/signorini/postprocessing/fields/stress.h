@@ -18,7 +18,7 @@ namespace Signorini
  * there is no T^{2h}), in the order of active cells. With StrainOperator::mean_dilatation, means
  * over cells may alternate between neighbours, as the pressure of Q1-P0 does. */
 template <int dim>
-std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const NodalVector &U);
+std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const Displacement &U);
 
 /** The evaluation of a 3-D polynomial at the points of a tensor product rule on one of the cells,
  * n_cells per direction, into which the unit cube is divided: sums over the nodes of one direction

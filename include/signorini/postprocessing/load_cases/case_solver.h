@@ -75,25 +75,25 @@ public:
   CaseResult solve(const LoadCase &load_case);
 
   /** Returns P of the last case. */
-  const dealii::Vector<double> &pressure() const
+  const Pressure &pressure() const
   {
     return P_;
   }
   /** Returns U of the last case by one more solve. Collective. */
-  NodalVector displacement() const;
+  Displacement displacement() const;
 
 private:
   /** The response to one kind of load. */
   struct LoadResponse
   {
     LoadKind kind;
-    NodalVector U;
+    Displacement U;
     /** The closing Dᵀ U. */
     dealii::Vector<double> closing;
     /** The work on the free motions. */
     MotionWork work;
     /** The loads f_i. */
-    NodalVector loads;
+    DualVector loads;
   };
 
   LoadResponse respond(LoadKind kind) const;
@@ -113,6 +113,7 @@ private:
   dealii::Vector<double> G_;
   std::vector<LoadResponse> responses_;
   LoadCase last_;
-  dealii::Vector<double> P_, q_;
+  Pressure P_;
+  dealii::Vector<double> q_;
 };
 } // namespace Signorini

@@ -48,7 +48,7 @@ struct Answer
 template <int dim>
 std::optional<Penetration> largest_penetration(const DisplacementSpace<dim> &space,
                                                const MultiplierSpace<dim> &multipliers,
-                                               const NodalVector &U);
+                                               const Displacement &U);
 
 /** Computes the answer. Collective. */
 template <int dim>
@@ -56,6 +56,6 @@ Answer compute_answer(const DisplacementSpace<dim> &space,
                       const Scene<dim> &scene,
                       const MultiplierSpace<dim> &multipliers,
                       const NodalForces &forces,
-                      const NodalVector &U,
-                      const dealii::Vector<double> &P);
+                      const Displacement &U,
+                      const Pressure &P);
 } // namespace Signorini

@@ -18,7 +18,7 @@ struct ContactBracket
 
 /** Returns all brackets of a pressure, side after side; those that share a node are one. */
 std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multipliers,
-                                             const dealii::Vector<double> &P);
+                                             const Pressure &P);
 
 /** One end of a contact zone. */
 struct ZoneEnd
@@ -49,6 +49,5 @@ struct ContactZone
  *
  * Where patches have polynomials, zones are pressed_intervals().
  */
-std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
-                                       const dealii::Vector<double> &P);
+std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers, const Pressure &P);
 } // namespace Signorini

@@ -43,9 +43,9 @@ struct PeakPressure : PressureMaximum
  * the material is its own mirror image.
  */
 std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<2> &multipliers,
-                                             const dealii::Vector<double> &P,
+                                             const Pressure &P,
                                              const std::vector<SingularPlace<2>> &outside_of = {});
 std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<3> &multipliers,
-                                             const dealii::Vector<double> &P,
+                                             const Pressure &P,
                                              const std::vector<SingularPlace<3>> &outside_of = {});
 } // namespace Signorini

@@ -30,7 +30,7 @@ struct SideForce
 template <int dim>
 std::vector<SideForce> contact_forces(const MultiplierSpace<dim> &multipliers,
                                       const Scene<dim> &scene,
-                                      const dealii::Vector<double> &P);
+                                      const Pressure &P);
 
 /**
  * Returns the reaction of every clamped, prescribed and roller side: the sum of

@@ -57,5 +57,5 @@ template <int dim>
 std::optional<GrowthPlace> growth_at(const dealii::Point<dim> &x,
                                      const std::vector<SingularPlace<dim>> &places,
                                      const MultiplierSpace<dim> &multipliers,
-                                     const dealii::Vector<double> &P);
+                                     const Pressure &P);
 } // namespace Signorini

@@ -41,6 +41,6 @@ constexpr double large_strain = 0.1;
 template <int dim>
 VonMises largest_von_mises(const DisplacementSpace<dim> &space,
                            const Scene<dim> &scene,
-                           const NodalVector &U,
+                           const Displacement &U,
                            const std::vector<SingularPlace<dim>> &places = {});
 } // namespace Signorini

@@ -53,16 +53,16 @@ struct ContactSegment
  */
 std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
-                                               const NodalVector &U,
-                                               const dealii::Vector<double> &P,
+                                               const Displacement &U,
+                                               const Pressure &P,
                                                unsigned int n_parts = 1);
 
 /** Returns the same with gap and exact pressure of other conditions on the same sides. */
 std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
                                                const std::vector<BoundaryCondition<2>> &boundary,
-                                               const NodalVector &U,
-                                               const dealii::Vector<double> &P,
+                                               const Displacement &U,
+                                               const Pressure &P,
                                                unsigned int n_parts = 1);
 
 /** Writes contact-LL.csv. */
@@ -110,8 +110,8 @@ std::vector<ContactQuadrilateral>
 trace_contact_area(const DisplacementSpace<3> &space,
                    const MultiplierSpace<3> &multipliers,
                    const std::vector<BoundaryCondition<3>> &boundary,
-                   const NodalVector &U,
-                   const dealii::Vector<double> &P);
+                   const Displacement &U,
+                   const Pressure &P);
 
 /** Writes contact-LL.csv in 3-D: one row for each contact face, at its middle. */
 void write_contact_csv(std::ostream &stream, const std::vector<ContactQuadrilateral> &area);
@@ -133,8 +133,8 @@ template <int dim>
 TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                                  const MultiplierSpace<dim> &multipliers,
                                  const std::vector<BoundaryCondition<dim>> &boundary,
-                                 const NodalVector &U,
-                                 const dealii::Vector<double> &P)
+                                 const Displacement &U,
+                                 const Pressure &P)
 {
   if constexpr (dim == 2)
     return trace_contact_line(space, multipliers, boundary, U, P);

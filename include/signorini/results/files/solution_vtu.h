@@ -22,7 +22,7 @@ template <int dim>
 void write_solution_vtu(const std::filesystem::path &path,
                         const DisplacementSpace<dim> &space,
                         const Scene<dim> &scene,
-                        const NodalVector &U,
+                        const Displacement &U,
                         const BoundFields &bound,
                         unsigned int number);
 

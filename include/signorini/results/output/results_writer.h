@@ -42,8 +42,8 @@ public:
   template <int dim>
   void write_case_fields(const Discretization<dim> &discretization,
                          const Scene<dim> &scene,
-                         const NodalVector &U,
-                         const dealii::Vector<double> &P,
+                         const Displacement &U,
+                         const Pressure &P,
                          unsigned int number);
   /** cases.csv. */
   void write_cases(const std::vector<CaseResult> &cases);

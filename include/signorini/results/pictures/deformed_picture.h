@@ -21,6 +21,6 @@ namespace Signorini
  */
 Picture deformed_picture(const DisplacementSpace<2> &space,
                          const Scene<2> &scene,
-                         const NodalVector &U,
+                         const Displacement &U,
                          const std::vector<ContactSegment> &line);
 } // namespace Signorini

@@ -13,8 +13,8 @@ namespace Signorini
  */
 std::vector<ContactSegment> trace_for_pictures(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
-                                               const NodalVector &U,
-                                               const dealii::Vector<double> &P);
+                                               const Displacement &U,
+                                               const Pressure &P);
 
 /**
  * Makes pressure.svg: for every contact side the contact pressure -p (positive in compression; p_H,

@@ -11,7 +11,7 @@ namespace Signorini
 struct FreeState
 {
   /** The complete nodal values U_0 = A⁻¹ f. */
-  NodalVector U;
+  Displacement U;
   /** The free opening F = G - Dᵀ U_0 of each patch, negative where the body penetrates
    * (length^dim). */
   dealii::Vector<double> F;
@@ -30,24 +30,24 @@ FreeState solve_free_state(const StiffnessInverse &inverse,
 
 /** Returns U = A⁻¹(D P + f), (23): step (iv) of the algorithm. Collective. */
 template <int dim>
-NodalVector recover_displacement(const StiffnessInverse &inverse,
-                                 const DisplacementSpace<dim> &space,
-                                 const Coupling &condensed_D,
-                                 const dealii::Vector<double> &P,
-                                 const DistributedVector &f);
+Displacement recover_displacement(const StiffnessInverse &inverse,
+                                  const DisplacementSpace<dim> &space,
+                                  const Coupling &condensed_D,
+                                  const dealii::Vector<double> &P,
+                                  const DistributedVector &f);
 
 /** Returns A⁻¹ b with homogeneous essential conditions: the displacement that the forces b
  * (compressed here) add. Collective. */
 template <int dim>
-NodalVector solve_homogeneous(const StiffnessInverse &inverse,
-                              const DisplacementSpace<dim> &space,
-                              DistributedVector &b);
+Displacement solve_homogeneous(const StiffnessInverse &inverse,
+                               const DisplacementSpace<dim> &space,
+                               DistributedVector &b);
 
-/** Returns k + A⁻¹ Tᵀ r: the displacement with the prescribed values k, for r = f - A k. Every
- * rank stores all entries of both. Collective. */
+/** Returns k + A⁻¹ Tᵀ r: the displacement with the prescribed values k, for r = f - A k.
+ * Collective. */
 template <int dim>
-NodalVector solve_prescribed(const StiffnessInverse &inverse,
-                             const DisplacementSpace<dim> &space,
-                             const NodalVector &k,
-                             const NodalVector &r);
+Displacement solve_prescribed(const StiffnessInverse &inverse,
+                              const DisplacementSpace<dim> &space,
+                              const Displacement &k,
+                              const DualVector &r);
 } // namespace Signorini

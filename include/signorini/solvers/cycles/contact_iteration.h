@@ -16,7 +16,7 @@ struct ContactSystem
 {
   const StiffnessOperator &A;
   /** The condensed f, reduced by the contribution of k (force). */
-  const NodalVector &f;
+  const dealii::Vector<double> &f;
   /** The condensed coupling Tᵀ D. */
   const Coupling &condensed_D;
   /** The gap G - Dᵀ k (length^dim). */
@@ -27,9 +27,10 @@ struct ContactSystem
   double loads = 0.;
 
   /** Returns r = f + D P - A U. */
-  NodalVector residual(const NodalVector &U, const dealii::Vector<double> &P) const;
+  dealii::Vector<double> residual(const dealii::Vector<double> &U,
+                                  const dealii::Vector<double> &P) const;
   /** Returns W = Dᵀ U - G. */
-  dealii::Vector<double> opening(const NodalVector &U) const;
+  dealii::Vector<double> opening(const dealii::Vector<double> &U) const;
 };
 
 /** The options of the iteration. */
@@ -55,7 +56,7 @@ struct ContactIterationOptions
 struct ContactIterationResult
 {
   /** The solution U_free. */
-  NodalVector U;
+  dealii::Vector<double> U;
   dealii::Vector<double> P;
   /** The scale t. */
   double scale = 0.;
@@ -102,7 +103,7 @@ double estimate_scale(const ContactSystem &system, unsigned int n_steps);
  * @param U, P the start; U is zero in constrained rows, P ≤ 0.
  */
 ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
-                                               const NodalVector &U,
+                                               const dealii::Vector<double> &U,
                                                const dealii::Vector<double> &P,
                                                const ContactIterationOptions &options);
 } // namespace Signorini

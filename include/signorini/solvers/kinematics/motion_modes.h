@@ -32,14 +32,14 @@ struct MotionModes
 {
   std::vector<FreeMotion> motions;
   /** The complete nodal values z_j. */
-  std::vector<NodalVector> Z;
+  std::vector<Displacement> Z;
   /** The forces (a(z_j, φ_i))_i; empty where they vanish: for rigid motions that V^h contains. */
-  std::vector<NodalVector> forces;
+  std::vector<DualVector> forces;
   /** The stiffness K_ij = a(z_i, z_j). */
   dealii::FullMatrix<double> K;
   /** The rigid motions that no contact resists, and their nodal values. They stay zero. */
   std::vector<FreeMotion> unseen;
-  std::vector<NodalVector> unseen_Z;
+  std::vector<Displacement> unseen_Z;
 
   /** The tolerance of the work of balanced loads on an unseen motion, relative to its terms: the
    * force on cells that approximate a curved body is not exactly that on the body. */
@@ -57,15 +57,15 @@ struct MotionModes
    * @param U_0 complete nodal values.
    */
   MotionWork work(const std::vector<Plate> &plates,
-                  const NodalVector &loads,
-                  const NodalVector &U_0) const;
+                  const DualVector &loads,
+                  const Displacement &U_0) const;
   /** Returns the number of the first unseen motion that the forces on plates and the loads f_i
    * drive, within rounding and the part of a rotation that curved cells lack; none if they are in
    * balance. */
   std::optional<unsigned int> driven_unseen(const std::vector<Plate> &plates,
-                                            const NodalVector &loads) const;
+                                            const DualVector &loads) const;
   /** Adds Σ_j q_j z_j to U. */
-  void add_to(NodalVector &U, const dealii::Vector<double> &q) const;
+  void add_to(Displacement &U, const dealii::Vector<double> &q) const;
   /** Returns the motions of the plates with q, without the given part. */
   std::vector<PlateMotion> plate_motions(const std::vector<Plate> &plates,
                                          const dealii::Vector<double> &q) const;

@@ -60,14 +60,14 @@ struct LinearSolves
 struct ContactStart
 {
   /** @param P a pressure on the patches of the level; empty: none. */
-  ContactStart(dealii::Vector<double> P = {})
+  explicit ContactStart(Pressure P = {})
     : P(std::move(P))
   {
   }
 
-  dealii::Vector<double> P;
+  Pressure P;
   /** Nodal values of a displacement; empty: none. Only V-cycles use it. */
-  NodalVector U;
+  Displacement U;
   /** t of the level before, see ContactIterationOptions; zero: none. */
   double scale = 0.;
   /** The estimated error of the level before, relative in the energy norm; none: unknown. */
@@ -102,8 +102,8 @@ struct CycleData
 template <int dim>
 struct ContactState
 {
-  NodalVector U;
-  dealii::Vector<double> P;
+  Displacement U;
+  Pressure P;
   /** How far motions have moved; empty without. */
   dealii::Vector<double> q;
   /** C_kk P_k, how far each multiplier opens its own patch; empty if nothing touches. */
