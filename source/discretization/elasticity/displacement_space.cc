@@ -148,12 +148,17 @@ dealii::AffineConstraints<double> continuity_conditions(const dealii::DoFHandler
 /** Sets the constrained values of w = T w_free. */
 void set_constrained(const dealii::AffineConstraints<double> &constraints, Displacement &w)
 {
+  w.update_ghost_values();
   for (const auto &line : constraints.get_lines())
   {
-    w[line.index] = 0.;
+    if (!w.in_local_range(line.index))
+      continue;
+    double value = 0.;
     for (const auto &entry : line.entries)
-      w[line.index] += entry.second * w[entry.first];
+      value += entry.second * w(entry.first);
+    w(line.index) = value;
   }
+  w.update_ghost_values();
 }
 
 /** Returns both sets of constraints; where a degree of freedom has both, the essential condition.

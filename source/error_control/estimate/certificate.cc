@@ -63,13 +63,17 @@ void balance(const DisplacementSpace<dim> &space,
   Resultant<dim> sum = applied;
   sum += contact;
   double sum_of_sizes = 0.;
+  Resultant<dim> reactions;
   for (const auto &[dof, place] : support_points(space))
-  {
-    dealii::Tensor<1, dim> reaction;
-    reaction[place.second] = forces.residual[dof];
-    sum_of_sizes += reaction.norm();
-    sum.add(reaction, place.first);
-  }
+    if (forces.residual.in_local_range(dof))
+    {
+      dealii::Tensor<1, dim> reaction;
+      reaction[place.second] = forces.residual(dof);
+      sum_of_sizes += reaction.norm();
+      reactions.add(reaction, place.first);
+    }
+  sum += sum_over_ranks(reactions, space.mesh().communicator());
+  sum_of_sizes = dealii::Utilities::MPI::sum(sum_of_sizes, space.mesh().communicator());
   // About the centre of the body: the origin may be far away.
   const dealii::Point<dim> centre =
     scene.geometry.lower + 0.5 * (scene.geometry.upper - scene.geometry.lower);
@@ -90,8 +94,9 @@ double support_error(const DisplacementSpace<dim> &space,
   // A vertex between two sides takes the displacement of one; on rollers alone, it obeys both.
   std::map<unsigned int, double> of_displacement, of_rollers;
   dealii::Vector<double> prescribed(dim);
+  // A vertex of this rank may lie on cells of others.
   for (const auto &cell : space.dofs().active_cell_iterators())
-    if (cell->at_boundary())
+    if (!cell->is_artificial() && cell->at_boundary())
       for (const unsigned int f : cell->face_indices())
       {
         const auto face = cell->face(f);
@@ -136,7 +141,9 @@ double support_error(const DisplacementSpace<dim> &space,
   for (const auto &[vertex, error] : of_rollers)
     if (of_displacement.count(vertex) == 0)
       largest = std::max(largest, error);
-  return relative(largest, scale);
+  MPI_Comm communicator = space.mesh().communicator();
+  return relative(dealii::Utilities::MPI::max(largest, communicator),
+                  dealii::Utilities::MPI::max(scale, communicator));
 }
 
 /** U without the translation of the whole body, and how much that is. */
@@ -175,17 +182,23 @@ Deformation deformation(const DisplacementSpace<dim> &space, const Displacement 
     high[d] = -low[d];
   }
   const std::vector<unsigned int> component = components_of(space);
-  for (unsigned int i = 0; i < component.size(); ++i)
+  for (const auto i : space.locally_owned())
   {
-    low[component[i]] = std::min(low[component[i]], U[i]);
-    high[component[i]] = std::max(high[component[i]], U[i]);
+    low[component[i]] = std::min(low[component[i]], U(i));
+    high[component[i]] = std::max(high[component[i]], U(i));
+  }
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    low[d] = dealii::Utilities::MPI::min(low[d], space.mesh().communicator());
+    high[d] = dealii::Utilities::MPI::max(high[d], space.mesh().communicator());
   }
   double range = 0.;
   for (unsigned int d = 0; d < dim; ++d)
     range = std::max(range, 0.5 * (high[d] - low[d]));
   Deformation result = {U};
-  for (unsigned int i = 0; i < component.size(); ++i)
-    result.V[i] -= 0.5 * (low[component[i]] + high[component[i]]);
+  for (const auto i : space.locally_owned())
+    result.V(i) -= 0.5 * (low[component[i]] + high[component[i]]);
+  result.V.update_ghost_values();
   const double size = U.linfty_norm();
   if (range < size)
     result.translation = size / std::max(range, std::numeric_limits<double>::epsilon() * size);

@@ -151,7 +151,7 @@ void add_holder(const unsigned int side,
   node.holders.push_back({side, role == Role::roller, normal});
 }
 
-/** Returns the held nodes by their first degree of freedom. */
+/** Returns the held nodes of this rank by their first degree of freedom. */
 template <int dim>
 std::map<dealii::types::global_dof_index, HeldNode<dim>>
 held_nodes(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const NodalForces &forces)
@@ -160,7 +160,7 @@ held_nodes(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const N
   NodePositions<dim> positions(space);
   std::vector<dealii::types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
-    if (cell->at_boundary())
+    if (!cell->is_artificial() && cell->at_boundary())
       for (const unsigned int f : cell->face_indices())
       {
         const auto face = cell->face(f);
@@ -173,12 +173,13 @@ held_nodes(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const N
         for (unsigned int k = 0; k < points.size(); ++k)
         {
           const unsigned int first = element.component_to_system_index(0, k);
-          if (!element.has_support_on_face(first, f))
+          if (!element.has_support_on_face(first, f) ||
+              !forces.residual.in_local_range(indices[first]))
             continue;
           HeldNode<dim> &node = nodes[indices[first]];
           node.point = points[k];
           for (unsigned int c = 0; c < dim; ++c)
-            node.reaction[c] = forces.residual[indices[element.component_to_system_index(c, k)]];
+            node.reaction[c] = forces.residual(indices[element.component_to_system_index(c, k)]);
           add_holder(face->boundary_id(),
                      scene.boundary[face->boundary_id()].role,
                      face_normal<dim>(cell, f),
@@ -247,6 +248,9 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space,
                                  const NodalForces &forces)
 {
   std::map<unsigned int, Resultant<dim>> by_side;
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+    if (holds(scene.boundary[i].role))
+      by_side[i] = {};
   for (const auto &[vertex, node] : held_nodes(space, scene, forces))
   {
     if (node.holders.size() == 1)
@@ -260,8 +264,9 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space,
   }
   const double scale = forces.largest();
   std::vector<SideForce> result;
-  for (const auto &[number, resultant] : by_side)
+  for (const auto &[number, part] : by_side)
   {
+    const Resultant<dim> resultant = sum_over_ranks(part, space.mesh().communicator());
     const Side<dim> &side = scene.geometry.sides[number];
     result.push_back({side.name(),
                       {resultant.force, resultant.moment},
