@@ -40,7 +40,7 @@ struct OneLevel
   {
     return Signorini::solve_level<2>({parameters, scene, solvers()},
                                      discretization,
-                                     dealii::Vector<double>(),
+                                     Signorini::ContactStart(),
                                      [](const std::string &) {});
   }
 
@@ -67,10 +67,23 @@ inline Signorini::Displacement nodal_values(const Signorini::DisplacementSpace<2
   return interpolate_at_nodes(space, Signorini::FieldFunction(field));
 }
 
-/** max |a_i - b_i|. */
-inline double distance(const dealii::Vector<double> &a, const dealii::Vector<double> &b)
+/** Random numbers in the rows of A, the same ones on any number of ranks. */
+inline Signorini::DistributedVector random_rows(const Signorini::DisplacementSpace<2> &space,
+                                                RandomNumbers &random)
 {
-  dealii::Vector<double> difference(a);
+  Signorini::DistributedVector rows = space.make_vector();
+  const auto values = random.vector(space.dofs().n_dofs());
+  for (const auto i : space.locally_owned())
+    rows(i) = values[i];
+  rows.compress(dealii::VectorOperation::insert);
+  return rows;
+}
+
+/** max |a_i - b_i|. */
+template <typename First, typename Second>
+double distance(const First &a, const Second &b)
+{
+  First difference(a);
   difference -= b;
   return difference.size() == 0 ? 0. : difference.linfty_norm();
 }

@@ -65,9 +65,10 @@ inline double slope(const std::vector<Signorini::LevelRecord> &levels, const std
 }
 
 /** |a - b| / |b|. */
-inline double relative_distance(const dealii::Vector<double> &a, const dealii::Vector<double> &b)
+template <typename First, typename Second>
+double relative_distance(const First &a, const Second &b)
 {
-  dealii::Vector<double> difference = a;
+  First difference(a);
   difference -= b;
   return difference.l2_norm() / b.l2_norm();
 }

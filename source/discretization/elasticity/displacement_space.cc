@@ -254,7 +254,7 @@ Displacement DisplacementSpace<dim>::complete(const DistributedVector &free_valu
 template <int dim>
 Displacement DisplacementSpace<dim>::prescribed(const Scene<dim> &scene) const
 {
-  Displacement k = zero();
+  Displacement k(rows_);
   merge(essential_conditions(mesh_, dofs_, scene), continuity_).distribute(k.entries());
   k.update_ghost_values();
   return k;

@@ -50,7 +50,7 @@ void check_resultant(Checks &checks,
                      const Point<2> &force,
                      const double moment)
 {
-  const Displacement loads(body.system.loads);
+  const DualVector loads = body.space.dual(body.system.loads);
   const auto work = [&](const Field &field) { return loads * nodal_values(body.space, field); };
   checks.near(name + ": force", (body.system.applied.force - force).norm(), 0., 1e-13);
   checks.near(name + ": moment", body.system.applied.moment[0], moment, 1e-13);

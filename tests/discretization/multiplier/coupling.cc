@@ -137,10 +137,9 @@ void condensed(Checks &checks, const std::string &name, const OneLevel &level)
 {
   const auto &space = level.space();
   RandomNumbers random(5);
-  Displacement U = random.vector(space.dofs().n_dofs());
-  space.constraints().set_zero(U);
-  const Displacement U_free = U;
-  space.constraints().distribute(U);
+  DistributedVector free_values = random_rows(space, random);
+  space.constraints().set_zero(free_values);
+  const Displacement U_free = space.displacement(free_values), U = space.complete(free_values);
   const Coupling &condensed_D = level.discretization.condensed_D;
   checks.near(
     name + ": D^T T U = (T^T D)^T U",
@@ -161,16 +160,14 @@ void products(Checks &checks)
   const Coupling &D = level.discretization.D;
   RandomNumbers random(6);
   const auto P = random.vector(5);
-  const auto U = random.vector(level.space().dofs().n_dofs());
-  DistributedVector DP = level.space().make_vector(), distributed_U = DP;
+  const DistributedVector distributed_U = random_rows(level.space(), random);
+  const Displacement U = level.space().displacement(distributed_U);
+  DistributedVector DP = level.space().make_vector();
   DP = 0.;
   D.add_product(P, DP);
   DP.compress(dealii::VectorOperation::add);
   const auto DtU = D.transpose_product(U);
-  checks.near("U.(D P) = P.(D^T U)", Displacement(DP) * U, P * DtU, 1e-14);
-  for (const auto i : level.space().locally_owned())
-    distributed_U(i) = U[i];
-  distributed_U.compress(dealii::VectorOperation::insert);
+  checks.near("U.(D P) = P.(D^T U)", level.space().dual(DP) * U, P * DtU, 1e-14);
   checks.near("local products sum to D^T U",
               distance(D.local_transpose_product(distributed_U), DtU),
               0.,

@@ -164,7 +164,7 @@ void basis(Checks &checks)
 {
   const OneLevel level(square("0", "set Patches = 5\n"), 3);
   const auto &space = level.multipliers();
-  const auto P = RandomNumbers(3).vector(space.n_multipliers());
+  const Pressure P(RandomNumbers(3).vector(space.n_multipliers()));
   checks.that("as many multipliers as patches",
               space.n_multipliers() == 5 && space.first_of(3) == 3);
   double off = 0., integral = 0., exact = 0.;

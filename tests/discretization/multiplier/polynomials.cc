@@ -54,7 +54,7 @@ void basis(Checks &checks, const MultiplierSpace<2> &space)
   unsigned int most = 0, n_all = 0;
   double unity = 0., lagrange = 0., integrals = 0., products = 0., values = 0.;
   const dealii::Vector<double> squares = space.integrals();
-  const dealii::Vector<double> P = RandomNumbers(5).vector(space.n_multipliers());
+  const Pressure P(RandomNumbers(5).vector(space.n_multipliers()));
   for (unsigned int patch = 0; patch < patches.size(); ++patch)
   {
     const unsigned int first = space.first_of(patch), n = space.n_of(patch);

@@ -10,7 +10,6 @@
 #include "tests.h"
 
 using namespace Signorini;
-using Vector = dealii::Vector<double>;
 
 namespace
 {
@@ -42,8 +41,8 @@ void forces(Checks &checks)
     make_box_scene(scalar([](const auto &) { return 0.1; }), compression, {1., 2., 1.});
   const Box box(scene, 2, 2);
   const Displacement U = interpolate_at_nodes(box.space, *compression);
-  Vector P(box.multipliers.n_multipliers());
-  P = sigma;
+  Pressure P(box.multipliers.n_multipliers());
+  P.add(sigma);
   const Answer answer =
     compute_answer(box.space, scene, box.multipliers, forces_of(box, U, P), U, P);
   struct Expected
@@ -94,7 +93,7 @@ void uneven_pressure(Checks &checks)
   Scene<3> scene = make_box_scene(scalar([](const auto &) { return 0.; }), nothing, {1., 2., 1.});
   scene.boundary[scene.geometry.find_side("right")].role = Role::free;
   const Box box(scene, 3, 2);
-  Vector P(box.multipliers.n_multipliers());
+  Pressure P(box.multipliers.n_multipliers());
   for (unsigned int tau = 0; tau < P.size(); ++tau)
     P[tau] = -1. - box.surface.patches()[tau].centre()[0];
   const auto found = contact_forces(box.multipliers, scene, P).at(0);
@@ -107,7 +106,7 @@ void uneven_pressure(Checks &checks)
   checks.near("peak of 1 + x", peak->value, 2., 1e-13);
   checks.near("at the edge", peak->place.point[0], 1., 1e-14);
   checks.near("mean of its patch", peak->mean, 1.875, 1e-14);
-  checks.that("no pressure, no peak", !peak_pressure(box.multipliers, Vector(P.size())));
+  checks.that("no pressure, no peak", !peak_pressure(box.multipliers, Pressure(P.size())));
 
   // A paraboloid: mean of (x - c)² over a patch of length H is (middle - c)² + H²/12. In the corner
   // between two rollers it goes on symmetrically.
@@ -141,8 +140,8 @@ void held_sides(Checks &checks)
     left.data = compression;
     const Box box(scene, level, 2);
     const Displacement U = interpolate_at_nodes(box.space, *compression);
-    Vector P(box.multipliers.n_multipliers());
-    P = sigma;
+    Pressure P(box.multipliers.n_multipliers());
+    P.add(sigma);
     const auto found = reactions(box.space, scene, forces_of(box, U, P));
     const double h = std::ldexp(1., -static_cast<int>(level));
     const std::string name = "level " + std::to_string(level) + ": ";

@@ -43,7 +43,7 @@ void contact(Checks &checks)
   const Scene<3> scene = scene_with_pressure(sinking);
   const Box box(scene, 3, 2);
   const Displacement U = interpolate_at_nodes(box.space, *sinking);
-  dealii::Vector<double> P(box.multipliers.n_multipliers());
+  Pressure P(box.multipliers.n_multipliers());
   for (unsigned int tau = 0; tau < P.size(); ++tau)
   {
     const dealii::Point<2> s = box.surface.patches()[tau].centre();

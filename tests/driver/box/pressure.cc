@@ -22,9 +22,9 @@ constexpr double pi = dealii::numbers::PI;
 
 /** The values of a function at the centres of the patches: of a product of linear functions these
  * are the means. */
-Vector at_centres(const Box &box, const std::function<double(const dealii::Point<2> &)> &p)
+Pressure at_centres(const Box &box, const std::function<double(const dealii::Point<2> &)> &p)
 {
-  Vector P(box.surface.patches().size());
+  Pressure P(box.surface.patches().size());
   for (unsigned int tau = 0; tau < P.size(); ++tau)
     P[tau] = p(box.surface.patches()[tau].centre());
   return P;
@@ -76,8 +76,8 @@ void recovery(Checks &checks)
               0.,
               1e-14);
   const Box single(scene, 1, 2);
-  Vector one(1);
-  one = -3.;
+  Pressure one(1);
+  one[0] = -3.;
   checks.near("a single patch: a constant",
               recovery_error(single, one, [](const auto &) { return -3.; }),
               0.,
@@ -89,11 +89,11 @@ void transfer(Checks &checks)
   const Scene<3> scene = make_box_scene(zero, nothing, {1., 2., 1.});
   const auto linear = [](const dealii::Point<2> &s) { return -(1. + s[0] + 2. * s[1]); };
   const Box fine(scene, 3, 2), coarse(scene, 2, 2), next(scene, 4, 2);
-  const Vector P = at_centres(fine, linear);
-  const auto move = [](const Box &from, const Vector &p, const Box &to) {
+  const Pressure P = at_centres(fine, linear);
+  const auto move = [](const Box &from, const Pressure &p, const Box &to) {
     return transfer_pressure<3>({from.surface.patches(), p}, to.surface.patches());
   };
-  const auto distance = [](Vector a, const Vector &b) {
+  const auto distance = [](Pressure a, const Pressure &b) {
     a -= b;
     return a.linfty_norm();
   };
@@ -205,12 +205,12 @@ void errors(Checks &checks)
   const Scene<3> waves = with_pressure(wave);
   const ExactPressure<3> exact(waves);
   const Box box(waves, 3, 2);
-  const Vector none(box.multipliers.n_multipliers());
+  const Pressure none(box.multipliers.n_multipliers());
   const double norm = std::sqrt(0.5 / std::sqrt(1. + 3.25 * pi * pi));
   const DualNormErrors all = exact.errors(box.multipliers, none);
   checks.near("-1/2 norm of cos(pi x) cos(3 pi y/2)", all.spectral, norm, 1e-9);
   checks.that("the double integral is not computed", !all.slobodeckij);
-  const Vector means = exact.project(box.multipliers);
+  const Pressure means(exact.project(box.multipliers));
   checks.near("R^H p", exact.errors(box.multipliers, means).superclose_spectral, 0., 1e-14);
   // sinc(pi H_x/2) sinc(3 pi H_y/4) at the centre of the patch.
   const double factor = std::sin(pi / 8.) / (pi / 8.) * std::sin(3. * pi / 8.) / (3. * pi / 8.);
@@ -222,7 +222,7 @@ void errors(Checks &checks)
   {
     const Box refined(waves, level, 2);
     const double error =
-      exact.errors(refined.multipliers, exact.project(refined.multipliers)).spectral;
+      exact.errors(refined.multipliers, Pressure(exact.project(refined.multipliers))).spectral;
     if (level == 5)
       checks.between("order of p - R^H p", std::log2(before / error), 1.5, 1.7);
     before = error;

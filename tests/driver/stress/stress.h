@@ -137,7 +137,7 @@ inline Measured measure(const std::string &text, const std::vector<std::string> 
   const LevelSolution<2> level =
     solve_level<2>({parameters, scene, choose_solvers(parameters, scene, 0, 1)},
                    discretization,
-                   dealii::Vector<double>(),
+                   ContactStart(),
                    [](const std::string &) {});
   if (level.dual->C == nullptr)
     return measured;

@@ -63,7 +63,8 @@ std::vector<SceneText> scenes()
     {"E1", named_scene("E1"), 4}};
 }
 
-double relative_error(const dealii::Vector<double> &a, const dealii::Vector<double> &b)
+template <typename Vector>
+double relative_error(const Vector &a, const Vector &b)
 {
   return distance(a, b) / std::max(1e-300, b.linfty_norm());
 }

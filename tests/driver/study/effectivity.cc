@@ -113,9 +113,9 @@ void finer_reference(Checks &checks)
   {
     const OneLevel coarse(block + entry("Discretization", "Patches", partition), 5);
     const LevelSolution<2> solution = coarse.solve();
-    Displacement difference(U.size());
+    Displacement difference = fine.space().zero();
     dealii::VectorTools::interpolate_to_different_mesh(
-      coarse.space().dofs(), solution.U, fine.space().dofs(), difference);
+      coarse.space().dofs(), solution.U.entries(), fine.space().dofs(), difference.entries());
     difference -= U;
     const double error = energy_norm(fine.space(), fine.scene, difference);
     const ErrorEstimate &estimate = *solution.record.estimate;

@@ -14,7 +14,8 @@ using namespace Signorini;
 namespace
 {
 /** Relative to the larger one of the two; zero if both are. */
-double relative_distance(const dealii::Vector<double> &a, const dealii::Vector<double> &b)
+template <typename Vector>
+double relative_distance(const Vector &a, const Vector &b)
 {
   const double size = a.linfty_norm();
   return size > 0. ? distance(a, b) / size : b.linfty_norm();

@@ -81,9 +81,8 @@ public:
     }
     pattern_.copy_from(pattern);
     // W of the prescribed displacements alone.
-    Displacement k(n_);
-    level.space().constraints().distribute(k);
-    prescribed_ = level.discretization.D.transpose_product(k);
+    prescribed_ =
+      level.discretization.D.transpose_product(level.space().complete(level.space().make_vector()));
     const Vector lengths = level.multipliers().integrals();
     for (unsigned int i = 0; i < m_; ++i)
       weights_.push_back(system_.matrix.linfty_norm() / (lengths[i] * lengths[i]));
@@ -135,8 +134,9 @@ private:
     dealii::SparseDirectUMFPACK inverse;
     inverse.solve(matrix, x);
     MixedSolution solution;
-    solution.U = Displacement(x.begin(), x.begin() + n_);
-    level_.space().constraints().distribute(solution.U);
+    DistributedVector free_values = level_.space().make_vector();
+    std::copy_n(x.begin(), n_, free_values.begin());
+    solution.U = level_.space().complete(free_values);
     solution.P = Vector(x.begin() + n_, x.end());
     solution.W = level_.discretization.D.transpose_product(solution.U);
     solution.W -= level_.discretization.G;

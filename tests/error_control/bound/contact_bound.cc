@@ -125,7 +125,7 @@ double error_square(const SolvedLevel &s)
   for (const auto &cell : s.level.space.dofs().active_cell_iterators())
   {
     values.reinit(cell);
-    values[dealii::FEValuesExtractors::Vector(0)].get_function_gradients(s.U, found);
+    values[dealii::FEValuesExtractors::Vector(0)].get_function_gradients(s.U.entries(), found);
     s.scene.exact_displacement->vector_gradient_list(values.get_quadrature_points(), exact);
     for (unsigned int q = 0; q < found.size(); ++q)
     {

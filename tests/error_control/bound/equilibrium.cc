@@ -41,10 +41,15 @@ struct Answer
     RandomNumbers random(7);
     const auto &constraints = level.space().constraints();
     const double scale = size * solution.U.linfty_norm();
+    DistributedVector free_values = level.space().make_vector();
     for (unsigned int i = 0; i < solution.U.size(); ++i)
-      if (!constraints.is_constrained(i))
-        solution.U[i] += scale * random();
-    constraints.distribute(solution.U);
+    {
+      const double change = constraints.is_constrained(i) ? 0. : scale * random();
+      if (level.space().locally_owned().is_element(i))
+        free_values(i) = solution.U[i] + change;
+    }
+    free_values.compress(dealii::VectorOperation::insert);
+    solution.U = level.space().complete(free_values);
   }
   OneLevel level;
   LevelSolution<2> solution;

@@ -33,7 +33,7 @@ struct SolvedLevel
     {
       double seconds = 0.;
       const auto C = make_compliance(*inverse, level.condensed_D, seconds);
-      P = solve_dual_problem(C, free.F, {}, {}).P;
+      P = Pressure(solve_dual_problem(C, free.F, {}, {}).P);
     }
     U = recover_displacement(*inverse, level.space, level.condensed_D, P, system.f);
   }
@@ -52,7 +52,7 @@ struct SolvedLevel
   Signorini::Discretization<2> level;
   Signorini::LinearSystem<2> system;
   std::unique_ptr<Signorini::StiffnessInverse> inverse;
-  dealii::Vector<double> P;
+  Signorini::Pressure P;
   Signorini::Displacement U;
 };
 

@@ -59,7 +59,7 @@ double energy_error(const OneLevel &level, const Displacement &U)
   {
     const auto &values = all_values.reinit(cell);
     std::vector<dealii::SymmetricTensor<2, 2>> strain(values.n_quadrature_points);
-    values[displacement].get_function_symmetric_gradients(U, strain);
+    values[displacement].get_function_symmetric_gradients(U.entries(), strain);
     for (unsigned int q = 0; q < strain.size(); ++q)
     {
       const auto &x = values.quadrature_point(q);

@@ -92,7 +92,7 @@ struct Reference
   }
   double square(const Displacement &V) const
   {
-    const Displacement forces(internal_forces(space, level.scene, V).forces);
+    const DualVector forces = space.dual(internal_forces(space, level.scene, V).forces);
     return std::max(0., V * forces);
   }
 

@@ -14,10 +14,10 @@ using dealii::Point;
 namespace
 {
 /** P = -1 at the nodes for which @p presses (side, s). */
-dealii::Vector<double> pressure(const MultiplierSpace<2> &space,
-                                const std::function<bool(unsigned int, double)> &presses)
+Pressure pressure(const MultiplierSpace<2> &space,
+                  const std::function<bool(unsigned int, double)> &presses)
 {
-  dealii::Vector<double> P(space.n_multipliers());
+  Pressure P(space.n_multipliers());
   for (unsigned int k = 0; k < P.size(); ++k)
     if (presses(space.surface().patches()[space.patch_of(k)].side, space.node(k)[0]))
       P[k] = -1.;

@@ -19,9 +19,9 @@ void distances(Checks &checks)
                             entry("Contact", "Gap", "x") +
                             entry("Material", "Poisson's ratio", "0"),
                           uniform_plan(2, 2));
-  const Displacement U(level.space().dofs().n_dofs());
-  dealii::Vector<double> P(level.multipliers().n_multipliers());
-  P = -1.;
+  const Displacement U = level.space().zero();
+  Pressure P(level.multipliers().n_multipliers());
+  P.add(-1.);
   const unsigned int open = 2;
   P[open] = 0.;
   std::vector<CellIndicator> indicators(level.mesh().triangulation().n_active_cells(), {0.5, 0.1});

@@ -40,7 +40,7 @@ struct GradedLevel
   Signorini::LevelSolution<2> solve() const
   {
     return Signorini::solve_level<2>(
-      {parameters, scene}, discretization, dealii::Vector<double>(), [](const std::string &) {});
+      {parameters, scene}, discretization, Signorini::ContactStart(), [](const std::string &) {});
   }
 
   Signorini::Parameters parameters;

@@ -13,11 +13,11 @@ using namespace Signorini;
 
 namespace
 {
-using Pressure = std::function<double(unsigned int, double)>;
+using Function = std::function<double(unsigned int, double)>;
 
-dealii::Vector<double> nodal(const MultiplierSpace<2> &space, const Pressure &p)
+Pressure nodal(const MultiplierSpace<2> &space, const Function &p)
 {
-  dealii::Vector<double> P(space.n_multipliers());
+  Pressure P(space.n_multipliers());
   for (unsigned int k = 0; k < P.size(); ++k)
     P[k] = p(space.surface().patches()[space.patch_of(k)].side, space.node(k)[0]);
   return P;
@@ -46,7 +46,7 @@ void check(Checks &checks, const std::string &name, const std::string &text, con
 {
   const GradedLevel coarse(text, quadratic(text, s, 2.)), fine(text, quadratic(text, 1. - s, 7.)),
     uniform(text, uniform_plan(3, 2));
-  const Pressure p = [](const unsigned int side, const double t) {
+  const Function p = [](const unsigned int side, const double t) {
     return -1. - side - t + 0.5 * t * t;
   };
   const auto P = nodal(coarse.multipliers(), p);
@@ -58,10 +58,10 @@ void check(Checks &checks, const std::string &name, const std::string &text, con
                 0.,
                 1e-12);
   // Positive values are cut off: they would pull.
-  const Pressure q = [](const unsigned int side, const double t) {
+  const Function q = [](const unsigned int side, const double t) {
     return (t - 0.3) * (side + 1.);
   };
-  const Pressure cut = [&q](const unsigned int side, const double t) {
+  const Function cut = [&q](const unsigned int side, const double t) {
     return std::min(0., q(side, t));
   };
   checks.near(name + ", cut off",

@@ -21,7 +21,7 @@ struct Level : public GradedLevel
     : GradedLevel("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
                     entry("Contact", "Gap", gap),
                   uniform_plan(2, 2))
-    , U(space().dofs().n_dofs())
+    , U(space().zero())
     , P(multipliers().n_multipliers())
   {
   }
@@ -37,7 +37,7 @@ struct Level : public GradedLevel
   }
 
   Displacement U;
-  dealii::Vector<double> P;
+  Pressure P;
 };
 
 bool is(const std::vector<double> &found, const std::vector<double> &expected)

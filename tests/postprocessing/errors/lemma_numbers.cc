@@ -91,12 +91,10 @@ void restriction(Checks &checks)
                        2);
   const auto &space = level.space();
   RandomNumbers random(3);
-  const Displacement r = random.vector(space.dofs().n_dofs());
-  const Displacement condensed = space.condense(r);
+  const DualVector r = space.dual(random_rows(space, random)), condensed = space.condense(r);
   // T v - k is linear in v.
-  Displacement v = random.vector(space.dofs().n_dofs()), k(v.size());
-  space.constraints().distribute(v);
-  space.constraints().distribute(k);
+  const Displacement v = space.complete(random_rows(space, random)),
+                     k = space.complete(space.make_vector());
   Displacement Tv = v;
   Tv -= k;
   checks.that("something is prescribed", k.linfty_norm() > 0.01);

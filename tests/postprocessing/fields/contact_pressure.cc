@@ -10,7 +10,6 @@
 #include "tests.h"
 
 using namespace Signorini;
-using Vector = dealii::Vector<double>;
 
 namespace
 {
@@ -47,9 +46,9 @@ dealii::Point<1> within(const Patch<2> &patch, const double position)
   return patch.lower + position * (patch.upper - patch.lower);
 }
 
-Vector vector(const std::vector<double> &values)
+Pressure pressure(const std::vector<double> &values)
 {
-  return Vector(values.begin(), values.end());
+  return Pressure(dealii::Vector<double>(values.begin(), values.end()));
 }
 
 /** Nine faces: patches of the lengths 2/9, 2/9, 2/9, 3/9. */
@@ -57,14 +56,14 @@ void summary(Checks &checks)
 {
   const OneLevel level(square("bottom", "9, 9", "2"), 0);
   const auto &space = level.multipliers();
-  const ContactSummary found = summarise_contact(space, vector({-2., 0., 0., -0.5}));
+  const ContactSummary found = summarise_contact(space, pressure({-2., 0., 0., -0.5}));
   checks.that("two patches press", found.active == 2);
   checks.near("contact length", found.length, 5. / 9., 1e-15);
   checks.near("normal force", found.normal_force, 5.5 / 9., 1e-15);
   checks.near("largest pressure", found.max_pressure, 2., 0.);
-  const ContactSummary rounded = summarise_contact(space, vector({-2., -1e-16, -0.5, -1e-11}));
+  const ContactSummary rounded = summarise_contact(space, pressure({-2., -1e-16, -0.5, -1e-11}));
   checks.that("rounding does not press, a small pressure does", rounded.active == 3);
-  const ContactSummary nothing = summarise_contact(space, Vector(4));
+  const ContactSummary nothing = summarise_contact(space, Pressure(4));
   checks.that("nothing presses",
               nothing.active == 0 && nothing.length == 0. && nothing.normal_force == 0. &&
                 nothing.max_pressure == 0.);
@@ -80,7 +79,7 @@ void recovery(Checks &checks)
   const auto exact = [](const unsigned int side, const double s) {
     return side == left ? -1. - 2. * s : -3. + 2.5 * s;
   };
-  Vector P(patches.size());
+  Pressure P(patches.size());
   for (unsigned int tau = 0; tau < patches.size(); ++tau)
     P[tau] = exact(patches[tau].side, patches[tau].centre()[0]);
   const RecoveredPressure recovered(uneven.multipliers(), P);
@@ -94,7 +93,7 @@ void recovery(Checks &checks)
   checks.near("linear pressures are recovered", largest, 0., 1e-14);
 
   const OneLevel below(square("bottom", "14, 11", "3"), 0);
-  const Vector bumpy = vector({-0.1, -5., 0., -0.2});
+  const Pressure bumpy = pressure({-0.1, -5., 0., -0.2});
   const RecoveredPressure clipped(below.multipliers(), bumpy);
   double highest = -1., jump = 0.;
   for (unsigned int tau = 0; tau < 4; ++tau)
@@ -110,7 +109,7 @@ void recovery(Checks &checks)
 
   // One patch on the left, two at the bottom.
   const OneLevel single(square("left bottom", "4, 2", "2"), 0);
-  const Vector given = vector({-3., -1., -2.});
+  const Pressure given = pressure({-3., -1., -2.});
   const RecoveredPressure by_side(single.multipliers(), given);
   checks.near("a single patch keeps its value", by_side(0, dealii::Point<1>(0.9)), -3., 0.);
   checks.near("sides do not mix", by_side(1, dealii::Point<1>(0.)), -0.5, 1e-15);
@@ -125,7 +124,7 @@ void closed_side(Checks &checks)
   checks.that("closed side: twelve patches around it",
               ring.scene.geometry.sides[1].name() == "outer" &&
                 ring.multipliers().n_multipliers() == m);
-  Vector P(m);
+  Pressure P(m);
   for (unsigned int tau = 0; tau < m; ++tau)
     P[tau] = -2. - std::cos(2. * dealii::numbers::PI * tau / m);
   const RecoveredPressure recovered(ring.multipliers(), P);
@@ -153,10 +152,10 @@ void transfer(Checks &checks)
     return both(patches_between(left, positions), patches_between(bottom, positions));
   };
   RandomNumbers random(4);
-  const Vector P = random.vector(14);
+  const Pressure P(random.vector(14));
   checks.near(
     "equal partitions: identity", distance(transfer_pressure({equal(7), P}, equal(7)), P), 0., 0.);
-  const Vector halved = transfer_pressure({equal(7), P}, equal(14));
+  const Pressure halved = transfer_pressure({equal(7), P}, equal(14));
   double largest = 0.;
   for (unsigned int tau = 0; tau < 28; ++tau)
     largest = std::max(largest, std::abs(halved[tau] - P[tau / 2]));
@@ -165,10 +164,10 @@ void transfer(Checks &checks)
               distance(transfer_pressure({equal(14), halved}, equal(7)), P),
               0.,
               1e-14);
-  const Vector coarse = transfer_pressure({equal(2), vector({-1., -3., -2., -6.})}, equal(1));
-  checks.near("means", distance(coarse, vector({-2., -4.})), 0., 1e-15);
-  const Vector uneven =
-    transfer_pressure({patches_between(bottom, {0., 0.2, 1.}), vector({-1., -2.})},
+  const Pressure coarse = transfer_pressure({equal(2), pressure({-1., -3., -2., -6.})}, equal(1));
+  checks.near("means", distance(coarse, pressure({-2., -4.})), 0., 1e-15);
+  const Pressure uneven =
+    transfer_pressure({patches_between(bottom, {0., 0.2, 1.}), pressure({-1., -2.})},
                       patches_between(bottom, {0., 0.5, 1.}));
   checks.near("weighted mean", uneven[0], -(0.2 * 1. + 0.3 * 2.) / 0.5, 1e-15);
   for (const unsigned int n : {1U, 3U, 5U, 9U, 100U})

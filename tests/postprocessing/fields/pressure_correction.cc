@@ -57,7 +57,7 @@ void linear_pressure(Checks &checks)
   {
     const OneLevel level(with_ratio(sides, ratio), 3);
     const auto &patches = level.multipliers().surface().patches();
-    Vector P(patches.size());
+    Pressure P(patches.size());
     for (std::size_t k = 0; k < patches.size(); ++k)
       P[k] = -1. - patches[k].centre()[0];
     const Coupling load = recovered_load(level.space(), level.multipliers(), P);
@@ -111,8 +111,8 @@ void nothing_to_correct(Checks &checks)
   for (const char *scene : {"D1", "E1"})
   {
     const SolvedLevel level(named_scene(scene), 3);
-    Vector constant(level.P.size());
-    constant = -0.25;
+    Pressure constant(level.P.size());
+    constant.add(-0.25);
     const PressureCorrection found = correct(level, constant);
     checks.near(std::string(scene) + ", a constant pressure",
                 found.energy_norm / energy_norm(level.level.space, level.scene, level.U),

@@ -149,7 +149,8 @@ void positive_definite(Checks &checks, const std::string &name, const GramMatrix
 {
   const unsigned int n = body.space.dofs().n_dofs();
   RandomNumbers random(2);
-  const Displacement v = random.vector(n), w = random.vector(n);
+  const Displacement v = body.space.displacement(random_rows(body.space, random)),
+                     w = body.space.displacement(random_rows(body.space, random));
   checks.near(name + ": symmetric products",
               body.product(v, w),
               body.product(w, v),

@@ -22,8 +22,8 @@ const std::string material =
 NodalForces forces_of(const OneLevel &level, const Displacement &U, const double p)
 {
   const LinearSystem<2> system = assemble_linear_system(level.space(), level.scene, 3);
-  dealii::Vector<double> P(level.multipliers().n_multipliers());
-  P = p;
+  Pressure P(level.multipliers().n_multipliers());
+  P.add(p);
   return nodal_forces(level.space(), level.scene, system.loads, level.discretization.D, U, P);
 }
 

@@ -14,7 +14,6 @@
 #include "tests.h"
 
 using namespace Signorini;
-using Vector = dealii::Vector<double>;
 
 namespace
 {
@@ -33,9 +32,9 @@ public:
 
   /** The values of a function of the arc length at the nodes. */
   template <typename Function>
-  Vector values(const Function &p) const
+  Pressure values(const Function &p) const
   {
-    Vector P(multipliers.n_multipliers());
+    Pressure P(multipliers.n_multipliers());
     for (unsigned int k = 0; k < P.size(); ++k)
       P[k] = p(multipliers.node(k)[0]);
     return P;
@@ -91,13 +90,13 @@ void peak(Checks &checks)
   checks.near("equal peaks", first.value, 1.25, 1e-14);
   checks.near("the first of them", first.place.point[0], 0.25 * (1. - std::sqrt(0.5)), 1e-7);
   checks.that("no pressure, no peak",
-              !peak_pressure(coarse.multipliers, Vector(coarse.multipliers.n_multipliers())));
+              !peak_pressure(coarse.multipliers, Pressure(coarse.multipliers.n_multipliers())));
 }
 
 /** Which nodes of a row press, as a text: "PPO". */
 std::vector<PressedInterval> intervals(const Polynomials &where, const std::string &pressing)
 {
-  Vector P(where.multipliers.n_multipliers());
+  Pressure P(where.multipliers.n_multipliers());
   for (unsigned int k = 0; k < P.size(); ++k)
     P[k] = pressing.at(k) == 'P' ? -1. : 0.;
   return pressed_intervals(where.multipliers, P);
@@ -131,7 +130,7 @@ void zones(Checks &checks)
   checks.near("  from", found[0].start.s, middle(1, 2), 1e-15);
   checks.near("  to", found[0].end.s, middle(4, 5), 1e-15);
 
-  const Vector P = where.values([](const double x) { return std::min(0., x - 0.6); });
+  const Pressure P = where.values([](const double x) { return std::min(0., x - 0.6); });
   const auto of_answer = contact_zones(where.multipliers, P);
   const ContactSummary summary = summarise_contact(where.multipliers, P);
   checks.that("the answer has the same zones",
@@ -173,7 +172,7 @@ void zones_around(Checks &checks)
 void forces(Checks &checks)
 {
   const Polynomials where(square(3), 0, 3);
-  const Vector P = where.values([](const double x) { return -1. - 3. * x * x; });
+  const Pressure P = where.values([](const double x) { return -1. - 3. * x * x; });
   const auto found = contact_forces(where.multipliers, where.scene(), P);
   checks.near("force", found[0].resultant.force[1], 2., 1e-14);
   checks.near("moment", found[0].resultant.moment[0], 1.25, 1e-14);

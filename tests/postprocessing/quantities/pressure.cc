@@ -12,7 +12,6 @@
 #include "tests.h"
 
 using namespace Signorini;
-using Vector = dealii::Vector<double>;
 
 namespace
 {
@@ -25,10 +24,10 @@ std::string square(const unsigned int cells, const std::string &contact = "botto
 
 /** P with the means of a function with the given primitive. */
 template <typename Primitive>
-Vector means(const MultiplierSpace<2> &space, const Primitive &primitive)
+Pressure means(const MultiplierSpace<2> &space, const Primitive &primitive)
 {
   const auto &patches = space.surface().patches();
-  Vector P(patches.size());
+  Pressure P(patches.size());
   for (unsigned int tau = 0; tau < patches.size(); ++tau)
     P[tau] =
       (primitive(patches[tau].upper[0]) - primitive(patches[tau].lower[0])) / patches[tau].measure;
@@ -56,7 +55,7 @@ void peak(Checks &checks)
   checks.near("peak at the end of a side", at_end->value, 2., 1e-13);
   checks.near("there", at_end->place.point[0], 0., 1e-15);
   checks.that("no pressure, no peak",
-              !peak_pressure(uneven.multipliers(), Vector(uneven.multipliers().n_multipliers())));
+              !peak_pressure(uneven.multipliers(), Pressure(uneven.multipliers().n_multipliers())));
 }
 
 /** -p = (rho² - (x - m)²)^{1/2}: Hertz. */
@@ -70,7 +69,7 @@ void zones(Checks &checks)
       const double t = std::min(1., std::max(-1., (x - m) / rho));
       return -0.5 * rho * rho * (t * std::sqrt(1. - t * t) + std::asin(t));
     };
-    const Vector P = means(level.multipliers(), primitive);
+    const Pressure P = means(level.multipliers(), primitive);
     const auto found = contact_zones(level.multipliers(), P);
     const std::string name = "Hertz at " + std::to_string(m) + ": ";
     checks.that(name + "one zone", found.size() == 1);
@@ -87,14 +86,14 @@ void zones_at_ends(Checks &checks)
   const OneLevel level(square(8, "bottom left"), 0);
   const auto &space = level.multipliers();
   // left: patches 0 to 3, from top to bottom or the other way; bottom: 4 to 7.
-  Vector P(8);
+  Pressure P(8);
   checks.that("no zone", contact_zones(space, P).empty());
   P[0] = P[1] = P[2] = P[3] = -1.;
   auto found = contact_zones(space, P);
   checks.that("a whole side",
               found.size() == 1 && found[0].start.uncertainty == 0. &&
                 found[0].end.uncertainty == 0. && std::abs(found[0].length - 1.) < 1e-14);
-  P = 0.;
+  P = Pressure(8);
   P[4] = P[6] = -1.;
   found = contact_zones(space, P);
   checks.that("two zones", found.size() == 2);
@@ -107,7 +106,7 @@ void zones_around(Checks &checks)
 {
   const OneLevel ring(entry("Scene", "Name", "E1") + entry("Discretization", "Patches", "12"), 2);
   const double around = ring.scene.geometry.sides[1].length();
-  Vector P(12);
+  Pressure P(12);
   for (const unsigned int tau : {11U, 0U, 1U})
     P[tau] = -1.;
   auto found = contact_zones(ring.multipliers(), P);
@@ -125,7 +124,7 @@ void zones_around(Checks &checks)
 void forces(Checks &checks)
 {
   const OneLevel level(square(64), 0);
-  const Vector P = means(level.multipliers(), [](const double x) { return -x - 0.5 * x * x; });
+  const Pressure P = means(level.multipliers(), [](const double x) { return -x - 0.5 * x * x; });
   const auto found = contact_forces(level.multipliers(), level.scene, P);
   checks.that("one contact side", found.size() == 1 && found[0].side == "bottom");
   const SideForce::Total &sum = found[0].resultant;
@@ -138,7 +137,7 @@ void forces(Checks &checks)
   checks.near("line of action", (*found[0].through)[0], (5. / 6. - H * H / 12.) / 1.5, 1e-13);
   checks.near("on the side", (*found[0].through)[1], 0., 1e-13);
   checks.that("no force, no line",
-              !contact_forces(level.multipliers(), level.scene, Vector(P.size()))[0].through);
+              !contact_forces(level.multipliers(), level.scene, Pressure(P.size()))[0].through);
   Resultant<2> oblique;
   const dealii::Point<2> a(0.3, -0.7);
   oblique.add(dealii::Tensor<1, 2>({2., 1.}), a);

@@ -125,7 +125,7 @@ void contact_line(Checks &checks)
   const Displacement U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
     return dealii::Point<2>(x[0], 2. * x[0] - x[1]);
   });
-  dealii::Vector<double> P(2);
+  Pressure P(2);
   P[0] = -1.;
   P[1] = -2.;
   const auto line = trace_contact_line(level.space(), level.multipliers(), U, P);
@@ -164,10 +164,9 @@ void contact_line(Checks &checks)
 
   const OneLevel unknown("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n", 1);
   std::ostringstream without;
-  write_contact_csv(
-    without,
-    trace_contact_line(
-      unknown.space(), unknown.multipliers(), Displacement(18), dealii::Vector<double>(1)));
+  write_contact_csv(without,
+                    trace_contact_line(
+                      unknown.space(), unknown.multipliers(), unknown.space().zero(), Pressure(1)));
   checks.that("contact line: no exact pressure", read_csv(without.str())[0].at("p_exact").empty());
 }
 

@@ -59,9 +59,9 @@ public:
     , space(mesh(), level.scene, degrees())
     , surface(mesh(), level.scene, degrees())
     , multipliers(surface, {1, 2, 3, 4})
-    , U(space.dofs().n_dofs())
+    , U(space.zero())
   {
-    dealii::VectorTools::interpolate(space.dofs(), Quadratic(), U);
+    dealii::VectorTools::interpolate(space.dofs(), Quadratic(), U.entries());
   }
 
   const Mesh<2> &mesh() const
@@ -124,7 +124,7 @@ void curves(Checks &checks, const Columns4 &example)
 {
   const auto p = [](const double x) { return -1. - x + x * x * x; };
   const MultiplierSpace<2> &multipliers = example.multipliers;
-  dealii::Vector<double> P(multipliers.n_multipliers());
+  Pressure P(multipliers.n_multipliers());
   for (unsigned int k = 0; k < P.size(); ++k)
     P[k] = p(multipliers.node(k)[0]);
   const auto line = trace_contact_line(example.space, multipliers, example.U, P);

@@ -232,7 +232,7 @@ void contact(Checks &checks)
   const Displacement U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
     return dealii::Point<2>(x[0], 2. * x[0] - x[1]);
   });
-  dealii::Vector<double> P(2);
+  Pressure P(2);
   P[1] = -2.;
   std::ostringstream stream;
   write_contact_vtu(stream, trace_contact_line(level.space(), level.multipliers(), U, P), {});

@@ -113,9 +113,9 @@ void equilibrium(Checks &checks, const std::string &name, const DualProblem &pro
   const auto &space = problem.level.space();
   const auto P = RandomNumbers(8).vector(problem.C.m());
   const Displacement U = problem.recover(P, problem.system.f);
-  Displacement residual(internal_forces(space, problem.level.scene, U).forces);
+  DualVector residual = space.dual(internal_forces(space, problem.level.scene, U).forces);
   const double scale = residual.l2_norm();
-  residual -= Displacement(problem.system.loads);
+  residual -= space.dual(problem.system.loads);
   for (unsigned int tau = 0; tau < P.size(); ++tau)
     for (const auto &entry : problem.level.discretization.D.column(tau))
       residual[entry.first] -= entry.second * P[tau];

@@ -23,7 +23,8 @@ std::string body(const std::string &geometry, const std::string &boundary, const
          gap + "\nend\n";
 }
 
-double relative(const dealii::Vector<double> &a, const dealii::Vector<double> &b)
+template <typename First, typename Second>
+double relative(const First &a, const Second &b)
 {
   return distance(a, b) / std::max(1e-30, b.linfty_norm());
 }

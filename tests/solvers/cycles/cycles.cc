@@ -18,9 +18,9 @@ using namespace Signorini;
 namespace
 {
 /** V-cycles of conjugate gradients for A x = b, to 1e-8 of the residual. */
-unsigned int linear_cycles(const StiffnessOperator &A, const Displacement &b)
+unsigned int linear_cycles(const StiffnessOperator &A, const dealii::Vector<double> &b)
 {
-  Displacement x(A.size()), r(b), z(A.size()), p(A.size()), q(A.size());
+  dealii::Vector<double> x(A.size()), r(b), z(A.size()), p(A.size()), q(A.size());
   A.precondition(z, r);
   p = z;
   double r_z = r * z;
@@ -60,12 +60,12 @@ Cycles count(const DisplacementSpace<dim> &space,
              const dealii::Vector<double> &G)
 {
   const StiffnessMultigrid<dim> A(space, scene);
-  const Displacement loads(assemble_loads(space, scene, 2));
   // f = T^T (loads - a(k, .)).
   const Displacement k = space.prescribed(scene);
-  Displacement f(loads);
-  f -= Displacement(internal_forces(space, scene, k).forces);
-  f = space.condense(f);
+  DualVector r = space.dual(assemble_loads(space, scene, 2));
+  r -= space.dual(internal_forces(space, scene, k).forces);
+  r = space.condense(r);
+  const dealii::Vector<double> f(r.begin(), r.end());
   dealii::Vector<double> gap(G);
   gap -= D.transpose_product(k);
   const auto model = make_boundary_model(multipliers);
@@ -74,8 +74,9 @@ Cycles count(const DisplacementSpace<dim> &space,
   options.tolerance = 1e-8;
   options.stationarity = 1e-8;
   const ContactIterationResult result = solve_contact_by_cycles(
-    system, Displacement(A.size()), dealii::Vector<double>(gap.size()), options);
-  const Displacement pressed = system.residual(Displacement(A.size()), result.P);
+    system, dealii::Vector<double>(A.size()), dealii::Vector<double>(gap.size()), options);
+  const dealii::Vector<double> pressed =
+    system.residual(dealii::Vector<double>(A.size()), result.P);
   return {linear_cycles(A, pressed),
           result.converged ? result.cycles : 1000,
           result.scale,

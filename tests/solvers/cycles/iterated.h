@@ -32,10 +32,10 @@ struct Iterated
   solve(const Signorini::ContactIterationOptions &options = {}) const
   {
     return solve_contact_by_cycles(
-      contact, Signorini::Displacement(A.size()), dealii::Vector<double>(gap.size()), options);
+      contact, dealii::Vector<double>(A.size()), dealii::Vector<double>(gap.size()), options);
   }
   /** U = T U_free + k. */
-  Signorini::Displacement complete(const Signorini::Displacement &U_free) const
+  Signorini::Displacement complete(const dealii::Vector<double> &U_free) const
   {
     Signorini::DistributedVector free = space.make_vector();
     for (unsigned int i = 0; i < U_free.size(); ++i)
@@ -46,7 +46,7 @@ struct Iterated
   const Signorini::DisplacementSpace<dim> &space;
   Signorini::LinearSystem<dim> system;
   StandIn<dim> A;
-  Signorini::Displacement f;
+  dealii::Vector<double> f;
   dealii::Vector<double> gap;
   std::shared_ptr<const Signorini::BoundaryModel> model;
   Signorini::ContactSystem contact;

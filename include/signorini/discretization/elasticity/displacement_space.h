@@ -45,6 +45,20 @@ public:
     : Base(rows)
   {
   }
+  /** Copies ghosts, too (deal.II copies the owned values only), without communication. */
+  Displacement(const Displacement &U)
+    : Base(U)
+  {
+    if (!U.has_ghost_elements())
+      return;
+    const auto n_owned = U.locally_owned_size();
+    for (unsigned int i = 0; i < U.get_partitioner()->n_ghost_indices(); ++i)
+      local_element(n_owned + i) = U.local_element(n_owned + i);
+    set_ghost_state(true);
+  }
+  Displacement(Displacement &&) = default;
+  Displacement &operator=(const Displacement &) = default;
+  Displacement &operator=(Displacement &&) = default;
   /** Returns the values as a vector of deal.II, whose functions are compiled for these only. */
   const Base &entries() const
   {
@@ -182,7 +196,9 @@ public:
   /** Returns U = 0 with the ghosts of this rank. */
   Displacement zero() const
   {
-    return Displacement(rows_);
+    Displacement U(rows_);
+    U.update_ghost_values();
+    return U;
   }
   /** Returns U with the values of a vector that is distributed like A, as they are. */
   Displacement displacement(const DistributedVector &rows) const;
