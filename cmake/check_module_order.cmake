@@ -8,8 +8,8 @@ cmake_minimum_required(VERSION 3.25)
 set(floors base problem discretization solvers postprocessing error_control results driver)
 # Solvers of linear systems and of quadratic programs are algebra: they know the names of choices, but no scene and no
 # finite element.
-set(algebra solvers/stiffness/stiffness_inverse solvers/contact/dual_problem solvers/contact/psor
-            solvers/contact/active_set solvers/contact/mprgp solvers/contact/dual_solver)
+set(algebra solvers/stiffness/stiffness_inverse solvers/contact/dual_problem solvers/contact/projected_methods
+            solvers/contact/dual_solver)
 set(violations "")
 
 # rooms_of(NAME VARIABLE): "floor/room" of a header or source.

@@ -3,7 +3,6 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/driver/runs/run.h>
-#include <signorini/driver/runs/sweep.h>
 #include <signorini/results/files/files.h>
 
 #include <deal.II/base/mpi.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/driver/level/level.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/scene/functions.h>

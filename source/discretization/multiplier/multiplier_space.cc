@@ -2,7 +2,7 @@
 // Q^H, and G of (22).
 
 #include <signorini/base/errors.h>
-#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 
 #include <deal.II/base/quadrature_lib.h>

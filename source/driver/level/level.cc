@@ -1,12 +1,335 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One level, from the mesh to the examined answer.
 
+#include <signorini/base/columns.h>
 #include <signorini/driver/level/level.h>
+#include <signorini/error_control/bound/error_bound.h>
+#include <signorini/error_control/estimate/error_estimate.h>
+#include <signorini/postprocessing/errors/errors.h>
+#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/norms/spectral_norm.h>
+#include <signorini/solvers/methods/contact_method.h>
 
-#include "level_examination.h"
+#include <algorithm>
+#include <cmath>
 
 namespace Signorini
 {
+/** What is known about a level, and the parts of its bound by cell. */
+struct Examination
+{
+  LevelRecord record;
+  /** Empty where record.bound is. */
+  BoundFields bound_fields;
+};
+
+/** What follows from U and P: beta, the certificate, the answer, and the estimate and the bound of
+ * the error, as far as they are asked for. @param scene with plates where they have moved to.
+ * Collective. */
+template <int dim>
+Examination examine(const Parameters &parameters,
+                    const Discretization<dim> &discretization,
+                    const Scene<dim> &scene,
+                    const ContactState<dim> &contact,
+                    const Progress &progress);
+
+// What is known about the solution of one level.
+
+namespace
+{
+/** The limit of Inf-sup constant = automatic: it needs a factorisation of its own, which in space
+ * costs more than the rest of the level from some thousand unknowns on. */
+constexpr unsigned int max_unknowns_of_automatic_inf_sup(const unsigned int dim)
+{
+  return dim == 2 ? 100000 : 5000;
+}
+
+/** Whether the constant of Lemma 1 is asked for on a level of this size; on graded meshes only if
+ * the user wants it. */
+template <int dim>
+bool wants_inf_sup(const Parameters &parameters, const ContactState<dim> &contact)
+{
+  const Choice choice = parameters.output.inf_sup_constant;
+  return choice == Choice::yes || (choice == Choice::automatic && contact.inverse->has_factors() &&
+                                   parameters.discretization.strategy == Strategy::nested &&
+                                   contact.U.size() <= max_unknowns_of_automatic_inf_sup(dim));
+}
+
+/** The bound is asked for where the study may stop. */
+bool wants_bound(const DiscretizationParameters &given, const unsigned int level)
+{
+  if (given.strategy == Strategy::hp)
+    return false;
+  return level == given.finest_level || given.target_error > 0.;
+}
+
+/** Unknowns beyond which there is no bound: it takes more memory than V-cycles do, 0.6 kB for each
+ * unknown, and more time than all the rest. */
+constexpr unsigned long long max_bounded_unknowns = 10000000;
+
+template <int dim>
+LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy strategy)
+{
+  return {discretization.mesh.level(),
+          discretization.mesh.triangulation().n_global_active_cells(),
+          discretization.space.dofs().n_dofs(),
+          discretization.multipliers.n_multipliers(),
+          discretization.mesh.longest_edge(),
+          discretization.surface.longest_patch(),
+          is_unstable(discretization),
+          discretization.space.largest_degree(),
+          discretization.mesh.shortest_edge(),
+          strategy};
+}
+
+/** Where plates are and what holds them there. */
+template <int dim>
+std::vector<PlateRecord> plates_of(const DisplacementSpace<dim> &space,
+                                   const Scene<dim> &scene,
+                                   const ContactState<dim> &contact,
+                                   const NodalForces &nodal)
+{
+  std::vector<PlateRecord> plates;
+  if constexpr (dim == 2)
+  {
+    const std::vector<PlateMotion> motions = contact.modes.plate_motions(scene.plates, contact.q);
+    const std::vector<PlateForce> forces = plate_forces(space, scene, nodal);
+    for (std::size_t p = 0; p < scene.plates.size(); ++p)
+      plates.push_back({scene.geometry.sides[scene.plates[p].side].name(),
+                        scene.plates[p],
+                        motions[p],
+                        forces[p].force,
+                        forces[p].moment});
+  }
+  return plates;
+}
+
+/** The largest part of a force or moment on a free motion that nothing balances: the residual's
+ * work on z_j against that of what drives the plates. */
+template <int dim>
+double motion_balance(const std::vector<Plate> &plates,
+                      const MotionModes<dim> &modes,
+                      const NodalForces &forces)
+{
+  double largest = 0.;
+  for (unsigned int j = 0; j < modes.size(); ++j)
+  {
+    const double work = modes.motions[j].work_of_plates(plates);
+    const double scale = std::max(std::abs(work), forces.scale() * modes.Z[j].linfty_norm());
+    if (scale > 0.)
+      largest = std::max(largest, std::abs(modes.Z[j] * forces.residual - work) / scale);
+  }
+  return largest;
+}
+
+/** The energy is that of the problem with given forces: they lose what they do. */
+void subtract_work_of_plates(LevelRecord &record)
+{
+  double work = 0.;
+  for (const PlateRecord &plate : record.motions.plates)
+    work += plate.plate.work(plate.motion);
+  record.certificate.energy -= work;
+  if (record.bound && record.bound->energy_lower && record.bound->energy_upper)
+  {
+    *record.bound->energy_lower -= work;
+    *record.bound->energy_upper -= work;
+  }
+}
+
+/** The estimate of the error. */
+template <int dim>
+ErrorEstimate estimate_of(const Discretization<dim> &discretization,
+                          const Scene<dim> &scene,
+                          const ContactState<dim> &contact)
+{
+  // None after V-cycles: each column of C would be a linear solve, and F is not known.
+  DualProblem on_other_patches;
+  if (contact.dual)
+    on_other_patches = [&contact](const Coupling &D,
+                                  const Coupling &condensed_D,
+                                  const dealii::Vector<double> &F,
+                                  const dealii::Vector<double> &start) {
+      return solve_on_other_patches(contact, {D, condensed_D}, F, start);
+    };
+  const PressureCorrection correction =
+    correct_pressure<dim>({discretization.space,
+                           scene,
+                           discretization.multipliers,
+                           contact.dual ? contact.dual->free.U : contact.U,
+                           contact.P,
+                           discretization.condensed_D,
+                           *contact.inverse,
+                           discretization.n_points,
+                           on_other_patches});
+  OtherErrors others;
+  others.algebra = contact.algebraic_error;
+  if constexpr (dim == 3)
+    others.contact = energy_of_missed_contact(
+      discretization.space, discretization.multipliers, scene, contact.U, contact.P);
+  return estimate_error(discretization.space, scene, contact.U, correction, others);
+}
+
+/** The bound of the error of U and P, and where it comes from. */
+LocatedBound bound_of(const Discretization<2> &discretization,
+                      const Scene<2> &scene,
+                      const ContactState<2> &contact,
+                      const double energy)
+{
+  if (contact.U.size() > max_bounded_unknowns)
+  {
+    LocatedBound none;
+    none.bound.missing =
+      "it is not computed for more than " + std::to_string(max_bounded_unknowns) + " unknowns";
+    return none;
+  }
+  return compute_located_bound({{discretization.space,
+                                 scene,
+                                 discretization.multipliers,
+                                 contact.U,
+                                 contact.P,
+                                 discretization.n_points},
+                                *contact.inverse,
+                                discretization.condensed_D,
+                                discretization.G,
+                                energy});
+}
+
+/** Sizes, and how contact was found. */
+template <int dim>
+LevelRecord begin_record(const Discretization<dim> &discretization,
+                         const ContactState<dim> &contact,
+                         const Strategy strategy)
+{
+  LevelRecord record;
+  record.sizes = sizes_of(discretization, strategy);
+  record.times = contact.times;
+  record.times.mesh = discretization.times.mesh;
+  record.times.setup = discretization.times.setup;
+  record.linear = contact.linear;
+  record.dual = contact.report;
+  record.motions.undetermined = contact.undetermined;
+  record.contact = summarise_contact(discretization.multipliers, contact.P);
+  return record;
+}
+
+/** The certificate, and the answer, which needs the same nodal forces. */
+template <int dim>
+void add_certificate_and_answer(const Discretization<dim> &discretization,
+                                const Scene<dim> &scene,
+                                const ContactState<dim> &contact,
+                                LevelRecord &record)
+{
+  const DisplacementSpace<dim> &space = discretization.space;
+  const NodalForces forces =
+    nodal_forces(space, scene, contact.system->loads, discretization.D, contact.U, contact.P);
+  record.certificate = certify(space,
+                               scene,
+                               discretization.multipliers,
+                               {contact, discretization.D, discretization.G, forces});
+  record.certificate.motion_balance = motion_balance(scene.plates, contact.modes, forces);
+  record.motions.plates = plates_of(space, scene, contact, forces);
+  record.answer =
+    compute_answer(space, scene, discretization.multipliers, forces, contact.U, contact.P);
+}
+} // namespace
+
+template <int dim>
+Examination examine(const Parameters &parameters,
+                    const Discretization<dim> &discretization,
+                    const Scene<dim> &scene,
+                    const ContactState<dim> &contact,
+                    const Progress &progress)
+{
+  Examination found = {begin_record(discretization, contact, parameters.discretization.strategy),
+                       {}};
+  LevelRecord &record = found.record;
+  const StageTimer timer(record.times.postprocess);
+  if (wants_inf_sup<dim>(parameters, contact))
+  {
+    progress("inf-sup constant");
+    record.inf_sup = measure_inf_sup(discretization.space,
+                                     discretization.multipliers,
+                                     discretization.condensed_D,
+                                     parameters.solver.linear_solver);
+  }
+  progress("certificate");
+  add_certificate_and_answer(discretization, scene, contact, record);
+  if (discretization.mesh.has_parents())
+    record.estimate = estimate_of(discretization, scene, contact);
+  if constexpr (dim == 2)
+    if (wants_bound(parameters.discretization, record.sizes.level))
+    {
+      progress("bound of the error");
+      const StageTimer bound_timer(record.times.bound);
+      LocatedBound located = bound_of(discretization, scene, contact, record.certificate.energy);
+      record.bound = located.bound;
+      found.bound_fields = std::move(located.fields);
+    }
+  subtract_work_of_plates(record);
+  return found;
+}
+
+template Examination examine(const Parameters &,
+                             const Discretization<2> &,
+                             const Scene<2> &,
+                             const ContactState<2> &,
+                             const Progress &);
+template Examination examine(const Parameters &,
+                             const Discretization<3> &,
+                             const Scene<3> &,
+                             const ContactState<3> &,
+                             const Progress &);
+
+// What is known about a level when the exact solution is.
+
+template <int dim>
+void add_errors(const Parameters &parameters,
+                const Scene<dim> &scene,
+                const Discretization<dim> &discretization,
+                const ExactPressure<dim> *pressure,
+                LevelSolution<dim> &solution)
+{
+  if (!parameters.output.errors)
+    return;
+  const unsigned int n_points = discretization.n_points + 1;
+  const MultiplierSpace<dim> &multipliers = discretization.multipliers;
+  LevelRecord &record = solution.record;
+  const StageTimer timer(record.times.errors);
+  if (scene.exact_displacement != nullptr)
+    record.displacement_errors =
+      compute_displacement_errors(discretization.space, scene, solution.U, n_points);
+  if (scene.has_exact_pressure())
+  {
+    record.pressure_errors = compute_pressure_errors(multipliers, solution.P, n_points);
+    record.endpoint_error = contact_end_error(multipliers, scene, solution.P);
+  }
+  if (pressure != nullptr)
+    record.dual_norm_errors = pressure->errors(multipliers, solution.P);
+  if constexpr (dim == 2)
+    if (parameters.output.lemmas && parameters.discretization.strategy == Strategy::nested &&
+        scene.exact_displacement != nullptr && pressure != nullptr)
+      record.lemmas = compute_lemma_numbers(discretization.space,
+                                            scene,
+                                            multipliers,
+                                            discretization.D,
+                                            *pressure,
+                                            solution.system->loads,
+                                            parameters.solver.linear_solver,
+                                            n_points);
+}
+
+template void add_errors(const Parameters &,
+                         const Scene<2> &,
+                         const Discretization<2> &,
+                         const ExactPressure<2> *,
+                         LevelSolution<2> &);
+template void add_errors(const Parameters &,
+                         const Scene<3> &,
+                         const Discretization<3> &,
+                         const ExactPressure<3> *,
+                         LevelSolution<3> &);
+
+// One level, from the mesh to the examined answer.
+
 namespace
 {
 /** Factors, C and the system matrix take most of the memory: what nobody asks for later goes. */

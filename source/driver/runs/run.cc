@@ -7,13 +7,17 @@
 #include <signorini/driver/study/study.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameter_text.h>
+#include <signorini/problem/parameters/parameters.h>
 #include <signorini/results/files/files.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cctype>
+#include <iomanip>
 #include <iostream>
 #include <limits>
+#include <set>
 #include <unistd.h>
 #include <variant>
 
@@ -229,5 +233,228 @@ RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &scree
     describe_interruption("before the first level.");
   // Every rank has the same input and meets the same errors; see agree() for the rest.
   return tell_errors(screen, [&]() { return try_to_run(input, communicator, screen); });
+}
+
+// One scene for several values of its parameters.
+
+namespace
+{
+constexpr std::size_t most_runs = 1000;
+constexpr const char *table_name = "sweep.csv";
+
+/** A value as the name of a directory: what could mislead a shell becomes '_'. */
+std::string as_file_name(const std::string &value)
+{
+  constexpr std::size_t longest = 80;
+  std::string name = value.substr(0, longest);
+  std::replace_if(
+    name.begin(),
+    name.end(),
+    [](const unsigned char c) {
+      return std::isalnum(c) == 0 &&
+             std::string(".-+=^*()").find(static_cast<char>(c)) == std::string::npos;
+    },
+    '_');
+  if (name.empty() || name[0] == '.' || name[0] == '-')
+    name.insert(0, "_");
+  return name;
+}
+
+/** A column of the table: its name in sweep.csv, its title on the screen, its column of a level. */
+struct SweepColumn
+{
+  const char *name;
+  const char *title;
+  const char *level_column;
+};
+
+constexpr SweepColumn sweep_columns[] = {{"level", "level", "level"},
+                                         {"dofs", "dofs", "dofs"},
+                                         {"contact_force", "force", "contact_force_n"},
+                                         {"peak_pressure", "peak p", "peak_pressure"},
+                                         {"energy", "energy", "energy"},
+                                         {"estimate", "estimate", "estimated_relative"},
+                                         {"bound", "bound", "bound_relative"},
+                                         {"seconds", "seconds", "t_total"}};
+
+std::optional<double> number(const RunSummary &run, const SweepColumn &column)
+{
+  return run.finest ? value(*run.finest, column.level_column) : std::nullopt;
+}
+
+/** A field of a CSV file: in quotation marks where it holds a comma. */
+std::string csv_field(const std::string &text)
+{
+  return text.find(',') == std::string::npos ? text : '"' + text + '"';
+}
+
+void write_sweep_csv(std::ostream &stream,
+                     const std::vector<Sweep> &sweeps,
+                     const std::vector<SweepPoint> &points,
+                     const std::vector<RunSummary> &runs)
+{
+  for (const Sweep &sweep : sweeps)
+    stream << csv_field(sweep.parameter) << ",";
+  for (const SweepColumn &column : sweep_columns)
+    stream << column.name << ",";
+  stream << "verdict\n" << std::setprecision(16);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+  {
+    for (const std::string &value : points[i].values)
+      stream << csv_field(value) << ",";
+    for (const SweepColumn &column : sweep_columns)
+    {
+      if (const std::optional<double> x = number(runs[i], column))
+        stream << *x;
+      stream << ",";
+    }
+    stream << runs[i].verdict << "\n";
+  }
+}
+
+void print_sweep(std::ostream &screen,
+                 const std::vector<Sweep> &sweeps,
+                 const std::vector<SweepPoint> &points,
+                 const std::vector<RunSummary> &runs)
+{
+  std::vector<int> widths;
+  for (std::size_t k = 0; k < sweeps.size(); ++k)
+  {
+    std::size_t width = sweeps[k].parameter.size();
+    for (const SweepPoint &point : points)
+      width = std::max(width, shorten(point.values[k]).size());
+    widths.push_back(static_cast<int>(width));
+  }
+  screen << "\n";
+  for (std::size_t k = 0; k < sweeps.size(); ++k)
+    screen << std::left << std::setw(widths[k]) << sweeps[k].parameter << "  ";
+  screen << std::right;
+  for (const SweepColumn &column : sweep_columns)
+    screen << std::setw(11) << column.title;
+  screen << "  verdict\n";
+  for (std::size_t i = 0; i < runs.size(); ++i)
+  {
+    for (std::size_t k = 0; k < sweeps.size(); ++k)
+      screen << std::left << std::setw(widths[k]) << shorten(points[i].values[k]) << "  ";
+    screen << std::right;
+    for (const SweepColumn &column : sweep_columns)
+    {
+      screen << std::setw(11);
+      if (const std::optional<double> x = number(runs[i], column))
+        screen << std::setprecision(5) << *x;
+      else
+        screen << "-";
+    }
+    screen << "  " << runs[i].verdict << "\n";
+  }
+  screen << std::flush;
+}
+
+/** The input of one run. */
+RunInput input_at(const RunInput &input, const std::vector<Sweep> &sweeps, const SweepPoint &point)
+{
+  RunInput one = input;
+  for (std::size_t k = 0; k < sweeps.size(); ++k)
+    one.overrides.push_back(sweeps[k].parameter + "=" + point.values[k]);
+  one.directory = input.directory / point.folder;
+  return one;
+}
+} // namespace
+
+Sweep read_sweep(const std::string &argument)
+{
+  const auto equals = argument.find('=');
+  const std::string parameter = trim(argument.substr(0, equals));
+  Sweep sweep = {parameter, {}};
+  if (equals != std::string::npos)
+    sweep.values = split_list(argument.substr(equals + 1), ',');
+  const bool has_gap = std::any_of(
+    sweep.values.begin(), sweep.values.end(), [](const std::string &v) { return v.empty(); });
+  if (parameter.empty() || sweep.values.empty() || has_gap)
+    throw InputError("--sweep: found " + quote(argument) +
+                     ", but 'Subsection/Parameter=value, value, ...' is expected.");
+  return sweep;
+}
+
+std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps)
+{
+  std::size_t n = 1;
+  for (const Sweep &sweep : sweeps)
+  {
+    n *= sweep.values.size();
+    if (n > most_runs)
+      throw InputError("--sweep: found more than " + std::to_string(most_runs) +
+                       " combinations of values, allowed: at most " + std::to_string(most_runs) +
+                       ".");
+  }
+  std::vector<SweepPoint> points = {{}};
+  for (const Sweep &sweep : sweeps)
+  {
+    std::vector<SweepPoint> longer;
+    for (const SweepPoint &point : points)
+      for (const std::string &value : sweep.values)
+      {
+        longer.push_back(point);
+        longer.back().values.push_back(value);
+        longer.back().folder += (point.folder.empty() ? "" : "_") + as_file_name(value);
+      }
+    points = std::move(longer);
+  }
+  std::set<std::string> folders;
+  for (const SweepPoint &point : points)
+    if (!folders.insert(point.folder).second)
+      throw InputError("--sweep: two runs would write into the directory '" + point.folder +
+                       "', allowed: values that differ in their letters and digits.");
+  return points;
+}
+
+RunSummary run_sweep(const RunInput &input,
+                     const std::vector<Sweep> &sweeps,
+                     MPI_Comm communicator,
+                     Screen &screen)
+{
+  const std::vector<SweepPoint> points = combine(sweeps);
+  std::vector<std::filesystem::path> inputs = input.others;
+  inputs.emplace_back(input.file_name);
+  for (const SweepPoint &point : points)
+  {
+    const RunInput one = input_at(input, sweeps, point);
+    const Parameters parameters =
+      parse_parameters(one.text,
+                       one.name,
+                       one.overrides,
+                       std::filesystem::path(one.file_name).parent_path().string());
+    inputs.emplace_back(parameters.geometry.file.value);
+  }
+  const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+  std::optional<ResultsDirectory> results;
+  agree(communicator, [&]() {
+    if (first_rank)
+      results.emplace(
+        input.directory, inputs, [](const std::string &name) { return name == table_name; });
+  });
+  RunSummary worst;
+  std::vector<RunSummary> runs;
+  for (const SweepPoint &point : points)
+  {
+    screen.out() << (runs.empty() ? "" : "\n");
+    for (std::size_t k = 0; k < sweeps.size(); ++k)
+      screen.out() << "Sweep     " << sweeps[k].parameter << " = " << point.values[k] << "\n";
+    runs.push_back(run_scene(input_at(input, sweeps, point), communicator, screen));
+    if (runs.size() == 1 || runs.back().exit_code > worst.exit_code)
+      worst = runs.back();
+    // After every run: the table of a sweep that is interrupted holds what was finished.
+    const bool solved = std::any_of(
+      runs.begin(), runs.end(), [](const RunSummary &run) { return run.finest.has_value(); });
+    agree(communicator, [&]() {
+      if (first_rank && solved)
+        write_file(input.directory / table_name,
+                   [&](std::ostream &stream) { write_sweep_csv(stream, sweeps, points, runs); });
+    });
+  }
+  if (results)
+    results->remove_if_empty();
+  print_sweep(screen.out(), sweeps, points, runs);
+  return worst;
 }
 } // namespace Signorini

@@ -5,8 +5,8 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 #include <signorini/driver/sequence/sequence.h>
-#include <signorini/error_control/hp/contact_zone.h>
 #include <signorini/error_control/hp/hidden_data.h>
+#include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/hp/step_examination.h>
 
 #include <cmath>

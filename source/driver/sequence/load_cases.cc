@@ -2,7 +2,7 @@
 // All load cases of a scene on its finest level.
 
 #include <signorini/base/columns.h>
-#include <signorini/driver/sequence/load_cases.h>
+#include <signorini/driver/sequence/sequence.h>
 #include <signorini/postprocessing/load_cases/case_solver.h>
 
 namespace Signorini

@@ -3,9 +3,9 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/driver/sequence/sequence.h>
-#include <signorini/error_control/estimate/locking.h>
-#include <signorini/postprocessing/fields/coarse_displacement.h>
-#include <signorini/solvers/methods/memory_limit.h>
+#include <signorini/error_control/estimate/certificate.h>
+#include <signorini/postprocessing/fields/patch_interpolation.h>
+#include <signorini/solvers/methods/contact_method.h>
 
 namespace Signorini
 {

@@ -4,7 +4,6 @@
 #include <signorini/error_control/contact_term/nodal_lift.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_solver.h>
-#include <signorini/solvers/contact/recovery.h>
 #include <signorini/solvers/cycles/boundary_model.h>
 
 #include <deal.II/base/mpi.h>

@@ -2,18 +2,21 @@
 // The displacement z_h that belongs to a better pressure than p_H.
 
 #include <signorini/discretization/elasticity/integration.h>
-#include <signorini/discretization/elasticity/traces.h>
 #include <signorini/error_control/estimate/error_estimate.h>
-#include <signorini/postprocessing/fields/contact_pressure.h>
+#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
-#include <signorini/solvers/contact/recovery.h>
+#include <signorini/solvers/contact/compliance.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace Signorini
 {
@@ -334,4 +337,106 @@ template ErrorEstimate estimate_error(const DisplacementSpace<3> &,
                                       const OtherErrors &);
 template unsigned int best_interpolation(const DisplacementSpace<2> &, const Displacement &);
 template unsigned int best_interpolation(const DisplacementSpace<3> &, const Displacement &);
+
+// Penetration where nothing presses.
+
+namespace
+{
+/** Returns whether the closures of two patches meet. */
+bool touch(const Patch<3> &a, const Patch<3> &b)
+{
+  const double tolerance = 1e-6 * a.diameter();
+  if (a.side != b.side)
+    return false;
+  for (unsigned int d = 0; d < 2; ++d)
+    if (a.lower[d] > b.upper[d] + tolerance || b.lower[d] > a.upper[d] + tolerance)
+      return false;
+  return true;
+}
+
+/** Returns whether a patch presses or touches one that does. */
+bool is_near_contact(const MultiplierSpace<3> &multipliers,
+                     const Pressure &P,
+                     const Patch<3> &patch)
+{
+  const double threshold = pressing_threshold(P);
+  for (unsigned int k = 0; k < P.size(); ++k)
+    if (P[k] < threshold && touch(multipliers.surface().patches()[multipliers.patch_of(k)], patch))
+      return true;
+  return false;
+}
+
+/** Returns the modulus of the softer one of pressing and shearing. */
+double modulus_at(const Scene<3> &scene, const dealii::Point<3> &x)
+{
+  const dealii::SymmetricTensor<4, 3> E = scene.material->hooke(x);
+  return std::min(std::max({E[0][0][0][0], E[1][1][1][1], E[2][2][2][2]}),
+                  4. * std::max({E[0][1][0][1], E[0][2][0][2], E[1][2][1][2]}));
+}
+} // namespace
+
+double energy_of_missed_contact(const DisplacementSpace<3> &space,
+                                const MultiplierSpace<3> &multipliers,
+                                const Scene<3> &scene,
+                                const Displacement &U,
+                                const Pressure &P)
+{
+  const ContactSurface<3> &surface = multipliers.surface();
+  // Coarse meshes, which miss contact, are sampled densely.
+  const double per_piece = 20000. / std::max<std::size_t>(1, surface.pieces().size());
+  const auto n_points = static_cast<unsigned int>(std::clamp(std::sqrt(per_piece), 3., 32.));
+  TraceValues<3> traces(space);
+  std::vector<double> g, on_patch(surface.patches().size(), 0.);
+  for (const Piece<3> &piece : surface.pieces())
+  {
+    const SurfaceRule<3> rule = surface.rule(piece, n_points);
+    const std::vector<double> u_n =
+      traces.normal_displacement(surface.faces()[piece.face], rule, U);
+    g.resize(rule.size());
+    surface.condition(piece).data->value_list(rule.points, g);
+    double square = 0.;
+    for (std::size_t q = 0; q < rule.size(); ++q)
+      square += std::pow(std::max(0., u_n[q] - g[q]), 2) * rule.weights[q];
+    if (square > 0.)
+      on_patch[piece.patch] += modulus_at(scene, rule.points[0]) * square;
+  }
+  double energy = 0.;
+  for (std::size_t k = 0; k < on_patch.size(); ++k)
+    if (const Patch<3> &patch = surface.patches()[k];
+        on_patch[k] > 0. && !is_near_contact(multipliers, P, patch))
+      energy += 0.5 * dealii::numbers::PI / std::sqrt(patch.measure) * on_patch[k];
+  return std::sqrt(energy);
+}
+
+// The best interpolation of u_h, cell by cell of T^h.
+
+template <int dim>
+RecoveredDisplacement<dim>::RecoveredDisplacement(const DisplacementSpace<dim> &space,
+                                                  const Displacement &U)
+  : element_(dealii::FE_Q<dim>(2 * space.element().degree), dim)
+  , dofs_(space.mesh().triangulation())
+{
+  dofs_.distribute_dofs(element_);
+  values_.reinit(dofs_.n_dofs());
+  const dealii::Quadrature<dim> nodes(element_.base_element(0).get_unit_support_points());
+  dealii::FEValues<dim> at_nodes(
+    space.mesh().mapping(), space.element(), nodes, dealii::update_inverse_jacobians);
+  PatchInterpolation<dim> interpolation(space, nodes, best_interpolation(space, U));
+  dealii::Vector<double> cell_values(element_.n_dofs_per_cell());
+  auto cell = dofs_.begin_active();
+  for (const auto &own_cell : space.dofs().active_cell_iterators())
+  {
+    at_nodes.reinit(own_cell);
+    const FieldValues<dim> &recovered = interpolation.evaluate(U, own_cell, at_nodes);
+    for (unsigned int i = 0; i < cell_values.size(); ++i)
+    {
+      const auto component_and_node = element_.system_to_component_index(i);
+      cell_values[i] = recovered.values[component_and_node.second][component_and_node.first];
+    }
+    cell->set_dof_values(cell_values, values_);
+    ++cell;
+  }
+}
+
+template class RecoveredDisplacement<2>;
 } // namespace Signorini

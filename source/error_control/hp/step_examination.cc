@@ -1,15 +1,220 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What is known about one step of a graded sequence.
+// What steps predict for the next one.
 
 #include <signorini/discretization/elasticity/integration.h>
-#include <signorini/error_control/hp/contact_zone.h>
+#include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/hp/step_examination.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 
 namespace Signorini
 {
+double ErrorHistory::add(const double indicator,
+                         const std::optional<double> &difference,
+                         const double planned)
+{
+  constexpr double safety = 4. / 3.;
+  double estimate = indicator;
+  if (difference && last_indicator_)
+  {
+    const double of_indicators = *last_indicator_ > 0. ? indicator / *last_indicator_ : 1.;
+    double ratio = std::max(of_indicators, planned);
+    if (last_difference_ && *last_difference_ > 0.)
+      ratio = std::max(ratio, std::min(*difference / *last_difference_, 4. * of_indicators));
+    estimate = std::max(estimate, *difference * std::min(1., ratio));
+  }
+  last_indicator_ = indicator;
+  last_difference_ = difference;
+  estimates_.push_back(safety * estimate);
+  return estimates_.back();
+}
+
+bool ErrorHistory::stagnates() const
+{
+  if (!estimates_.empty() && !std::isfinite(estimates_.back()))
+    return true;
+  // The first steps see more and more of what the scene holds.
+  constexpr std::size_t patience = 8, n_compared = 4;
+  return estimates_.size() > patience &&
+         estimates_.back() > 0.5 * estimates_[estimates_.size() - 1 - n_compared];
+}
+
+// The distance between the solutions of two steps.
+
+namespace
+{
+using MeshCell = dealii::Triangulation<2>::cell_iterator;
+
+/** A part of a cell's reference square: the square with this corner and edge. */
+struct Window
+{
+  std::array<double, 2> corner = {{0., 0.}};
+  double edge = 1.;
+
+  /** Returns the quarter of this part that is the given child. */
+  Window quarter(const unsigned int child) const
+  {
+    return {
+      {{corner[0] + 0.5 * edge * (child & 1U), corner[1] + 0.5 * edge * ((child >> 1U) & 1U)}},
+      0.5 * edge};
+  }
+};
+
+/** Returns the number of a cell among the children of its parent. */
+unsigned int child_number(const MeshCell &cell)
+{
+  unsigned int child = 0;
+  while (cell->parent()->child_index(child) != cell->index())
+    ++child;
+  return child;
+}
+
+/** Returns the smallest cell of another mesh that contains a cell, with the part of it that the
+ * cell is; or the cell itself, where it has children there. */
+std::pair<MeshCell, Window> find_in(const dealii::Triangulation<2> &other,
+                                    const dealii::Triangulation<2>::active_cell_iterator &cell)
+{
+  std::vector<unsigned int> path;
+  MeshCell ancestor = cell;
+  for (; ancestor->level() > 0; ancestor = ancestor->parent())
+    path.push_back(child_number(ancestor));
+  MeshCell there(&other, 0, ancestor->index());
+  Window window;
+  for (auto child = path.rbegin(); child != path.rend(); ++child)
+    if (there->has_children())
+      there = there->child(*child);
+    else
+      window = window.quarter(*child);
+  return {there, window};
+}
+
+/** Integrates over cells on which one function is given on the cell and the other on a cell that
+ * contains it. */
+class DistanceIntegrals
+{
+public:
+  explicit DistanceIntegrals(const Scene<2> &scene)
+    : scene_(scene)
+    , constant_(scene.material->is_constant())
+    , hooke_(scene.material->hooke(scene.geometry.inner_point()))
+  {
+  }
+
+  double integrate(const Mesh<2> &mesh,
+                   const dealii::Triangulation<2>::active_cell_iterator &cell,
+                   const CellField &on_cell,
+                   const CellField &on_ancestor,
+                   const Window &window)
+  {
+    const unsigned int n = std::max(on_cell.degree(), on_ancestor.degree()) + 1;
+    const dealii::FEValues<2> &values = values_on(mesh, n, cell);
+    const LineTable &table = table_on_cell(on_cell.degree(), n);
+    const std::vector<dealii::Tensor<2, 2>> fine = on_cell.gradients(table, table);
+    const auto part = [&](const unsigned int d) {
+      return make_line_table(on_ancestor.degree(), points_of(n, window.corner[d], window.edge));
+    };
+    const std::vector<dealii::Tensor<2, 2>> coarse = on_ancestor.gradients(part(0), part(1));
+    double square = 0.;
+    for (const unsigned int q : values.quadrature_point_indices())
+    {
+      const dealii::Tensor<2, 2> reference = fine[q] - window.edge * coarse[q];
+      const dealii::SymmetricTensor<2, 2> strain =
+        symmetrize(reference * dealii::Tensor<2, 2>(values.inverse_jacobian(q)));
+      if (!constant_)
+        hooke_ = scene_.material->hooke(values.quadrature_point(q));
+      square += (hooke_ * strain) * strain * values.JxW(q);
+    }
+    return square;
+  }
+
+private:
+  static std::vector<double> points_of(const unsigned int n, const double from, const double edge)
+  {
+    // Newton's method finds the points in long double: once for every n.
+    thread_local std::map<unsigned int, dealii::QGauss<1>> rules;
+    std::vector<double> points;
+    for (const dealii::Point<1> &x : rules.try_emplace(n, n).first->second.get_points())
+      points.push_back(from + edge * x[0]);
+    return points;
+  }
+  const LineTable &table_on_cell(const unsigned int degree, const unsigned int n)
+  {
+    LineTable &table = tables_[{degree, n}];
+    if (table.values.empty())
+      table = make_line_table(degree, points_of(n, 0., 1.));
+    return table;
+  }
+  const dealii::FEValues<2> &values_on(const Mesh<2> &mesh,
+                                       const unsigned int n,
+                                       const dealii::Triangulation<2>::active_cell_iterator &cell)
+  {
+    auto &values = values_[{&mesh, n}];
+    if (values == nullptr)
+      values = std::make_unique<dealii::FEValues<2>>(mesh.mapping(),
+                                                     no_functions_,
+                                                     dealii::QGauss<2>(n),
+                                                     dealii::update_inverse_jacobians |
+                                                       dealii::update_quadrature_points |
+                                                       dealii::update_JxW_values);
+    values->reinit(cell);
+    return *values;
+  }
+
+  const Scene<2> &scene_;
+  bool constant_;
+  dealii::SymmetricTensor<4, 2> hooke_;
+  dealii::FE_Nothing<2> no_functions_;
+  /** The tables, by degree and number of points. */
+  std::map<std::pair<unsigned int, unsigned int>, LineTable> tables_;
+  std::map<std::pair<const Mesh<2> *, unsigned int>, std::unique_ptr<dealii::FEValues<2>>> values_;
+};
+
+/** Visits all active descendants of a cell with their windows in it. */
+template <typename Visitor>
+void for_each_part(const MeshCell &cell, const Window &window, const Visitor &visit)
+{
+  if (cell->is_active())
+  {
+    visit(dealii::Triangulation<2>::active_cell_iterator(cell), window);
+    return;
+  }
+  for (unsigned int child = 0; child < cell->n_children(); ++child)
+    for_each_part(cell->child(child), window.quarter(child), visit);
+}
+} // namespace
+
+double energy_distance(const StepField &u, const StepField &v, const Scene<2> &scene)
+{
+  DistanceIntegrals integrals(scene);
+  const dealii::Triangulation<2> &other = v.space.mesh().triangulation();
+  double square = 0.;
+  for (const auto &cell : u.space.mesh().triangulation().active_cell_iterators())
+  {
+    const CellField on_cell(u.space.dof_cell(cell), u.U);
+    const auto [there, window] = find_in(other, cell);
+    if (there->is_active())
+    {
+      const CellField on_ancestor(v.space.dof_cell(there), v.U);
+      square += integrals.integrate(u.space.mesh(), cell, on_cell, on_ancestor, window);
+    }
+    else
+      for_each_part(there, {}, [&](const auto &part, const Window &part_window) {
+        const CellField on_part(v.space.dof_cell(part), v.U);
+        square += integrals.integrate(v.space.mesh(), part, on_part, on_cell, part_window);
+      });
+  }
+  return std::sqrt(square);
+}
+
+// What is known about one step of a graded sequence.
+
 StepExamination::StepExamination(const Scene<2> &scene, const double target)
   : scene_(scene)
   , target_(target)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Carries the lacking resultants of cells to the supports.
 
-#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/stress/balance.h>
 
 #include <deal.II/base/symmetric_tensor.h>

@@ -3,11 +3,11 @@
 
 #include <signorini/base/parallel.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
+#include <signorini/error_control/loads/cell_loads.h>
 #include <signorini/error_control/loads/cell_rule.h>
-#include <signorini/error_control/loads/oscillation.h>
 #include <signorini/error_control/stress/balance.h>
 #include <signorini/error_control/stress/equilibrated_stress.h>
-#include <signorini/problem/scene/contradictions.h>
+#include <signorini/problem/scene/corners.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,12 +2,11 @@
 // Many loads on one body: the factors, C and B are those of all cases.
 
 #include <signorini/discretization/elasticity/cell_stiffness.h>
-#include <signorini/postprocessing/fields/contact_pressure.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/load_cases/case_solver.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
-#include <signorini/solvers/contact/recovery.h>
+#include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/kinematics/motion_modes.h>
 
 namespace Signorini

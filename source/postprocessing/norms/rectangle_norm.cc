@@ -2,8 +2,8 @@
 // |||.|||_{-1/2} on rectangles by cosine series in both directions.
 
 #include <signorini/base/errors.h>
-#include <signorini/postprocessing/norms/polynomial_gram.h>
 #include <signorini/postprocessing/norms/rectangle_norm.h>
+#include <signorini/postprocessing/norms/slobodeckij_norm.h>
 
 #include <deal.II/base/numbers.h>
 

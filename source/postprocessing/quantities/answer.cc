@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The answer of one level, put together.
 
-#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/postprocessing/quantities/answer.h>
 
 #include <type_traits>

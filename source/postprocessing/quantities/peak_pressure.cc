@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The largest contact pressure, as a point value and not as a mean.
 
-#include <signorini/postprocessing/fields/contact_pressure.h>
+#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The force of the contact pressure, and lines of action.
 
-#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/postprocessing/quantities/side_forces.h>
 
 #include <cmath>

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "catalogue_scenes.h"
-#include "lift_family.h"
 
 namespace Signorini
 {

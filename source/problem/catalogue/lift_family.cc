@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Manufactured solutions by lifting boundary data from y = 0 into the square.
 
-#include "lift_family.h"
-
 #include <algorithm>
+
+#include "catalogue_scenes.h"
 
 namespace Signorini
 {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Exact solutions as the data of problem (1).
 
-#include "manufactured_scene.h"
-
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+
+#include "catalogue_scenes.h"
 
 namespace Signorini
 {

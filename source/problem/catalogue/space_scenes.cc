@@ -21,7 +21,6 @@
 #include <cmath>
 
 #include "catalogue_scenes.h"
-#include "manufactured_scene.h"
 
 namespace Signorini
 {

@@ -12,7 +12,6 @@
 #include <complex>
 
 #include "catalogue_scenes.h"
-#include "manufactured_scene.h"
 
 namespace Signorini
 {

@@ -12,7 +12,6 @@
 #include <memory>
 #include <sstream>
 
-#include "outline_internal.h"
 #include "outline_mesh.h"
 
 namespace Signorini

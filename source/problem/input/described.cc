@@ -3,13 +3,10 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
-#include <signorini/problem/input/described.h>
+#include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/scene/functions.h>
 
-#include "foundation_input.h"
-#include "geometry_input.h"
-#include "scene_checks.h"
-#include "side_lists.h"
+#include "input.h"
 
 namespace Signorini
 {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Contact/Foundation: rigid obstacles by words and numbers.
 
-#include "foundation_input.h"
-
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/scene/scene.h>
@@ -10,6 +8,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+
+#include "input.h"
 
 namespace Signorini
 {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Coordinates, and the sizes of bodies that can be computed with.
 
-#include "geometry_input.h"
-
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/geometry/geometry.h>
@@ -17,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "polygon_input.h"
+#include "input.h"
 
 namespace Signorini
 {

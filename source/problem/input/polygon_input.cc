@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // From vertices, arcs and fillets to sides.
 
-#include "polygon_input.h"
-
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/geometry/geometry.h>
@@ -18,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry_input.h"
+#include "input.h"
 
 namespace Signorini
 {

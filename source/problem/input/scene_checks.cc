@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Values of expressions, checked at points that the integrals will use or come close to.
 
-#include "scene_checks.h"
-
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/parameters/parameters.h>
@@ -17,6 +15,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "input.h"
 
 namespace Signorini
 {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Lists by boundary name: entries separated by '|', the name before the first ':'.
 
-#include "side_lists.h"
-
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/scene/scene.h>
@@ -11,6 +9,8 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+
+#include "input.h"
 
 namespace Signorini
 {

@@ -13,8 +13,6 @@
 #include <numeric>
 #include <set>
 
-#include "edge_chain.h"
-
 namespace Signorini
 {
 namespace

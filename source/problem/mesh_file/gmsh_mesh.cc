@@ -3,7 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
-#include <signorini/problem/mesh_file/gmsh_mesh.h>
+#include <signorini/problem/mesh_file/file_mesh.h>
 #include <signorini/problem/scene/scene.h>
 
 #include <charconv>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressure, gap and opening along the contact boundary.
 
-#include <signorini/discretization/elasticity/traces.h>
-#include <signorini/postprocessing/fields/contact_pressure.h>
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/results/files/contact_files.h>
 
 #include <deal.II/base/data_out_base.h>

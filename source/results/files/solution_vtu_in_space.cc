@@ -6,7 +6,6 @@
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 #include <signorini/postprocessing/fields/stress.h>
 #include <signorini/results/files/solution_vtu.h>
-#include <signorini/results/files/vtu_text.h>
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "gnuplot_internal.h"
+#include "drawn_cells.h"
 
 namespace Signorini
 {

@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "drawn_cells.h"
-#include "gnuplot_internal.h"
 
 namespace Signorini
 {

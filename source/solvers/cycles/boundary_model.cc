@@ -3,8 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/solvers/cycles/boundary_model.h>
-#include <signorini/solvers/cycles/cosine_model.h>
-#include <signorini/solvers/cycles/kernel_model.h>
+#include <signorini/solvers/cycles/kernel_models.h>
 
 #include <deal.II/base/numbers.h>
 

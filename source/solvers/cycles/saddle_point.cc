@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The residuals of U and P in (5).
 
-#include <signorini/solvers/contact/active_set.h>
+#include <signorini/solvers/contact/dual_solver.h>
 #include <signorini/solvers/cycles/saddle_point.h>
 
 #include <deal.II/lac/block_vector.h>

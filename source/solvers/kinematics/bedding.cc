@@ -3,7 +3,7 @@
 
 #include <signorini/solvers/kinematics/bedding.h>
 #include <signorini/solvers/kinematics/pressing_patches.h>
-#include <signorini/solvers/kinematics/small_matrix.h>
+#include <signorini/solvers/kinematics/seen_motions.h>
 
 #include <algorithm>
 #include <cmath>

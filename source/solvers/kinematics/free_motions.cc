@@ -5,7 +5,6 @@
 #include <signorini/solvers/kinematics/free_motions.h>
 #include <signorini/solvers/kinematics/pressing_patches.h>
 #include <signorini/solvers/kinematics/seen_motions.h>
-#include <signorini/solvers/kinematics/small_matrix.h>
 
 #include <algorithm>
 #include <cmath>

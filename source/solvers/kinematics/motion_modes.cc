@@ -2,9 +2,9 @@
 // Z = k - A⁻¹ A k for the lifts k of free motions.
 
 #include <signorini/discretization/elasticity/cell_stiffness.h>
-#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/problem/scene/functions.h>
-#include <signorini/solvers/contact/recovery.h>
+#include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/kinematics/motion_modes.h>
 
 #include <algorithm>

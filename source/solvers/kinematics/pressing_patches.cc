@@ -2,7 +2,7 @@
 // Nonnegative least squares after Lawson and Hanson.
 
 #include <signorini/solvers/kinematics/pressing_patches.h>
-#include <signorini/solvers/kinematics/small_matrix.h>
+#include <signorini/solvers/kinematics/seen_motions.h>
 
 #include <deal.II/lac/householder.h>
 #include <deal.II/lac/lapack_full_matrix.h>

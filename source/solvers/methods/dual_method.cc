@@ -1,19 +1,143 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Contact by the dual problem: A, its inverse, F and C = D^T A^{-1} D, P and q, then U.
 
 #include <signorini/base/errors.h>
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/level/discretization.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_solver.h>
 #include <signorini/solvers/cycles/boundary_model.h>
+#include <signorini/solvers/kinematics/free_motions.h>
+#include <signorini/solvers/kinematics/motion_modes.h>
+#include <signorini/solvers/kinematics/seen_motions.h>
 #include <signorini/solvers/multigrid/stiffness_multigrid.h>
 
 #include <algorithm>
 
-#include "escape_message.h"
 #include "methods.h"
 
 namespace Signorini
 {
+/**
+ * Tells which motion of the body nothing stops. Constants of patches carry forces between the
+ * middles of patches only: where pressures at points of the contact boundary would balance the
+ * loads, the mesh is too coarse, and the message says that. @param v MotionResult::escape.
+ * @throws InputError always.
+ */
+[[noreturn]] void refuse_escape(const Parameters &parameters,
+                                const Discretization<2> &discretization,
+                                const MotionModes<2> &modes,
+                                const FreeMotions &motions,
+                                const dealii::Vector<double> &v);
+
+/** Tells that loads drive a motion along which contact sides slide. @throws InputError always. */
+[[noreturn]] void refuse_sliding(const Parameters &parameters, const RigidMotion &motion);
+
+/** Tells which motion of the body is left free by the patches that press, where no load decides it
+ * and only a negative gap presses. @throws InputError if there is such a motion. */
+void refuse_undetermined(const Parameters &parameters,
+                         const MotionModes<2> &modes,
+                         const FreeMotions &motions,
+                         const dealii::Vector<double> &P);
+
+// Why contact cannot hold a body.
+
+namespace
+{
+/** z_j.n at the ends of all pieces of the contact boundary. */
+dealii::FullMatrix<double> closing_of_points(const Discretization<2> &discretization,
+                                             const MotionModes<2> &modes)
+{
+  const ContactSurface<2> &surface = discretization.surface;
+  const std::vector<dealii::Point<1>> ends = {dealii::Point<1>(0.), dealii::Point<1>(1.)};
+  TraceValues<2> traces(discretization.space);
+  dealii::FullMatrix<double> closing(ends.size() * surface.pieces().size(), modes.size());
+  for (std::size_t i = 0; i < surface.pieces().size(); ++i)
+  {
+    const Piece<2> &piece = surface.pieces()[i];
+    const SurfaceRule<2> rule = surface.at(piece, ends);
+    for (unsigned int j = 0; j < modes.size(); ++j)
+    {
+      const std::vector<double> z_n =
+        traces.normal_displacement(surface.faces()[piece.face], rule, modes.Z[j]);
+      for (std::size_t e = 0; e < ends.size(); ++e)
+        closing(ends.size() * i + e, j) = z_n[e];
+    }
+  }
+  return closing;
+}
+
+/** Of K; one without resistance. */
+double typical_stiffness(const FreeMotions &motions)
+{
+  double stiffness = 0.;
+  for (unsigned int j = 0; j < motions.K.m(); ++j)
+    stiffness = std::max(stiffness, motions.K(j, j));
+  return stiffness > 0. ? stiffness : 1.;
+}
+
+/** Whether forces at points of the contact boundary balance the loads. */
+bool points_balance(const Discretization<2> &discretization,
+                    const MotionModes<2> &modes,
+                    const FreeMotions &motions)
+{
+  FreeMotions of_points = motions;
+  of_points.B = closing_of_points(discretization, modes);
+  return !SeenMotions(of_points, of_points.B.m(), typical_stiffness(motions)).escape;
+}
+} // namespace
+
+void refuse_sliding(const Parameters &parameters, const RigidMotion &motion)
+{
+  throw InputError(parameters.boundary.where + ": the loads drive " + motion.name() +
+                   " of the body, along which contact sides slide without friction; allowed: "
+                   "loads in balance, or more sides that hold the body.");
+}
+
+void refuse_undetermined(const Parameters &parameters,
+                         const MotionModes<2> &modes,
+                         const FreeMotions &motions,
+                         const dealii::Vector<double> &P)
+{
+  if (!motions.b.all_zero())
+    return;
+  FreeMotions of_pressing = motions;
+  for (unsigned int i = 0; i < P.size(); ++i)
+    for (unsigned int j = 0; j < modes.size() && P[i] == 0.; ++j)
+      of_pressing.B(i, j) = 0.;
+  const auto unseen = SeenMotions(of_pressing, P.size(), typical_stiffness(motions)).unseen;
+  if (!unseen.empty())
+    throw InputError(parameters.boundary.where +
+                     ": the loads are zero, and the pressure of the "
+                     "foundation, into which the body begins, leaves " +
+                     rigid_part(modes, unseen.front()).name() +
+                     " free; allowed: loads that press the body onto the foundation, or more sides "
+                     "that hold it.");
+}
+
+void refuse_escape(const Parameters &parameters,
+                   const Discretization<2> &discretization,
+                   const MotionModes<2> &modes,
+                   const FreeMotions &motions,
+                   const dealii::Vector<double> &v)
+{
+  const RigidMotion motion = rigid_part(modes, v);
+  if (points_balance(discretization, modes, motions))
+  {
+    const Given<unsigned int> &coarsest = parameters.discretization.coarsest_level;
+    throw InputError(coarsest.where() + ": found '" + std::to_string(coarsest.value) +
+                     "', where a contact patch carries forces in its middle only and the loads "
+                     "act closer to the end of contact (the body would move " +
+                     motion.direction() + "), allowed: a finer coarsest level.");
+  }
+  throw InputError(parameters.boundary.where + ": the loads move the body " + motion.direction() +
+                   ", and no pressure of the foundation balances them (" +
+                   word_for_escape(motion, opens(motions.B, v)) +
+                   "); allowed: loads that press it onto the foundation, or more sides that hold "
+                   "it.");
+}
+
+// Contact by the dual problem: A, its inverse, F and C = D^T A^{-1} D, P and q, then U.
+
 namespace
 {
 using Vector = dealii::Vector<double>;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "block_grid_internal.h"
+#include "multigrid_internal.h"
 
 namespace Signorini
 {

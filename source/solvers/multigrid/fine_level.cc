@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The blocks of the finest level, from deal.II's mesh and degrees of freedom.
 
-#include "fine_level.h"
-
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/solvers/multigrid/cell_integration.h>
@@ -12,6 +10,8 @@
 #include <array>
 #include <functional>
 #include <limits>
+
+#include "multigrid_internal.h"
 
 namespace Signorini
 {

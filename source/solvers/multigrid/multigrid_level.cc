@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The smoother of one level.
 
-#include "multigrid_level.h"
-
 #include <signorini/base/errors.h>
 #include <signorini/solvers/multigrid/cell_integration.h>
 #include <signorini/solvers/stiffness/condensed_inverse.h>
@@ -10,6 +8,8 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/lapack_full_matrix.h>
+
+#include "multigrid_internal.h"
 
 namespace Signorini
 {

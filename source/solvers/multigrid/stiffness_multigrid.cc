@@ -11,8 +11,7 @@
 #include <optional>
 #include <sstream>
 
-#include "fine_level.h"
-#include "multigrid_level.h"
+#include "multigrid_internal.h"
 
 namespace Signorini
 {

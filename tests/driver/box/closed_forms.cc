@@ -2,8 +2,8 @@
 // Surface, D, G, A, f and C of a box of hexahedra, counted by hand.
 
 #include <signorini/discretization/elasticity/cell_stiffness.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/elasticity/linear_system.h>
-#include <signorini/discretization/elasticity/traces.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/solvers/contact/compliance.h>
 

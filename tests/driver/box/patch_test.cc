@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Constant strain under full contact of a box of hexahedra: exact, and certified. pi^{2h} in space.
 
-#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/estimate/certificate.h>
-#include <signorini/postprocessing/fields/contact_pressure.h>
+#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_solver.h>
-#include <signorini/solvers/contact/recovery.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

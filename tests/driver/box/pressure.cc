@@ -2,8 +2,8 @@
 // What becomes of a contact pressure on a rectangle: recovery, transfer, norms, errors.
 
 #include <signorini/postprocessing/errors/dual_norm_errors.h>
-#include <signorini/postprocessing/errors/pressure_errors.h>
-#include <signorini/postprocessing/fields/contact_pressure.h>
+#include <signorini/postprocessing/errors/errors.h>
+#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/norms/spectral_norm.h>
 
 #include <algorithm>

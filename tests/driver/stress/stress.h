@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/problem/input/make_scene.h>
-#include <signorini/solvers/contact/active_set.h>
-#include <signorini/solvers/contact/psor.h>
+#include <signorini/solvers/contact/dual_solver.h>
+#include <signorini/solvers/contact/projected_methods.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 

@@ -4,7 +4,7 @@
 // ones. Every sweep of projected SOR lowers the dual objective.
 
 #include <signorini/problem/catalogue/catalogue.h>
-#include <signorini/solvers/contact/psor.h>
+#include <signorini/solvers/contact/projected_methods.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparse_direct.h>

@@ -3,7 +3,7 @@
 // J(u) = 1/200, and every number of the bracket is known. Then scenes whose brackets of all levels
 // hold the same number, and bounds that depend on nothing but u_h, p_H and the data.
 
-#include <signorini/error_control/stress/energy_bracket.h>
+#include <signorini/error_control/stress/equilibrated_stress.h>
 
 #include <algorithm>
 

@@ -6,7 +6,6 @@
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_solver.h>
-#include <signorini/solvers/contact/recovery.h>
 
 #include <deal.II/base/mpi.h>
 

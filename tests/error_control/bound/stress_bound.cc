@@ -3,7 +3,7 @@
 // of the two energies.
 
 #include <signorini/discretization/elasticity/integration.h>
-#include <signorini/error_control/loads/oscillation.h>
+#include <signorini/error_control/loads/cell_loads.h>
 #include <signorini/error_control/stress/equilibrated_stress.h>
 
 #include <cmath>

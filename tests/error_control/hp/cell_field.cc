@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // u_h on one cell: nodes, Lagrange's polynomials, and gradients of polynomials of all degrees.
 
-#include <signorini/error_control/hp/smoothness.h>
+#include <signorini/error_control/hp/indicators.h>
 
 #include <algorithm>
 #include <cmath>

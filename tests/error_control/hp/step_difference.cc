@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The energy of the difference of functions on two meshes, against integrals by hand.
 
-#include <signorini/error_control/hp/step_difference.h>
+#include <signorini/error_control/hp/step_examination.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

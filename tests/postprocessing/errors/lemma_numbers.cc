@@ -2,7 +2,7 @@
 // The numbers of the lemmas where they are known: they vanish for linear displacements and constant
 // pressures, also where the displacement that holds the body is not zero.
 
-#include <signorini/postprocessing/errors/lemma_numbers.h>
+#include <signorini/postprocessing/errors/dual_norm_errors.h>
 
 #include "one_level.h"
 #include "tests.h"

@@ -3,8 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/error_control/estimate/error_estimate.h>
-#include <signorini/postprocessing/errors/displacement_errors.h>
-#include <signorini/postprocessing/errors/pressure_errors.h>
+#include <signorini/postprocessing/errors/errors.h>
 
 #include <cmath>
 

@@ -3,9 +3,8 @@
 
 #include <signorini/error_control/estimate/certificate.h>
 #include <signorini/results/verdict/judge.h>
-#include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/contact/compliance.h>
-#include <signorini/solvers/contact/recovery.h>
+#include <signorini/solvers/contact/dual_solver.h>
 
 #include <cmath>
 

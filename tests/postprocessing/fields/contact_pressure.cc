@@ -2,7 +2,7 @@
 // Resultants, recovery and transfer of piecewise constant pressures, also on patches of different
 // lengths.
 
-#include <signorini/postprocessing/fields/contact_pressure.h>
+#include <signorini/postprocessing/fields/forces.h>
 
 #include <cmath>
 

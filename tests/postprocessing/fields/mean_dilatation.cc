@@ -2,7 +2,7 @@
 // Means of the dilatation, the number that tells locking, and pressures that are not unique, in
 // closed form.
 
-#include <signorini/error_control/estimate/locking.h>
+#include <signorini/error_control/estimate/certificate.h>
 #include <signorini/postprocessing/fields/stress.h>
 #include <signorini/solvers/contact/dual_problem.h>
 

@@ -4,7 +4,7 @@
 
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/estimate/error_estimate.h>
-#include <signorini/solvers/contact/recovery.h>
+#include <signorini/solvers/contact/compliance.h>
 
 #include "error_control/bound/solved_level.h"
 #include "one_level.h"

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Corners of bodies: places, openings, sides, and the exponents of a scene's roles.
 
-#include <signorini/problem/input/described.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameters.h>
-#include <signorini/problem/scene/contradictions.h>
 #include <signorini/problem/scene/corners.h>
 
 #include <deal.II/base/numbers.h>

@@ -2,7 +2,7 @@
 // Sides of rectangles and polygons, and the rigid motions that roles leave free.
 
 #include <signorini/problem/geometry/geometry.h>
-#include <signorini/problem/input/described.h>
+#include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/rigid_motions.h>
 

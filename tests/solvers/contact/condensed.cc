@@ -6,7 +6,6 @@
 #include <signorini/postprocessing/norms/spectral_norm.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_solver.h>
-#include <signorini/solvers/contact/recovery.h>
 #include <signorini/solvers/stiffness/condensed_inverse.h>
 
 #include "one_level.h"

@@ -4,7 +4,6 @@
 
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/solvers/contact/compliance.h>
-#include <signorini/solvers/contact/recovery.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 

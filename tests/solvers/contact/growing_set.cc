@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The dual problem with columns on demand: the same answer from fewer columns.
 
-#include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/contact/dual_solver.h>
 
 #include <cmath>

@@ -2,9 +2,8 @@
 // min 1/2 P^T C P - P^T F over P <= 0, and over a set with two components, on small problems solved
 // by hand.
 
-#include <signorini/solvers/contact/active_set.h>
-#include <signorini/solvers/contact/mprgp.h>
-#include <signorini/solvers/contact/psor.h>
+#include <signorini/solvers/contact/dual_solver.h>
+#include <signorini/solvers/contact/projected_methods.h>
 
 #include <stdexcept>
 #include <vector>

@@ -2,9 +2,8 @@
 // Projected SOR and the active set method against an enumeration of all active sets, on random and
 // contact-like matrices; cycling, degenerate, shifted, scaled and empty problems.
 
-#include <signorini/solvers/contact/active_set.h>
-#include <signorini/solvers/contact/mprgp.h>
-#include <signorini/solvers/contact/psor.h>
+#include <signorini/solvers/contact/dual_solver.h>
+#include <signorini/solvers/contact/projected_methods.h>
 
 #include <cmath>
 #include <set>

@@ -3,7 +3,6 @@
 
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_solver.h>
-#include <signorini/solvers/contact/recovery.h>
 
 #include <algorithm>
 

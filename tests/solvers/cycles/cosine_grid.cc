@@ -2,8 +2,7 @@
 // The cosine series on a grid of patches, and integrals of the kernel, against closed forms.
 
 #include <signorini/postprocessing/norms/spectral_norm.h>
-#include <signorini/solvers/cycles/cosine_model.h>
-#include <signorini/solvers/cycles/kernel_model.h>
+#include <signorini/solvers/cycles/kernel_models.h>
 
 #include <deal.II/base/numbers.h>
 

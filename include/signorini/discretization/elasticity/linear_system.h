@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/discretization/elasticity/integration.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 

@@ -75,4 +75,38 @@ RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &
 
 /** From parameters to results: one scene. What goes wrong is told on the screen. Collective. */
 RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen);
+
+/** A parameter with the values that it takes one after the other. */
+struct Sweep
+{
+  /** "Subsection/Parameter" or "Constants/NAME". */
+  std::string parameter;
+  std::vector<std::string> values;
+};
+
+/** Reads "Subsection/Parameter=v1, v2, v3"; commas in parentheses do not separate.
+ * @throws InputError */
+Sweep read_sweep(const std::string &argument);
+
+/** One combination of values of several sweeps, with the name of its directory. */
+struct SweepPoint
+{
+  std::vector<std::string> values;
+  std::string folder;
+};
+
+/** All combinations, the last sweep varying fastest. @throws InputError if there are too many, or
+ * two of them have the same name. */
+std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps);
+
+/**
+ * Runs a scene for all combinations of values, each in a directory of its own below that of the
+ * input, and prints one table over them, which is also written to sweep.csv. All values are parsed
+ * before the first run. Collective.
+ * @return the largest exit code, with its verdict.
+ */
+RunSummary run_sweep(const RunInput &input,
+                     const std::vector<Sweep> &sweeps,
+                     MPI_Comm communicator,
+                     Screen &screen);
 } // namespace Signorini

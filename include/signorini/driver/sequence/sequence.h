@@ -4,8 +4,10 @@
 #include <signorini/driver/level/level.h>
 #include <signorini/results/verdict/judge.h>
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace Signorini
 {
@@ -52,4 +54,18 @@ std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context)
       return make_hp_sequence(context);
   return make_nested_sequence(context);
 }
+
+/** The fields of a load case: its number from one on, its scene, U and P. */
+using CaseFields =
+  std::function<void(unsigned int, const Scene<2> &, const Displacement &, const Pressure &)>;
+
+/**
+ * Solves the load cases of the scene on a level that is solved, and adds the summary to the record.
+ * The factors of the level are let go. Collective.
+ * @param use_fields is called for the cases whose fields are asked for, as they are solved.
+ */
+std::vector<CaseResult> solve_load_cases(const LevelProblem<2> &problem,
+                                         LevelResult<2> &level,
+                                         const CaseFields &use_fields,
+                                         const Progress &progress);
 } // namespace Signorini

@@ -3,7 +3,6 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/error_control/contact_term/contact_lift.h>
-#include <signorini/error_control/stress/energy_bracket.h>
 #include <signorini/error_control/stress/equilibrated_stress.h>
 
 #include <optional>

@@ -3,9 +3,11 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/discretization/mesh/mesh.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/postprocessing/fields/forces.h>
-#include <signorini/solvers/methods/contact_state.h>
+#include <signorini/problem/scene/material.h>
+#include <signorini/solvers/methods/contact_method.h>
 
 namespace Signorini
 {
@@ -72,4 +74,15 @@ Certificate certify(const DisplacementSpace<dim> &space,
                     const Scene<dim> &scene,
                     const MultiplierSpace<dim> &multipliers,
                     const SolvedContact<dim> &solved);
+
+/**
+ * Returns the locking number K/μ (h/l)² with the largest ratio of bulk to shear modulus K =
+ * I:E:I/dim² and μ, half the smallest d:E:d of a deviator d of norm one, the longest edge h and
+ * the body's size l. Where bodies are nearly incompressible (K/μ > 10, Poisson's ratio above
+ * 0.45), bilinear elements with the full strain need the number to be well below one: their
+ * pressures exceed the true ones by about that part.
+ * @return 0 for other bodies.
+ */
+template <int dim>
+double locking_number(const Mesh<dim> &mesh, const Material<dim> &material);
 } // namespace Signorini

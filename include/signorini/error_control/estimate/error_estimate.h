@@ -125,4 +125,50 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
  * solution the quartic oscillates more than that. Collective. */
 template <int dim>
 unsigned int best_interpolation(const DisplacementSpace<dim> &space, const Displacement &U);
+
+/**
+ * Returns the energy norm of a w that removes the penetration of open patches which touch no
+ * pressing one. There u_h may be deep in the foundation while u_n - g has a mean that is not
+ * positive, and no recovered pressure shows it. With d = (u_n - g)_+ on a patch of length H, w has
+ * about the energy of a half-space with waves of the length 4 H,
+ *
+ *     |||w|||² = modulus π/(2 H) ‖d‖_0².
+ *
+ * The function is for 3-D only: in 2-D the guaranteed bound has the energy of a true w.
+ * @throws InputError where g has no value. Collective.
+ */
+double energy_of_missed_contact(const DisplacementSpace<3> &space,
+                                const MultiplierSpace<3> &multipliers,
+                                const Scene<3> &scene,
+                                const Displacement &U,
+                                const Pressure &P);
+
+/**
+ * The patch interpolation of u_h that comes closest to u, π^{2h} u_h or the one of degree four
+ * (best_interpolation()), as a function of degree 2 p per direction on T^h, for elements of degree
+ * p. Stresses come from it.
+ */
+template <int dim>
+class RecoveredDisplacement
+{
+public:
+  /** Interpolates u_h. The space must outlive the object, and Mesh::has_parents() must be true.
+   * Collective. */
+  RecoveredDisplacement(const DisplacementSpace<dim> &space, const Displacement &U);
+
+  const dealii::DoFHandler<dim> &dofs() const
+  {
+    return dofs_;
+  }
+  /** Returns the nodal values, set on the cells that this rank stores. */
+  const Displacement &values() const
+  {
+    return values_;
+  }
+
+private:
+  dealii::FESystem<dim> element_;
+  dealii::DoFHandler<dim> dofs_;
+  Displacement values_;
+};
 } // namespace Signorini

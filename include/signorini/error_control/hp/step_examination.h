@@ -1,12 +1,66 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/error_control/hp/next_plan.h>
-#include <signorini/error_control/hp/step_difference.h>
+#include <signorini/problem/scene/scene.h>
+
+#include <optional>
+#include <vector>
 
 namespace Signorini
 {
+/**
+ * The estimated errors of the steps, one after the other, (force length)^{1/2}.
+ *
+ * The distance d_k between the solutions of steps k and k - 1 is about the error of step k - 1,
+ * which is many times that of step k. Three numbers show by how much: the ratio of the indicators,
+ * r = η_k/η_{k-1}; what the mesh was planned for, q; and how much the error fell in the step
+ * before, d_k/d_{k-1}, as far as the indicators do not contradict:
+ *
+ *     estimate_k = 4/3 max(η_k, d_k min(1, max(r, q, min(d_k/d_{k-1}, 4 r)))).
+ *
+ * It is reliable as long as the error falls in step k as the indicator says, or as planned.
+ */
+class ErrorHistory
+{
+public:
+  /**
+   * Adds step k.
+   * @param indicator η_k.
+   * @param difference d_k; empty for the first step.
+   * @param planned q.
+   * @return the estimate of the step.
+   */
+  double add(double indicator, const std::optional<double> &difference, double planned);
+
+  std::size_t n_steps() const
+  {
+    return estimates_.size();
+  }
+  /** Returns whether the estimates of the last steps do not fall: the solution has no finite
+   * energy, or the mesh cannot be refined further where it is singular. A number that overflows
+   * stagnates. */
+  bool stagnates() const;
+
+private:
+  std::vector<double> estimates_;
+  std::optional<double> last_indicator_, last_difference_;
+};
+
+/** A solution u_h and its space. */
+struct StepField
+{
+  const DisplacementSpace<2> &space;
+  const Displacement &U;
+};
+
+/** Returns |||u_h - v_h||| for functions on two meshes that come from the same mesh by splitting
+ * cells; (force length)^{1/2}. It is integrated on the finer cell wherever one lies in the other.
+ * Where curved cells are split, the maps of both cells are assumed to agree. */
+double energy_distance(const StepField &u, const StepField &v, const Scene<2> &scene);
+
 /** Contact as it was found on one mesh of a graded sequence. */
 struct SolvedStep
 {

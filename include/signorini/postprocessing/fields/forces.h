@@ -1,15 +1,138 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/columns.h>
 #include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace Signorini
 {
+/** A part of a side that is pressed, according to the nodes of the multipliers. */
+struct PressedInterval
+{
+  struct End
+  {
+    /** The arc length; around a closed side the end of an interval may exceed the length (length).
+     */
+    double s = 0.;
+    /** The distance of the exact end, in order of magnitude (length). */
+    double uncertainty = 0.;
+  };
+  /** The number of the side in the geometry. */
+  unsigned int side = 0;
+  End start, end;
+
+  double length() const
+  {
+    return end.s - start.s;
+  }
+};
+
+/**
+ * Returns the pressed intervals, side after side in the order of arc length.
+ *
+ * The nodes of the multipliers are points at which p_H presses or does not. Contact ends between
+ * two neighbours that differ: the end is their middle, and its uncertainty is half of their
+ * distance. Where pressing and open nodes alternate, contact ends only once between the first and
+ * the last one of them, or, if these are of the same kind, there is a single gap or a single
+ * interval between them. Where the first or the last node of a side presses, the interval ends with
+ * the side, without uncertainty. A closed side that is pressed everywhere is an interval from 0 to
+ * its length.
+ */
+std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipliers,
+                                               const Pressure &P);
+
+/** Returns the value below which a pressure presses, -1e-12 max|P|: smaller values are zeros up to
+ * the tolerance of a solver. */
+double pressing_threshold(const Pressure &P);
+
+/** A summary of the contact pressure. */
+struct ContactSummary
+{
+  /** The number of multipliers that press, P_k < pressing_threshold(P); with constants that of
+   * patches. */
+  unsigned int active = 0;
+  /** The total length of the patches that press, in 3-D their area, if multipliers are constants;
+   * that of the pressed_intervals() if they are polynomials (length^{dim-1}). */
+  double length = 0.;
+  /** The force -∫ p_H, positive in compression (force). */
+  double normal_force = 0.;
+  /** The maximum max(-P_k), positive in compression (force/area). */
+  double max_pressure = 0.;
+
+  static Columns<ContactSummary> columns();
+};
+
+template <int dim>
+ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const Pressure &P);
+
+/**
+ * A continuous pressure of second order, recovered from the means of p_H over the patches and cut
+ * off at zero.
+ *
+ * In 2-D it is piecewise linear through the middles of the patches of a side, continued to its ends
+ * (around a closed side). In 3-D it is bilinear between the centres of four patches of a side,
+ * continued to its edges. Where patches have polynomials, it is p_H itself, cut off at zero.
+ */
+template <int dim>
+class RecoveredPressure
+{
+public:
+  RecoveredPressure(const MultiplierSpace<dim> &space, const Pressure &P);
+
+  /** Returns the value at the point @p s of the side to which @p patch belongs; @p patch contains
+   * it. */
+  double operator()(unsigned int patch, const dealii::Point<dim - 1> &s) const;
+
+private:
+  /** A patch next to another one, and its middle in the coordinates of that one. */
+  struct Neighbour
+  {
+    unsigned int patch;
+    double middle;
+  };
+  /** Returns the patch before (step -1) or after (step 1) on the same side; the same patch if there
+   * is none. For 2-D only. */
+  Neighbour neighbour(unsigned int patch, int step) const;
+
+  /** The place of a patch in 3-D: its grid, and its column and row. */
+  struct Place
+  {
+    unsigned int grid;
+    std::array<unsigned int, 2> index;
+  };
+
+  const MultiplierSpace<dim> &space_;
+  const ContactSurface<dim> &surface_;
+  Pressure P_;
+  /** The means of the patches. */
+  std::vector<double> means_;
+  /** The grids of the sides, in 3-D. */
+  std::vector<PatchGrid> grids_;
+  /** The places of the patches, in 3-D. */
+  std::vector<Place> places_;
+};
+
+/** A pressure with the patches that it belongs to, as a start for another partition. */
+template <int dim>
+struct PatchPressure
+{
+  std::vector<Patch<dim>> patches;
+  Pressure P;
+};
+
+/** Transfers P of another partition to the patches of @p to: the mean of the piecewise constant
+ * function on each patch (its L2-projection). The time is proportional to the number of overlaps,
+ * after sorting. */
+template <int dim>
+Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Patch<dim>> &to);
+
 /** A node of a multiplier on its side. */
 struct SideNode
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/discretization/elasticity/traces.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/kinematics/free_motions.h>

@@ -3,6 +3,8 @@
 
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/mesh/contact_surface.h>
+#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/problem/parameters/options.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
@@ -105,4 +107,18 @@ void for_each_side(const std::vector<Patch<2>> &patches, const Visitor &visit)
 /** Returns the block diagonal Gram matrix of the constants on the patches: the square of its norm
  * is the sum over the sides. */
 dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface);
+
+/**
+ * Returns the constant of Lemma 1,
+ *
+ *     β² = min_q (qᵀ Dᵀ A_1⁻¹ D q) / (qᵀ S q),
+ *
+ * where A_1 is the Gram matrix of V^h in (.,.)_{1,Ω}, and S that of Q^H in the cosine norm
+ * |||.|||_{-1/2}. It takes one factorisation of its own and m solves. Collective.
+ */
+template <int dim>
+double measure_inf_sup(const DisplacementSpace<dim> &space,
+                       const MultiplierSpace<dim> &multipliers,
+                       const Coupling &condensed_D,
+                       LinearSolver linear_solver);
 } // namespace Signorini

@@ -3,7 +3,7 @@
 
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
-#include <signorini/postprocessing/quantities/singular_places.h>
+#include <signorini/postprocessing/quantities/von_mises.h>
 
 #include <optional>
 

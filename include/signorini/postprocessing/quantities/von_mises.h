@@ -2,11 +2,64 @@
 #pragma once
 
 #include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
-#include <signorini/postprocessing/quantities/singular_places.h>
+#include <signorini/problem/scene/scene.h>
+
+#include <array>
+#include <optional>
+#include <vector>
 
 namespace Signorini
 {
+/** A place where stresses grow without limit, for records. */
+struct GrowthPlace
+{
+  /** The ends of an edge of a 3-D body; equal for a corner of a 2-D body. */
+  std::array<AnswerVector, 2> ends;
+  /** The distance from which on largest values elsewhere are taken (length). */
+  double radius = 0.;
+};
+
+/** A corner of a 2-D body, or an edge of a box, at which stresses behave like r^{λ - 1} with
+ * λ < 1 (corner_exponent()) in at least one state of contact. */
+template <int dim>
+struct SingularPlace
+{
+  /** The ends of the edge; equal in 2-D. */
+  std::array<dealii::Point<dim>, 2> ends;
+  std::array<unsigned int, 2> sides;
+  /** The angle inside the body (radians), and Kolosov's constant. */
+  double angle, kappa;
+  /** A tenth of the shortest side that meets here, or of the distance to the next corner where that
+   * is shorter (length). It is the same on all levels. */
+  double radius;
+
+  /** Returns the point of the place that is nearest to @p x. */
+  dealii::Point<dim> nearest(const dealii::Point<dim> &x) const;
+  bool contains(const dealii::Point<dim> &x) const
+  {
+    return nearest(x).distance(x) < radius;
+  }
+};
+
+/** Returns the singular places. There are none where the exact solution is known: it may be smooth
+ * at every corner. Across an edge of a box the exponent is that of plane strain. */
+std::vector<SingularPlace<2>> singular_places(const Scene<2> &scene);
+std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene);
+
+/** Returns whether @p x lies at one of the places. */
+template <int dim>
+bool any_contains(const std::vector<SingularPlace<dim>> &places, const dealii::Point<dim> &x);
+
+/** Returns the place where a value at @p x is part of unlimited growth: @p x lies next to it, and
+ * the state of contact there makes λ < 1. The result is empty if there is none. */
+template <int dim>
+std::optional<GrowthPlace> growth_at(const dealii::Point<dim> &x,
+                                     const std::vector<SingularPlace<dim>> &places,
+                                     const MultiplierSpace<dim> &multipliers,
+                                     const Pressure &P);
+
 /** A largest von Mises stress (force/area), and where it is. */
 struct StressMaximum
 {

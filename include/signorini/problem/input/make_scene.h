@@ -16,4 +16,8 @@ template <>
 Scene<2> make_scene(const Parameters &parameters);
 template <>
 Scene<3> make_scene(const Parameters &parameters);
+
+/** Returns the scene that a parameter file describes by expressions. @throws InputError */
+template <int dim>
+Scene<dim> make_described_scene(const Parameters &parameters);
 } // namespace Signorini

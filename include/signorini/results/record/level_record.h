@@ -5,16 +5,14 @@
 #include <signorini/error_control/bound/error_bound.h>
 #include <signorini/error_control/estimate/certificate.h>
 #include <signorini/error_control/estimate/error_estimate.h>
-#include <signorini/postprocessing/errors/displacement_errors.h>
 #include <signorini/postprocessing/errors/dual_norm_errors.h>
-#include <signorini/postprocessing/errors/lemma_numbers.h>
-#include <signorini/postprocessing/errors/pressure_errors.h>
-#include <signorini/postprocessing/fields/contact_pressure.h>
+#include <signorini/postprocessing/errors/errors.h>
+#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/load_cases/case_solver.h>
 #include <signorini/postprocessing/quantities/answer.h>
 #include <signorini/problem/parameters/options.h>
 #include <signorini/problem/scene/scene.h>
-#include <signorini/solvers/methods/contact_state.h>
+#include <signorini/solvers/methods/contact_method.h>
 
 #include <optional>
 #include <string>

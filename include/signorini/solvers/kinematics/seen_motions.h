@@ -3,11 +3,48 @@
 
 #include <signorini/solvers/kinematics/free_motions.h>
 
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
 #include <optional>
 #include <vector>
 
 namespace Signorini
 {
+/** The Cholesky factorisation Q = L Lᵀ for the few unknowns of free motions. */
+class SmallCholesky
+{
+public:
+  /**
+   * Factorises Q.
+   * @throws std::invalid_argument if Q is not positive definite.
+   */
+  explicit SmallCholesky(const dealii::FullMatrix<double> &Q);
+
+  /** Returns Q⁻¹ x. */
+  dealii::Vector<double> solve(const dealii::Vector<double> &x) const;
+  /** Returns L⁻¹ x. */
+  dealii::Vector<double> forward(const dealii::Vector<double> &x) const;
+
+private:
+  dealii::FullMatrix<double> L_;
+};
+
+/** An orthonormal basis of a null space, and one of its orthogonal complement. */
+struct Splitting
+{
+  std::vector<dealii::Vector<double>> null, rest;
+};
+
+/** Splits the space by singular values: |M v| ≤ threshold for unit vectors v in `null`; M is n x
+ * k, k small. */
+Splitting split_by_size(const dealii::FullMatrix<double> &M, double threshold);
+
+/** times() returns M x, transpose_times() Mᵀ y, also for matrices without rows or columns. */
+dealii::Vector<double> times(const dealii::FullMatrix<double> &M, const dealii::Vector<double> &x);
+dealii::Vector<double> transpose_times(const dealii::FullMatrix<double> &M,
+                                       const dealii::Vector<double> &y);
+
 /** The free motions in coordinates z without units: q = T z. Columns of B have norm one before they
  * are combined. Motions without any resistance (K v = 0, B v = 0) are left out. W = C P + B z - F
  * and K z - Bᵀ P = b hold with the matrices of this class; z has the unit of W, b that of P. */

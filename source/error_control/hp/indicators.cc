@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// u_h on a cell, evaluated by sum factorisation.
+
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/error_control/hp/indicators.h>
+#include <signorini/postprocessing/fields/forces.h>
+
+#include <deal.II/base/numbers.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace Signorini
+{
+namespace
+{
+/** Returns the number in FE_Q of the node (i, j) of the grid, for i + (p + 1) j. */
+const std::vector<unsigned int> &numbers_on_grid(const unsigned int degree)
+{
+  thread_local std::map<unsigned int, std::vector<unsigned int>> known;
+  std::vector<unsigned int> &numbers = known[degree];
+  if (numbers.empty())
+    numbers = dealii::FETools::lexicographic_to_hierarchic_numbering<2>(degree);
+  return numbers;
+}
+} // namespace
+
+const std::vector<double> &nodes_of_edge(const unsigned int degree)
+{
+  thread_local std::map<unsigned int, std::vector<double>> known;
+  std::vector<double> &nodes = known[degree];
+  if (nodes.empty())
+  {
+    const dealii::QGaussLobatto<1> rule(degree + 1);
+    for (const dealii::Point<1> &x : rule.get_points())
+      nodes.push_back(x[0]);
+  }
+  return nodes;
+}
+
+LineTable make_line_table(const unsigned int degree, const std::vector<double> &points)
+{
+  const std::vector<double> &nodes = nodes_of_edge(degree);
+  const unsigned int n = nodes.size();
+  LineTable table = {{static_cast<unsigned int>(points.size()), n},
+                     {static_cast<unsigned int>(points.size()), n}};
+  for (unsigned int q = 0; q < points.size(); ++q)
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      double value = 1., derivative = 0.;
+      for (unsigned int j = 0; j < n; ++j)
+        if (j != i)
+        {
+          const double scale = 1. / (nodes[i] - nodes[j]);
+          derivative = derivative * (points[q] - nodes[j]) * scale + value * scale;
+          value *= (points[q] - nodes[j]) * scale;
+        }
+      table.values(q, i) = value;
+      table.derivatives(q, i) = derivative;
+    }
+  return table;
+}
+
+CellField::CellField(const dealii::DoFHandler<2>::active_cell_iterator &cell, const Displacement &U)
+  : degree_(cell->get_fe().degree)
+{
+  const dealii::FiniteElement<2> &element = cell->get_fe();
+  dealii::Vector<double> nodal(element.n_dofs_per_cell());
+  cell->get_dof_values(U, nodal);
+  const std::vector<unsigned int> &numbers = numbers_on_grid(degree_);
+  const unsigned int n = degree_ + 1;
+  for (unsigned int c = 0; c < 2; ++c)
+  {
+    values_[c].reinit(n, n);
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        values_[c](j, i) = nodal[element.component_to_system_index(c, numbers[i + n * j])];
+  }
+}
+
+std::vector<dealii::Tensor<2, 2>> CellField::gradients(const LineTable &x, const LineTable &y) const
+{
+  const unsigned int n_x = x.values.m(), n_y = y.values.m(), n = degree_ + 1;
+  std::vector<dealii::Tensor<2, 2>> gradients(n_x * n_y);
+  dealii::FullMatrix<double> at_x(n, n_x), derivative_at_x(n, n_x), result(n_y, n_x);
+  for (unsigned int c = 0; c < 2; ++c)
+  {
+    values_[c].mTmult(at_x, x.values);
+    values_[c].mTmult(derivative_at_x, x.derivatives);
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      (d == 0 ? y.values : y.derivatives).mmult(result, d == 0 ? derivative_at_x : at_x);
+      for (unsigned int j = 0; j < n_y; ++j)
+        for (unsigned int i = 0; i < n_x; ++i)
+          gradients[i + n_x * j][c][d] = result(j, i);
+    }
+  }
+  return gradients;
+}
+
+// The decay of Legendre coefficients, cell by cell.
+
+namespace
+{
+/** Returns the value of Legendre's polynomial of degree n on [0, 1]. */
+double legendre(const unsigned int n, const double x)
+{
+  const double t = 2. * x - 1.;
+  double before = 0., value = 1.;
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    const double next = ((2. * k + 1.) * t * value - k * before) / (k + 1.);
+    before = value;
+    value = next;
+  }
+  return value;
+}
+
+/** The matrix that takes values at the nodes of an edge to the orthonormal Legendre coefficients 0,
+ * ..., p - 1 of the derivative, and the weights of Gauss and Lobatto at the nodes. */
+struct Analysis
+{
+  explicit Analysis(const unsigned int degree)
+    : coefficients(degree, degree + 1)
+    , weights(dealii::QGaussLobatto<1>(degree + 1).get_weights())
+  {
+    const dealii::QGauss<1> gauss(degree + 1);
+    std::vector<double> points;
+    for (const dealii::Point<1> &x : gauss.get_points())
+      points.push_back(x[0]);
+    const LineTable table = make_line_table(degree, points);
+    for (unsigned int i = 0; i < degree; ++i)
+      for (unsigned int k = 0; k <= degree; ++k)
+        for (unsigned int q = 0; q < gauss.size(); ++q)
+          coefficients(i, k) += std::sqrt(2. * i + 1.) * legendre(i, points[q]) *
+                                table.derivatives(q, k) * gauss.weight(q);
+  }
+
+  dealii::FullMatrix<double> coefficients;
+  std::vector<double> weights;
+};
+
+/** Returns ‖s_i‖ of the reference cell along coordinate d. */
+std::vector<double> parts_along(const unsigned int d, const CellField &u, const Analysis &analysis)
+{
+  const unsigned int p = u.degree();
+  std::vector<double> squares(p, 0.);
+  for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int across = 0; across <= p; ++across)
+      for (unsigned int i = 0; i < p; ++i)
+      {
+        double coefficient = 0.;
+        for (unsigned int k = 0; k <= p; ++k)
+          coefficient += analysis.coefficients(i, k) * (d == 0 ? u(c, k, across) : u(c, across, k));
+        squares[i] += analysis.weights[across] * coefficient * coefficient;
+      }
+  for (double &square : squares)
+    square = std::sqrt(square);
+  return squares;
+}
+
+/** Returns the missing parts, from a line through the logarithms of the last ones. */
+CellIndicator extrapolate(const std::vector<double> &parts)
+{
+  constexpr unsigned int most_parts = 4;
+  constexpr double slowest = 0.9, fastest = 0.02;
+  const unsigned int p = parts.size();
+  const unsigned int first = p > most_parts ? p - most_parts : 0;
+  // Parts that are rounding against the largest one do not enter the slope.
+  const double negligible = 1e-13 * *std::max_element(parts.begin(), parts.end());
+  double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
+  for (unsigned int i = first; i < p; ++i)
+  {
+    const double logarithm = std::log(std::max(parts[i], negligible + 1e-300));
+    n += 1.;
+    x += i;
+    y += logarithm;
+    xx += static_cast<double>(i) * i;
+    xy += i * logarithm;
+  }
+  const double slope = (n * xy - x * y) / (n * xx - x * x);
+  const double rho = std::min(slowest, std::max(fastest, std::exp(slope)));
+  const double by_line = std::exp((y - slope * x) / n + slope * p);
+  // A line through two parts of an odd or even function may be steeper than both.
+  const double next = std::max({std::min(by_line, parts[p - 1]), rho * parts[p - 1]});
+  return {next / std::sqrt(1. - rho * rho), rho};
+}
+
+/** Returns the area of the quadrilateral of the vertices. It is computed from differences only:
+ * cells may be 1e-9 of their distance from the origin. */
+double area_of(const dealii::Triangulation<2>::active_cell_iterator &cell)
+{
+  const dealii::Tensor<1, 2> first = cell->vertex(3) - cell->vertex(0);
+  const dealii::Tensor<1, 2> second = cell->vertex(2) - cell->vertex(1);
+  return 0.5 * std::abs(first[0] * second[1] - first[1] * second[0]);
+}
+
+} // namespace
+
+double indicator_modulus(const Scene<2> &scene, const dealii::Point<2> &x)
+{
+  const dealii::SymmetricTensor<4, 2> E = scene.material->hooke(x);
+  return std::min(std::max(E[0][0][0][0], E[1][1][1][1]), 4. * E[0][1][0][1]);
+}
+
+std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
+                                    const Scene<2> &scene,
+                                    const Displacement &U)
+{
+  std::map<unsigned int, Analysis> analyses;
+  std::vector<CellIndicator> indicators;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+  {
+    const CellField u(cell, U);
+    const Analysis &analysis = analyses.try_emplace(u.degree(), u.degree()).first->second;
+    const double lengths[] = {0.5 * (cell->face(2)->diameter() + cell->face(3)->diameter()),
+                              0.5 * (cell->face(0)->diameter() + cell->face(1)->diameter())};
+    const double modulus = indicator_modulus(scene, cell->center());
+    CellIndicator indicator;
+    double square = 0.;
+    for (unsigned int d = 0; d < 2; ++d)
+    {
+      const CellIndicator along = extrapolate(parts_along(d, u, analysis));
+      const double size = modulus * area_of(cell) / (lengths[d] * lengths[d]);
+      square += size * along.error * along.error;
+      // The direction that the error comes from decides.
+      indicator.decay += along.decay * size * along.error * along.error;
+    }
+    indicator.decay = square > 0. ? indicator.decay / square : 0.;
+    indicator.error = std::sqrt(square);
+    indicators.push_back(indicator);
+  }
+  return indicators;
+}
+
+double total(const std::vector<CellIndicator> &indicators)
+{
+  double square = 0.;
+  for (const CellIndicator &indicator : indicators)
+    square += indicator.error * indicator.error;
+  return std::sqrt(square);
+}
+
+// The misfit u_n - g where the body presses.
+
+namespace
+{
+/** Returns whether all multipliers of a patch press. */
+bool presses_everywhere(const MultiplierSpace<2> &multipliers,
+                        const Pressure &P,
+                        const unsigned int patch)
+{
+  const double threshold = pressing_threshold(P);
+  const auto &unknowns = multipliers.unknowns_on(patch);
+  return std::all_of(unknowns.begin(), unknowns.end(), [&](const unsigned int k) {
+    return k == multipliers.no_unknown || P[k] < threshold;
+  });
+}
+} // namespace
+
+void add_contact_misfit(const DisplacementSpace<2> &space,
+                        const MultiplierSpace<2> &multipliers,
+                        const Scene<2> &scene,
+                        const Displacement &U,
+                        const Pressure &P,
+                        std::vector<CellIndicator> &indicators)
+{
+  const ContactSurface<2> &surface = multipliers.surface();
+  TraceValues<2> traces(space);
+  std::vector<double> g;
+  for (const Piece<2> &piece : surface.pieces())
+  {
+    if (!presses_everywhere(multipliers, P, piece.patch))
+      continue;
+    const ContactFace<2> &face = surface.faces()[piece.face];
+    const unsigned int p = space.element(face.cell).degree;
+    const SurfaceRule<2> rule = surface.rule(piece, p + 2);
+    const std::vector<double> u_n = traces.normal_displacement(face, rule, U);
+    g.resize(rule.size());
+    surface.condition(piece).data->value_list(rule.points, g);
+    double square = 0.;
+    for (std::size_t q = 0; q < rule.size(); ++q)
+      square += (u_n[q] - g[q]) * (u_n[q] - g[q]) * rule.weights[q];
+    const double waves = 0.5 * dealii::numbers::PI * p / surface.patches()[piece.patch].measure;
+    CellIndicator &indicator = indicators[face.cell->active_cell_index()];
+    indicator.error = std::sqrt(indicator.error * indicator.error +
+                                indicator_modulus(scene, face.cell->center()) * waves * square);
+  }
+}
+
+// Penetration between the nodes of the multipliers.
+
+namespace
+{
+/** The extreme values of u_n - g on a patch, and whether a multiplier presses. */
+struct PatchState
+{
+  unsigned int cell = 0;
+  double deepest = 0., largest = 0.;
+  bool presses = false;
+};
+
+/** Samples u_n - g on a piece of the contact surface. */
+class Penetration
+{
+public:
+  Penetration(const DisplacementSpace<2> &space,
+              const ContactSurface<2> &surface,
+              const Displacement &U)
+    : surface_(surface)
+    , U_(U)
+    , traces_(space)
+  {
+  }
+
+  /** Samples at equal distances between two positions of a piece. */
+  const std::vector<double> &sample(const Piece<2> &piece, const double from, const double to)
+  {
+    positions_.clear();
+    for (unsigned int i = 0; i <= n_intervals; ++i)
+      positions_.emplace_back(from + (to - from) * i / n_intervals);
+    const SurfaceRule<2> rule = surface_.at(piece, positions_);
+    values_ = traces_.normal_displacement(surface_.faces()[piece.face], rule, U_);
+    g_.resize(rule.size());
+    surface_.condition(piece).data->value_list(rule.points, g_);
+    for (std::size_t q = 0; q < rule.size(); ++q)
+      values_[q] -= g_[q];
+    return values_;
+  }
+
+  /** Adds the samples of a piece to the state of its patch. Around the deepest point the next
+   * samples are closer to each other: a tip may touch between those of the whole face. */
+  void look_at(const Piece<2> &piece, PatchState &state)
+  {
+    constexpr unsigned int n_zooms = 3;
+    double from = 0., to = 1.;
+    for (unsigned int zoom = 0; zoom < n_zooms; ++zoom)
+    {
+      const std::vector<double> &d = sample(piece, from, to);
+      const auto deepest = std::max_element(d.begin(), d.end());
+      state.deepest = std::max(state.deepest, *deepest);
+      for (const double value : d)
+        state.largest = std::max(state.largest, std::abs(value));
+      const double middle = positions_[deepest - d.begin()][0], step = (to - from) / n_intervals;
+      from = std::max(0., middle - step);
+      to = std::min(1., middle + step);
+    }
+  }
+
+private:
+  static constexpr unsigned int n_intervals = 32;
+  const ContactSurface<2> &surface_;
+  const Displacement &U_;
+  TraceValues<2> traces_;
+  std::vector<dealii::Point<1>> positions_;
+  std::vector<double> values_, g_;
+};
+
+std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
+                                     const MultiplierSpace<2> &multipliers,
+                                     const Displacement &U,
+                                     const Pressure &P)
+{
+  const ContactSurface<2> &surface = multipliers.surface();
+  std::vector<PatchState> states(surface.patches().size());
+  Penetration penetration(space, surface, U);
+  for (const Piece<2> &piece : surface.pieces())
+  {
+    PatchState &state = states[piece.patch];
+    state.cell = surface.faces()[piece.face].cell->active_cell_index();
+    penetration.look_at(piece, state);
+  }
+  const double threshold = pressing_threshold(P);
+  for (unsigned int k = 0; k < P.size(); ++k)
+    if (P[k] < threshold)
+      states[multipliers.patch_of(k)].presses = true;
+  return states;
+}
+} // namespace
+
+std::vector<unsigned int> unseen_contact(const DisplacementSpace<2> &space,
+                                         const MultiplierSpace<2> &multipliers,
+                                         const Displacement &U,
+                                         const Pressure &P)
+{
+  constexpr double rounding = 1e-10, noticeable = 1e-3;
+  const std::vector<PatchState> states = patch_states(space, multipliers, U, P);
+  double largest = 0.;
+  bool touches = false;
+  for (const PatchState &state : states)
+  {
+    largest = std::max(largest, state.largest);
+    touches = touches || state.presses;
+  }
+  const double tolerance = largest * (touches ? noticeable : rounding);
+  std::vector<unsigned int> cells;
+  for (std::size_t patch = 0; patch < states.size(); ++patch)
+  {
+    const auto presses = [&](const std::size_t other) {
+      return other < states.size() && states[other].presses;
+    };
+    if (states[patch].deepest > tolerance && !presses(patch) && !presses(patch + 1) &&
+        !(patch > 0 && presses(patch - 1)))
+      cells.push_back(states[patch].cell);
+  }
+  return cells;
+}
+
+// A pressure at the nodes of another mesh.
+
+Pressure transfer_pressure(const MultiplierSpace<2> &from,
+                           const Pressure &P,
+                           const MultiplierSpace<2> &to)
+{
+  const std::vector<Patch<2>> &known = from.surface().patches();
+  Pressure transferred(to.n_multipliers());
+  std::size_t patch = 0;
+  for (unsigned int k = 0; k < transferred.size(); ++k)
+  {
+    const unsigned int side = to.surface().patches()[to.patch_of(k)].side;
+    const dealii::Point<1> s = to.node(k);
+    // Patches and nodes are sorted by side and arc length.
+    while (patch + 1 < known.size() && (known[patch].side < side || (known[patch].side == side &&
+                                                                     known[patch].upper[0] < s[0])))
+      ++patch;
+    if (known[patch].side == side)
+      transferred[k] = std::min(0., from.value(P, patch, s));
+  }
+  return transferred;
+}
+} // namespace Signorini

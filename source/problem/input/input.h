@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/parameters/parameters.h>
+#include <signorini/problem/scene/expression.h>
+#include <signorini/problem/scene/scene.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Signorini
+{
+/** The names of sides, and the texts that belong to them. */
+using SideTexts = std::vector<std::pair<std::string, std::string>>;
+
+/** Returns the side of this name, or the sides name.1, name.2, ... that a name of a mesh file has
+ * become; empty if there is none. */
+std::vector<std::string> sides_called(const std::string &name,
+                                      const std::vector<std::string> &sides);
+
+/** Reads "left: tx; ty | right: tx; ty". @throws InputError if an entry names no side. */
+SideTexts read_side_list(const std::string &text,
+                         const std::string &where,
+                         const std::vector<std::string> &sides);
+
+/** Returns whether a text begins with a word and ':', so that it is for one side. */
+bool begins_with_a_name(const std::string &text);
+
+/**
+ * Reads "expression" for all contact sides or "bottom: ... | left: ...", one for each.
+ * @throws InputError if a contact side has none or two, or another side is named.
+ */
+SideTexts read_contact_list(const std::string &text,
+                            const std::string &where,
+                            const std::vector<std::string> &sides,
+                            const std::vector<std::string> &contact_sides);
+
+/** Reads Boundary/Plates with Load/Plate force, Plate moment and Plate travel. @throws InputError.
+ */
+std::vector<Plate> read_plates(const Given<std::string> &given,
+                               const LoadParameters &load,
+                               const Geometry<2> &geometry);
+
+/**
+ * Reads "plane x,y normal nx,ny | bottom: circle x,y radius r" and gives the named contact sides
+ * their foundation and gap. An obstacle that no normal can meet is refused, in its position or,
+ * where load cases make it move, in all.
+ * @throws InputError
+ */
+void read_foundation(const ContactParameters &given,
+                     const Constants &constants,
+                     bool moves,
+                     Scene<2> &scene);
+
+/**
+ * Returns the contact sides that read_foundation() left without a gap, with their texts in
+ * Contact/Gap.
+ * @throws InputError if a side has both or neither.
+ */
+SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2> &scene);
+
+/** Reads "x, y" or "x, y, z": n numbers. @p text is all of the entry or a part of it. @throws
+ * InputError */
+std::vector<double> read_coordinates(const std::string &text, unsigned int n, const Entry &entry);
+
+/** Refuses coordinates beyond largest_magnitude, whose squares would overflow before the size of
+ * the body is checked. */
+template <int dim>
+void check_coordinates(const std::vector<dealii::Point<dim>> &points, const std::string &where);
+
+/** Refuses a body that is too large, too small or too far away to compute with; @p where is the
+ * parameter that made it. */
+template <int dim>
+void check_size(const Geometry<dim> &geometry, const std::string &where);
+
+/** Refuses, with Dimension = 3, entries that exist in 2-D only. @throws InputError */
+void refuse_what_is_plane(const Parameters &parameters);
+
+/** Returns the body that the entries describe. @throws InputError */
+template <int dim>
+Geometry<dim> make_geometry(const GeometryParameters &given);
+template <>
+Geometry<2> make_geometry(const GeometryParameters &given);
+template <>
+Geometry<3> make_geometry(const GeometryParameters &given);
+
+/** Reads the body of Shape = polygon. */
+Geometry<2> read_polygon(const GeometryParameters &given);
+
+/** Refuses moduli that are far too large or too small, at points all over the body.
+ * @throws InputError */
+template <int dim>
+void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim> &geometry);
+
+/** Evaluates everything once where the integrals will, to find data without values and an exact
+ * solution that contradicts itself before the computation starts. @throws InputError */
+template <int dim>
+void check_described_scene(const ExactSolutionParameters &exact, const Scene<dim> &scene);
+} // namespace Signorini

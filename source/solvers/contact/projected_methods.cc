@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Projected successive over-relaxation, algorithm (i)-(iii).
+
+#include <signorini/solvers/contact/projected_methods.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace Signorini
+{
+double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, dealii::Vector<double> &P)
+{
+  const dealii::FullMatrix<double> &C = qp.C->dense();
+  double squared_increment = 0.;
+  for (unsigned int i = 0; i < qp.size(); ++i)
+  {
+    const double *row = &C(i, 0);
+    double CP_i = 0.;
+    for (unsigned int j = 0; j < qp.size(); ++j)
+      CP_i += row[j] * P[j];
+    const double lambda = P[i] - (CP_i - qp.F[i]) / row[i];
+    const double relaxed = (1. - relaxation) * P[i] + relaxation * lambda;
+    const double projected = qp.K.project(i, relaxed);
+    squared_increment += (projected - P[i]) * (projected - P[i]);
+    P[i] = projected;
+  }
+  return std::sqrt(squared_increment);
+}
+
+QPResult solve_by_psor(const BoundConstrainedQP &qp,
+                       const dealii::Vector<double> &start,
+                       const PsorOptions &options)
+{
+  if (!(options.relaxation > 0. && options.relaxation < 2.))
+    throw std::invalid_argument("Projected SOR converges for relaxations between 0 and 2 only.");
+  QPResult result;
+  result.P = start;
+  qp.K.project(result.P);
+  result.converged = qp.size() == 0; // nothing to do
+  double last_increment = 0.;
+  while (result.iterations < options.maximum_iterations && !result.converged)
+  {
+    ++result.iterations;
+    const double increment = psor_sweep(qp, options.relaxation, result.P);
+    const double small = options.tolerance * result.P.l2_norm();
+    if (increment <= small)
+    {
+      if (result.increment_iterations == 0)
+        result.increment_iterations = result.iterations;
+      // The increments fall like rho^k: what is left is about increment rho/(1 - rho).
+      const double rho = last_increment > 0. ? increment / last_increment : 0.;
+      const bool crawling = rho < 1. && increment * rho > 50. * (1. - rho) * small;
+      result.kkt_residual = qp.kkt_residual(result.P);
+      result.converged = result.kkt_residual <= options.tolerance && !crawling;
+    }
+    last_increment = increment;
+  }
+  if (!result.converged)
+    result.kkt_residual = qp.kkt_residual(result.P);
+  return result;
+}
+
+// Modified proportioning with reduced gradient projections.
+
+namespace
+{
+using Vector = dealii::Vector<double>;
+
+/** 1.05 times what the power method finds; the iteration is allowed up to 2/|C|. */
+double norm_of(const ComplianceOperator &C, unsigned int &products)
+{
+  constexpr unsigned int steps = 10;
+  Vector v(C.size());
+  for (unsigned int i = 0; i < v.size(); ++i)
+    v[i] = 1. + 0.1 * std::sin(1. + i * (i + 1.7));
+  double norm = 0.;
+  for (unsigned int k = 0; k < steps; ++k)
+  {
+    v /= v.l2_norm();
+    v = C.apply(v);
+    norm = v.l2_norm();
+    ++products;
+  }
+  return 1.05 * norm;
+}
+
+/** P with its gradient, and how the next step is taken. */
+class Mprgp
+{
+public:
+  Mprgp(const BoundConstrainedQP &qp, const Vector &start, const MprgpOptions &options)
+    : qp_(qp)
+    , options_(options)
+    , P_(start.size() > 0 ? start : Vector(qp.size()))
+  {
+    qp.K.project(P_);
+    length_ = 1.9 / norm_of(*qp.C, products_);
+    restart();
+  }
+
+  QPResult solve()
+  {
+    QPResult result;
+    while (residual() > options_.tolerance && products_ < options_.maximum_iterations)
+      if (is_proportional())
+        conjugate_step();
+      else
+        proportioning_step();
+    result.P = P_;
+    result.kkt_residual = qp_.kkt_residual(P_);
+    result.iterations = products_ + 1;
+    result.converged = result.kkt_residual <= options_.tolerance;
+    return result;
+  }
+
+private:
+  bool is_free(const unsigned int i) const
+  {
+    return qp_.K.is_inside(i, P_[i]);
+  }
+  Vector times_C(const Vector &v)
+  {
+    ++products_;
+    return qp_.C->apply(v);
+  }
+
+  /** The gradient anew, and the first direction. */
+  void restart()
+  {
+    W_ = times_C(P_);
+    W_ -= qp_.F;
+    direction_ = preconditioned();
+  }
+
+  /** BoundConstrainedQP::kkt_residual with the gradient that is known. */
+  double residual() const
+  {
+    double sum = 0., size_of_P = 0., size_of_F = 0.;
+    for (unsigned int i = 0; i < P_.size(); ++i)
+    {
+      const double step = W_[i] / qp_.diagonal[i];
+      sum += std::pow(qp_.K.residual(i, P_[i], step), 2);
+      size_of_P += P_[i] * P_[i];
+      size_of_F += std::pow(qp_.F[i] / qp_.diagonal[i], 2);
+    }
+    const double scale = std::max(size_of_P, size_of_F);
+    return std::sqrt(scale > 0. ? sum / scale : sum);
+  }
+
+  /** W_i, as far as a step of the fixed length along it stays in K. */
+  double reduced(const unsigned int i) const
+  {
+    return std::max((P_[i] - qp_.K[i].upper) / length_,
+                    std::min((P_[i] - qp_.K[i].lower) / length_, W_[i]));
+  }
+  /** Returns the largest t for which P - t v stays in K. */
+  double feasible_step(const Vector &v) const
+  {
+    double feasible = std::numeric_limits<double>::max();
+    for (unsigned int i = 0; i < P_.size(); ++i)
+      if (v[i] != 0.)
+      {
+        const double end = v[i] < 0. ? qp_.K[i].upper : qp_.K[i].lower;
+        feasible = std::min(feasible, (P_[i] - end) / v[i]);
+      }
+    return feasible;
+  }
+
+  /** |beta|² <= reduced phi . phi: what bounds hold back is no more than what is free. */
+  bool is_proportional() const
+  {
+    double held = 0., free = 0.;
+    for (unsigned int i = 0; i < P_.size(); ++i)
+      if (is_free(i))
+        free += W_[i] * reduced(i);
+      else
+        held += std::pow(qp_.K.inward(i, P_[i], W_[i]), 2);
+    return held <= free;
+  }
+
+  /** z = M^{-1} W on the free set, zero elsewhere. */
+  Vector preconditioned() const
+  {
+    std::vector<unsigned int> set;
+    for (unsigned int i = 0; i < P_.size(); ++i)
+      if (is_free(i))
+        set.push_back(i);
+    Vector r(set.size()), z(P_.size());
+    for (unsigned int k = 0; k < set.size(); ++k)
+      r[k] = W_[set[k]];
+    if (options_.preconditioner && !set.empty())
+      r = options_.preconditioner(set, r);
+    for (unsigned int k = 0; k < set.size(); ++k)
+      z[set[k]] = r[k];
+    return z;
+  }
+
+  void conjugate_step()
+  {
+    const Vector product = times_C(direction_);
+    const double curvature = direction_ * product;
+    const double step = (W_ * direction_) / curvature;
+    const double feasible = feasible_step(direction_);
+    if (step <= feasible)
+    {
+      P_.add(-step, direction_);
+      W_.add(-step, product);
+      const Vector z = preconditioned();
+      direction_.sadd(-(z * product) / curvature, 1., z);
+      return;
+    }
+    P_.add(-feasible, direction_);
+    W_.add(-feasible, product);
+    for (unsigned int i = 0; i < P_.size(); ++i)
+      if (is_free(i))
+        P_[i] = qp_.K.project(i, P_[i] - length_ * W_[i]);
+    restart();
+  }
+
+  void proportioning_step()
+  {
+    Vector chopped(P_.size());
+    for (unsigned int i = 0; i < P_.size(); ++i)
+      if (!is_free(i))
+        chopped[i] = qp_.K.inward(i, P_[i], W_[i]);
+    const Vector product = times_C(chopped);
+    // With two bounds the step may end at the other one.
+    const double step = std::min((W_ * chopped) / (chopped * product), feasible_step(chopped));
+    P_.add(-step, chopped);
+    qp_.K.project(P_);
+    W_.add(-step, product);
+    direction_ = preconditioned();
+  }
+
+  const BoundConstrainedQP &qp_;
+  const MprgpOptions &options_;
+  Vector P_, W_, direction_;
+  double length_ = 0.;
+  unsigned int products_ = 0;
+};
+} // namespace
+
+QPResult solve_by_mprgp(const BoundConstrainedQP &qp,
+                        const dealii::Vector<double> &start,
+                        const MprgpOptions &options)
+{
+  if (qp.size() == 0)
+  {
+    QPResult nothing;
+    nothing.converged = true;
+    return nothing;
+  }
+  return Mprgp(qp, start, options).solve();
+}
+} // namespace Signorini
