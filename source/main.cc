@@ -31,7 +31,7 @@ void complain(const std::string &sentence)
 
 /** Flushes the standard output; a full disk or a closed pipe gives a message and an exit code.
  * @return the exit code. */
-int confirm_screen(const int code)
+int flush_standard_output(const int code)
 {
   if (std::cout.flush())
     return code;
@@ -82,7 +82,7 @@ int run(CommandLine command_line, MPI_Comm communicator)
                    << summaries[i].verdict << ", exit code " << summaries[i].exit_code << ", "
                    << command_line.directories[i] << "\n";
   screen.out() << std::flush;
-  return confirm_screen(code);
+  return flush_standard_output(code);
 }
 
 /** Reports a failure of this rank alone, by an exception that is not agreed upon, and does not
@@ -131,7 +131,7 @@ int start_and_run(int argc, char **argv, const CommandLine &command_line)
   const std::vector<int> signals = ending_signals();
   std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
   {
-    const StartOfMPI start;
+    const MPIStartGuard start;
     mpi.emplace(argc, argv, 1);
   }
   handle_signals(signals);
@@ -149,7 +149,7 @@ int main(int argc, char **argv)
     if (!command_line.text.empty())
     {
       std::cout << command_line.text;
-      return confirm_screen(0);
+      return flush_standard_output(0);
     }
     check_surroundings();
     return start_and_run(argc, argv, command_line);

@@ -33,7 +33,7 @@ int standard_error = -1;
 std::string given_settings;
 
 /** Returns the names of variables of the environment that steer Open MPI, for the message. */
-std::string settings_of_mpi()
+std::string mpi_settings()
 {
   std::vector<std::string> names;
   for (char **entry = environ; *entry != nullptr; ++entry)
@@ -46,7 +46,7 @@ std::string settings_of_mpi()
  * shared memory and no picture of the machine, which take as long to start as a small scene to
  * solve. Nor does it need a folder of its session: all such processes would share one, and one that
  * ends would remove it while another makes it. Settings of the user for these stay. */
-void settle_for_one_process()
+void configure_single_process()
 {
   for (const char *launched : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"})
     if (std::getenv(launched) != nullptr)
@@ -64,7 +64,7 @@ void settle_for_one_process()
 }
 
 /** Returns what has been printed on stderr since MPI starts. */
-std::string text_of_mpi()
+std::string mpi_output()
 {
   std::string text;
   char buffer[4096];
@@ -102,7 +102,7 @@ std::string first_message(const std::string &text)
 /** Prints one line instead of all that MPI has printed. */
 void report_failed_start()
 {
-  const std::string message = first_message(text_of_mpi());
+  const std::string message = first_message(mpi_output());
   print_to_user(
     "signorini: MPI could not be started" + given_settings +
     ": check the variables OMPI_MCA_... of the environment and the installation of Open MPI." +
@@ -118,7 +118,7 @@ void multiply_matrices()
 }
 
 /** Returns whether so many bytes of address space are free. */
-bool has_room(const std::size_t bytes)
+bool can_reserve(const std::size_t bytes)
 {
   void *const room =
     mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -137,7 +137,7 @@ void reserve_buffers()
     return;
   constexpr std::size_t mebibyte = 1U << 20U;
   const std::size_t n_threads = std::max(1U, std::thread::hardware_concurrency());
-  if (!has_room((2 * n_threads + 1) * 128 * mebibyte))
+  if (!can_reserve((2 * n_threads + 1) * 128 * mebibyte))
     throw std::bad_alloc();
   std::vector<std::future<void>> threads;
   for (std::size_t i = 1; i < n_threads; ++i)
@@ -155,10 +155,10 @@ void check_surroundings()
   reserve_buffers();
 }
 
-StartOfMPI::StartOfMPI()
+MPIStartGuard::MPIStartGuard()
 {
-  given_settings = settings_of_mpi();
-  settle_for_one_process();
+  given_settings = mpi_settings();
+  configure_single_process();
   const int text = memfd_create("stderr", MFD_CLOEXEC);
   if (text < 0)
     return;
@@ -167,11 +167,11 @@ StartOfMPI::StartOfMPI()
   close(text);
 }
 
-StartOfMPI::~StartOfMPI()
+MPIStartGuard::~MPIStartGuard()
 {
   if (standard_error < 0)
     return;
-  print_to_user(text_of_mpi());
+  print_to_user(mpi_output());
   const int original = standard_error;
   standard_error = -1;
   dup2(original, STDERR_FILENO);

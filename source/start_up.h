@@ -17,12 +17,12 @@ void check_surroundings();
  * exit code is 3. Otherwise what was printed on stderr appears when the object's life ends. At most
  * one lives at a time.
  */
-class StartOfMPI
+class MPIStartGuard
 {
 public:
-  StartOfMPI();
-  ~StartOfMPI();
-  StartOfMPI(const StartOfMPI &) = delete;
-  StartOfMPI &operator=(const StartOfMPI &) = delete;
+  MPIStartGuard();
+  ~MPIStartGuard();
+  MPIStartGuard(const MPIStartGuard &) = delete;
+  MPIStartGuard &operator=(const MPIStartGuard &) = delete;
 };
 } // namespace Signorini

@@ -14,7 +14,7 @@
 
 namespace Signorini
 {
-unsigned int number_of_threads(MPI_Comm communicator)
+unsigned int n_available_threads(MPI_Comm communicator)
 {
   if (const char *const given = std::getenv("DEAL_II_NUM_THREADS"))
     return static_cast<unsigned int>(std::max(1L, std::strtol(given, nullptr, 10)));

@@ -16,7 +16,7 @@ namespace Signorini
  * Returns how many threads this process may use: DEAL_II_NUM_THREADS if that is set; otherwise one
  * if there are several ranks, and one for each core if there is a single rank.
  */
-unsigned int number_of_threads(MPI_Comm communicator);
+unsigned int n_available_threads(MPI_Comm communicator);
 
 /**
  * Computes consume(produce(i)) for i = 0, ..., n - 1: @p produce runs on @p n_threads threads at

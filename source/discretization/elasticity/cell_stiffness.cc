@@ -166,8 +166,8 @@ typename CellStiffness<dim>::Matrix CellStiffness<dim>::share(const CellIterator
   if (sample != nullptr && (dim == 2 || std::abs(sample->size - size) < 1e-12 * size))
     return sample->matrix;
   const Matrix matrix = integrate(affine_values_.reinit(cell));
-  constexpr std::size_t most_samples = 64;
-  if (sample != nullptr || samples_.size() == most_samples)
+  constexpr std::size_t max_samples = 64;
+  if (sample != nullptr || samples_.size() == max_samples)
     return matrix;
   for (dealii::Tensor<1, dim> &edge : shape)
     edge /= size;

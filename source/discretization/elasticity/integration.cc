@@ -65,8 +65,8 @@ std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
   if (dealii::Utilities::MPI::min(rigid ? 1 : 0, space.mesh().communicator()) == 0)
     return {};
   // A body at rest, too, has a size that rounding is compared with.
-  constexpr double least_motion = 1e-10;
-  return std::max(motion, least_motion * size) * std::sqrt(stiffness_unit(space, *scene.material));
+  constexpr double min_motion = 1e-10;
+  return std::max(motion, min_motion * size) * std::sqrt(stiffness_unit(space, *scene.material));
 }
 
 template <int dim>

@@ -85,7 +85,7 @@ void MatrixScatter<dim>::condense(const dealii::FullMatrix<double> &cell_matrix,
   // followed[i] are the masters of each degree of freedom: number in masters_ and weight.
   std::vector<std::vector<std::pair<unsigned int, double>>> followed(n);
   masters_.clear();
-  const auto number_of = [&](const dealii::types::global_dof_index index) {
+  const auto index_in_masters = [&](const dealii::types::global_dof_index index) {
     const auto found = std::find(masters_.begin(), masters_.end(), index);
     const auto number = static_cast<unsigned int>(found - masters_.begin());
     if (found == masters_.end())
@@ -101,7 +101,7 @@ void MatrixScatter<dim>::condense(const dealii::FullMatrix<double> &cell_matrix,
   for (unsigned int i = 0; i < n; ++i)
     if (const auto *const line = constraints_.get_constraint_entries(indices[i]))
       for (const auto &[index, weight] : *line)
-        followed[i].emplace_back(number_of(index), weight);
+        followed[i].emplace_back(index_in_masters(index), weight);
 
   const auto m = static_cast<unsigned int>(masters_.size());
   half_condensed_.reinit(m, n);
@@ -315,7 +315,7 @@ void add_cells(const DisplacementSpace<dim> &space,
 {
   MatrixScatter<dim> scatter(space, system.matrix);
   std::vector<dealii::types::global_dof_index> indices;
-  dealii::Vector<double> in_units;
+  dealii::Vector<double> in_matrix_units;
   integrate_by_chunks<ChunkIntegrals<dim>, dim>(
     space,
     [&](const Cells<dim> &cells) { return integrate(cells, space, scene, n_points); },
@@ -325,9 +325,9 @@ void add_cells(const DisplacementSpace<dim> &space,
         indices.resize(integrals.loads[k].size());
         (*integrals.cells)[k]->get_dof_indices(indices);
         system.loads.add(indices, integrals.loads[k]);
-        in_units = integrals.loads[k];
-        in_units /= system.unit;
-        scatter.add(*integrals.stiffness[k], in_units, indices, system.f);
+        in_matrix_units = integrals.loads[k];
+        in_matrix_units /= system.unit;
+        scatter.add(*integrals.stiffness[k], in_matrix_units, indices, system.f);
       }
       system.applied += integrals.resultant;
     });
@@ -345,16 +345,16 @@ Resultant<dim> add_loads(const DisplacementSpace<dim> &space,
 {
   CellLoads<dim> cell_loads(space, scene, n_points);
   Resultant<dim> resultant;
-  dealii::Vector<double> of_cell;
+  dealii::Vector<double> cell_data;
   std::vector<dealii::types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->is_locally_owned() && (scene.body_force != nullptr || cell->at_boundary()))
     {
       indices.resize(cell->get_fe().n_dofs_per_cell());
       cell->get_dof_indices(indices);
-      of_cell.reinit(indices.size());
-      cell_loads.add(cell, of_cell, resultant);
-      loads.add(indices, of_cell);
+      cell_data.reinit(indices.size());
+      cell_loads.add(cell, cell_data, resultant);
+      loads.add(indices, cell_data);
     }
   return resultant;
 }
@@ -370,21 +370,21 @@ void subtract_prescribed(const DisplacementSpace<dim> &space,
   if (k.linfty_norm() == 0.)
     return;
   CellStiffness<dim> stiffness(space, scene);
-  dealii::Vector<double> of_cell, forces;
+  dealii::Vector<double> cell_data, forces;
   std::vector<dealii::types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
     if (!cell->is_locally_owned())
       continue;
     const unsigned int n = cell->get_fe().n_dofs_per_cell();
-    of_cell.reinit(n);
-    cell->get_dof_values(k, of_cell);
-    if (of_cell.linfty_norm() == 0.)
+    cell_data.reinit(n);
+    cell->get_dof_values(k, cell_data);
+    if (cell_data.linfty_norm() == 0.)
       continue;
     indices.resize(n);
     cell->get_dof_indices(indices);
     forces.reinit(n);
-    stiffness(cell).vmult(forces, of_cell);
+    stiffness(cell).vmult(forces, cell_data);
     forces *= -1.;
     functional.add(indices, forces);
   }

@@ -32,7 +32,7 @@ unsigned int degree_of(const Element element)
 
 /** The maximal number of patches per face. C is singular anyway where patches are finer than faces;
  * those that are far finer even on the finest level only cost time. */
-constexpr unsigned int most_patches_per_face = 4;
+constexpr unsigned int max_patches_per_face = 4;
 
 template <int dim>
 void refuse_needless_patches(const Parameters &parameters,
@@ -42,15 +42,15 @@ void refuse_needless_patches(const Parameters &parameters,
   const unsigned int finer = std::max(parameters.discretization.finest_level.value, level) - level;
   const std::size_t n_faces = surface.faces().size() << ((dim - 1) * finer);
   const std::size_t n_patches = surface.patches().size();
-  if (n_patches > most_patches_per_face * n_faces)
+  if (n_patches > max_patches_per_face * n_faces)
     throw InputError(parameters.discretization.patches.where() + ": found " +
                      std::to_string(n_patches) + " patches on the " + std::to_string(n_faces) +
                      " contact faces of the finest level, allowed: at most " +
-                     std::to_string(most_patches_per_face) + " per face.");
+                     std::to_string(max_patches_per_face) + " per face.");
 }
 
 /** Throws if a patch has no free node next to it: such a patch has no effect. */
-void refuse_blind_patches(const Parameters &parameters, const Coupling &condensed_D)
+void refuse_patches_without_nodes(const Parameters &parameters, const Coupling &condensed_D)
 {
   for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
     if (condensed_D.column(k).empty())
@@ -93,7 +93,7 @@ ContactSurface<2> make_surface(const DisplacementSpace<2> &space,
     space.mesh(), scene, n_points, nodal ? FaceRule::lobatto : FaceRule::gauss);
 }
 
-double largest_entry(const Coupling::Column &column)
+double max_entry(const Coupling::Column &column)
 {
   double largest = 0.;
   for (const auto &entry : column)
@@ -121,7 +121,7 @@ MultiplierSpace<2> make_multipliers(const DisplacementSpace<2> &space,
   constexpr double negligible = 1e-4;
   std::vector<unsigned int> held;
   for (unsigned int k = 0; k < D.n_columns(); ++k)
-    if (largest_entry(condensed_D.column(k)) <= negligible * largest_entry(D.column(k)))
+    if (max_entry(condensed_D.column(k)) <= negligible * max_entry(D.column(k)))
       held.push_back(k);
   return MultiplierSpace<2>(surface, n_nodes, nodes, held);
 }
@@ -160,7 +160,7 @@ Discretization<dim>::Discretization(const Parameters &parameters,
   , gap_grading(Grading::towards_kinks)
   , G(timed(times.setup, [&]() { return assemble_gap_of(scene); }))
 {
-  refuse_blind_patches(parameters, condensed_D);
+  refuse_patches_without_nodes(parameters, condensed_D);
   refuse_needless_patches(parameters, level, surface);
   refuse_unstable_patches(parameters, *this);
 }
@@ -185,7 +185,7 @@ Discretization<2>::Discretization(const Parameters &parameters,
   , gap_grading(Grading::none)
   , G(timed(times.setup, [&]() { return assemble_gap_of(scene); }))
 {
-  refuse_blind_patches(parameters, condensed_D);
+  refuse_patches_without_nodes(parameters, condensed_D);
 }
 
 template <int dim>

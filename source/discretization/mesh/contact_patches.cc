@@ -126,7 +126,7 @@ std::vector<Piece<2>> intersect(const std::vector<FaceInterval> &faces,
 
 /** The smallest number of points on graded parts: with fewer, a square root between two graded
  * positions is not integrated to 1e-8. */
-constexpr unsigned int fewest_graded_points = 8;
+constexpr unsigned int min_graded_points = 8;
 
 /** The reach of a singularity in lengths of a piece: closer to it, three points do not integrate a
  * function like r^{1/2} to 1e-10. */
@@ -236,7 +236,7 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece,
   if (singular_within(1.))
     cuts = grade(cuts);
   const dealii::QGauss<1> gauss(
-    singular_within(reach_of_singularity) ? std::max(n_points, fewest_graded_points) : n_points);
+    singular_within(reach_of_singularity) ? std::max(n_points, min_graded_points) : n_points);
   const dealii::Quadrature<1> quadrature = split_quadrature(gauss, cuts);
   SurfaceRule<2> rule = points_at(piece, side, quadrature.get_points());
   rule.weights = quadrature.get_weights();
@@ -265,7 +265,7 @@ std::vector<double> lines(std::vector<double> starts, const double length)
 }
 
 /** Returns the smallest step of a sorted list; zero for a single line. */
-double smallest_step(const std::vector<double> &lines)
+double min_step(const std::vector<double> &lines)
 {
   double smallest = 0.;
   for (std::size_t i = 1; i < lines.size(); ++i)
@@ -286,7 +286,7 @@ public:
       for (const dealii::Point<2> &corner : corners)
         starts.push_back(corner[d]);
       lines_[d] = lines(std::move(starts), side.lengths()[d]);
-      steps_[d] = smallest_step(lines_[d]);
+      steps_[d] = min_step(lines_[d]);
     }
   }
 
@@ -338,8 +338,8 @@ std::map<unsigned int, FaceGrid> face_grids(const std::vector<ContactFace<3>> &f
   for (const ContactFace<3> &face : faces)
     corners[face.side].push_back(first_corner(face, geometry.sides[face.side]));
   std::map<unsigned int, FaceGrid> grids;
-  for (const auto &[side, of_side] : corners)
-    grids.emplace(side, FaceGrid(geometry.sides[side], of_side));
+  for (const auto &[side, side_data] : corners)
+    grids.emplace(side, FaceGrid(geometry.sides[side], side_data));
   return grids;
 }
 

@@ -85,7 +85,7 @@ public:
     : ends_(std::move(ends))
   {
     for (unsigned int depth = 0; depth <= deepest; ++depth)
-      gauss_.emplace_back(std::min(n_points, std::max(fewest_points + depth, n_points) - depth));
+      gauss_.emplace_back(std::min(n_points, std::max(min_points + depth, n_points) - depth));
   }
 
   /** Adds a polygon: quadrilaterals are mapped from the square, other polygons split into
@@ -109,7 +109,7 @@ private:
   static constexpr unsigned int deepest = 9;
   /** The number of points on the smallest pieces; where pieces are half as large, one point less
    * has the same effect. */
-  static constexpr unsigned int fewest_points = 5;
+  static constexpr unsigned int min_points = 5;
 
   void add(const Quadrilateral &piece, const unsigned int depth)
   {

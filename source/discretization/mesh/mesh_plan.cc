@@ -67,7 +67,7 @@ namespace
 {
 /** The deepest level. The numbers of cells (dealii::CellId) end at level 30; coordinates in double
  * precision hardly resolve more vertices. */
-constexpr int deepest_level = 29;
+constexpr int max_cell_level = 29;
 
 /** Returns the lowest degree that demands require of a cell, or of a cell that it is a part of. */
 unsigned int demanded_degree(const MeshPlan &plan,
@@ -112,7 +112,7 @@ bool MeshPlan::must_split(const Scene<2> &scene,
                           const dealii::Triangulation<2>::active_cell_iterator &cell,
                           const unsigned int n_splits) const
 {
-  if (cell->level() >= deepest_level)
+  if (cell->level() >= max_cell_level)
     return false;
   for (const Singularity &singularity : singularities)
     if (n_splits + 0.5 < singularity.layers && singularity.touches(scene, cell))
@@ -126,7 +126,7 @@ bool MeshPlan::must_split(const Scene<2> &scene,
 Mesh<2> make_mesh(const MeshPlan &plan, const Scene<2> &scene)
 {
   const unsigned int mapping_degree =
-    std::min(plan.largest_degree, 2 + static_cast<unsigned int>(plan.rise));
+    std::min(plan.max_element_degree, 2 + static_cast<unsigned int>(plan.rise));
   return Mesh<2>(
     scene.geometry,
     plan.base_level,
@@ -152,7 +152,7 @@ unsigned int planned_degree(const MeshPlan &plan,
     share = std::max(0., 1. - layer / singularity->layers);
   }
   const auto degree = 2 + static_cast<unsigned int>(plan.rise * share + 1e-9);
-  return std::min(plan.largest_degree, std::max(degree, demanded_degree(plan, cell)));
+  return std::min(plan.max_element_degree, std::max(degree, demanded_degree(plan, cell)));
 }
 
 std::vector<unsigned int> plan_degrees(const MeshPlan &plan, const Mesh<2> &mesh)

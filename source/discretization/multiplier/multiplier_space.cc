@@ -18,14 +18,14 @@ namespace Signorini
 namespace
 {
 /** The maximal number of nodes of a patch. */
-constexpr unsigned int most_nodes = 24;
+constexpr unsigned int max_nodes = 24;
 
 /** Returns the Gauss points of every number from 1 on, between 0 and 1, with their weights. */
 const dealii::Quadrature<1> &gauss_rule(const unsigned int n_points)
 {
   static const std::vector<dealii::Quadrature<1>> rules = []() {
     std::vector<dealii::Quadrature<1>> all;
-    for (unsigned int n = 1; n <= most_nodes; ++n)
+    for (unsigned int n = 1; n <= max_nodes; ++n)
       all.emplace_back(dealii::QGauss<1>(n));
     return all;
   }();
@@ -37,7 +37,7 @@ const dealii::Quadrature<1> &lobatto_rule(const unsigned int n_points)
 {
   static const std::vector<dealii::Quadrature<1>> rules = []() {
     std::vector<dealii::Quadrature<1>> all;
-    for (unsigned int n = 2; n <= most_nodes; ++n)
+    for (unsigned int n = 2; n <= max_nodes; ++n)
       all.emplace_back(dealii::QGaussLobatto<1>(n));
     return all;
   }();

@@ -76,7 +76,7 @@ LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy st
           discretization.mesh.longest_edge(),
           discretization.surface.longest_patch(),
           is_unstable(discretization),
-          discretization.space.largest_degree(),
+          discretization.space.max_element_degree(),
           discretization.mesh.shortest_edge(),
           strategy};
 }

@@ -168,8 +168,8 @@ RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &scre
   try
   {
     return std::visit(
-      [&](const auto &of_dim) {
-        return study_scene(parameters, of_dim, input, communicator, screen);
+      [&](const auto &dim_constant) {
+        return study_scene(parameters, dim_constant, input, communicator, screen);
       },
       scene);
   }
@@ -239,7 +239,7 @@ RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &scree
 
 namespace
 {
-constexpr std::size_t most_runs = 1000;
+constexpr std::size_t max_runs = 1000;
 constexpr const char *table_name = "sweep.csv";
 
 /** A value as the name of a directory: what could mislead a shell becomes '_'. */
@@ -382,9 +382,9 @@ std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps)
   for (const Sweep &sweep : sweeps)
   {
     n *= sweep.values.size();
-    if (n > most_runs)
-      throw InputError("--sweep: found more than " + std::to_string(most_runs) +
-                       " combinations of values, allowed: at most " + std::to_string(most_runs) +
+    if (n > max_runs)
+      throw InputError("--sweep: found more than " + std::to_string(max_runs) +
+                       " combinations of values, allowed: at most " + std::to_string(max_runs) +
                        ".");
   }
   std::vector<SweepPoint> points = {{}};

@@ -42,11 +42,11 @@ namespace
 /** Both solvers know other names for several processes. */
 template <typename Option>
 void require_one_rank(const Given<Option> &solver,
-                      const std::vector<Option> &on_one_rank,
+                      const std::vector<Option> &serial_options,
                       const unsigned int n_ranks)
 {
   const auto needs_one_rank = [&](const Option value) {
-    return std::find(on_one_rank.begin(), on_one_rank.end(), value) != on_one_rank.end();
+    return std::find(serial_options.begin(), serial_options.end(), value) != serial_options.end();
   };
   if (!needs_one_rank(solver) || n_ranks == 1)
     return;

@@ -84,13 +84,13 @@ double ratio(const double value, const double scale)
   return scale > 0. ? value / scale : std::numeric_limits<double>::infinity();
 }
 
-/** Returns τ_n on contact faces, with the bubbles of π^{2h} u_h if @p of_patches. */
-std::vector<FaceField> fields_of(const EquilibratedStress &stress, const bool of_patches)
+/** Returns τ_n on contact faces, with the bubbles of π^{2h} u_h if @p interpolated_part. */
+std::vector<FaceField> fields_of(const EquilibratedStress &stress, const bool interpolated_part)
 {
   std::vector<FaceField> fields;
   for (const auto &traction : stress.free_tractions())
     fields.push_back({0., traction});
-  if (of_patches)
+  if (interpolated_part)
     for (std::size_t i = 0; i < fields.size(); ++i)
       fields[i].bubble = stress.normal_bubble(i);
   return fields;
@@ -148,7 +148,7 @@ struct Consequences
  * of loads.
  */
 bool contradicts(const Consequences &known,
-                 const StressBound &of_stress,
+                 const StressBound &stress_data,
                  const ContactLift &lift,
                  const double energy,
                  const double strain_energy)
@@ -159,7 +159,7 @@ bool contradicts(const Consequences &known,
   const double upper =
     rest + known.stress_error * std::sqrt(contact.lift_energy) + contact.contact_term;
   const double allowed = tolerance * strain_energy;
-  return rest - 0.5 * of_stress.square > known.energy.upper + allowed ||
+  return rest - 0.5 * stress_data.square > known.energy.upper + allowed ||
          upper < known.energy.lower - allowed;
 }
 
@@ -170,25 +170,26 @@ bool contradicts(const Consequences &known,
  */
 bool add_guaranteed(const BoundData &data,
                     const EquilibratedStress &stress,
-                    const StressBound &of_stress,
+                    const StressBound &stress_data,
                     const ContactLift &lift,
                     const double scale,
                     ErrorBound &result)
 {
-  const auto change = lift.trace().traction_change(of_stress.translation);
-  const double work = work_of_contact(of_stress, data, change);
-  const Bracket &complementary = of_stress.complementary_energy;
+  const auto change = lift.trace().traction_change(stress_data.translation);
+  const double work = work_of_contact(stress_data, data, change);
+  const Bracket &complementary = stress_data.complementary_energy;
   Consequences consequences(
-    {complementary.lower - work, complementary.upper - work}, of_stress.square, *lift.bound());
-  if (of_stress.of_patches)
+    {complementary.lower - work, complementary.upper - work}, stress_data.square, *lift.bound());
+  if (stress_data.interpolated_part)
   {
-    const double square = of_stress.of_patches->square;
-    const ContactLift of_patches = make_lift(data, square, fields_of(stress, true));
-    if (of_patches.bound() && std::isfinite(square + of_patches.bound()->square()))
+    const double square = stress_data.interpolated_part->square;
+    const ContactLift interpolated_part = make_lift(data, square, fields_of(stress, true));
+    if (interpolated_part.bound() && std::isfinite(square + interpolated_part.bound()->square()))
     {
-      result.post_absolute = total(square, of_stress.of_patches->lift, *of_patches.bound());
+      result.post_absolute =
+        total(square, stress_data.interpolated_part->lift, *interpolated_part.bound());
       result.post_relative = ratio(*result.post_absolute, scale);
-      consequences.consider(square, *of_patches.bound());
+      consequences.consider(square, *interpolated_part.bound());
     }
   }
   result.energy_lower = consequences.energy.lower;
@@ -201,8 +202,8 @@ bool add_guaranteed(const BoundData &data,
   const double energy_norm = stress.energy_norm();
   // Where u_h only interpolates what is prescribed, J(u_h) is not that of a function with the
   // boundary values of u.
-  return of_stress.lift > 1e-10 * energy_norm ||
-         !contradicts(consequences, of_stress, lift, data.energy, scale * scale);
+  return stress_data.lift > 1e-10 * energy_norm ||
+         !contradicts(consequences, stress_data, lift, data.energy, scale * scale);
 }
 
 /** Returns the limits of the improvement. Where a force drives a plate, the stress carries that
@@ -214,7 +215,7 @@ ImprovementOptions improvement_for(const Scene<2> &scene)
   if (std::any_of(scene.plates.begin(), scene.plates.end(), [](const Plate &plate) {
         return plate.is_pushed || plate.turns;
       }))
-    options.few_cells = options.most_cells_exactly = 0;
+    options.max_cells_always_direct = options.max_cells_direct = 0;
   return options;
 }
 } // namespace
@@ -228,48 +229,48 @@ LocatedBound compute_located_bound(const BoundData &data)
   if (!result.missing.empty())
     return located;
   const EquilibratedStress stress(given, improvement_for(given.scene));
-  const StressBound of_stress = stress.bound();
-  const ContactLift lift = make_lift(data, of_stress.square, fields_of(stress, false));
-  result.penetration = lift.trace().largest_penetration();
+  const StressBound stress_data = stress.bound();
+  const ContactLift lift = make_lift(data, stress_data.square, fields_of(stress, false));
+  result.penetration = lift.trace().max_penetration();
   result.place_of_penetration = name_of(lift.trace().place_of_largest(), given.scene);
   result.missing = lift.no_bound();
   if (!lift.bound())
     return located;
   const ContactBound &contact = *lift.bound();
-  if (!std::isfinite(of_stress.square) || !std::isfinite(contact.square()))
+  if (!std::isfinite(stress_data.square) || !std::isfinite(contact.square()))
   {
     result.missing = "the sums of the bound are no finite numbers";
     return located;
   }
-  result.oscillation = std::sqrt(of_stress.oscillation_square) + of_stress.lift;
+  result.oscillation = std::sqrt(stress_data.oscillation_square) + stress_data.lift;
   result.mesh = std::max(0.,
-                         std::sqrt(of_stress.square) - std::sqrt(of_stress.oscillation_square) -
-                           std::sqrt(of_stress.geometry_square));
+                         std::sqrt(stress_data.square) - std::sqrt(stress_data.oscillation_square) -
+                           std::sqrt(stress_data.geometry_square));
   result.contact = std::sqrt(std::max(0., contact.square()));
-  result.algebra = of_stress.algebra;
+  result.algebra = stress_data.algebra;
   // The inequality holds for u_h + z with the prescribed displacement itself; z is zero on contact.
-  result.absolute = total(of_stress.square, of_stress.lift, contact);
+  result.absolute = total(stress_data.square, stress_data.lift, contact);
   const double scale =
     energy_scale(stress.energy_norm(), *result.absolute, given.space, given.scene, given.U);
   result.relative = ratio(*result.absolute, scale);
   result.guaranteed = stress.is_guaranteed();
-  result.geometry = std::sqrt(of_stress.geometry_square);
+  result.geometry = std::sqrt(stress_data.geometry_square);
   result.relative_geometry = ratio(*result.geometry, scale);
   // A polygon does not determine the last digits of the energy, nor about the force on a curve.
-  if (result.guaranteed && !add_guaranteed(data, stress, of_stress, lift, scale, result))
+  if (result.guaranteed && !add_guaranteed(data, stress, stress_data, lift, scale, result))
   {
     located.bound = {};
     located.bound.missing = "the bracket of the energy contradicts the energy of u_h, by rounding "
                             "or by data that vary between the points where they are sampled";
-    located.bound.penetration = lift.trace().largest_penetration();
+    located.bound.penetration = lift.trace().max_penetration();
     located.bound.place_of_penetration = name_of(lift.trace().place_of_largest(), given.scene);
     return located;
   }
-  result.largest_cell = name_of_worst_cell(of_stress, given.space);
+  result.largest_cell = name_of_worst_cell(stress_data, given.space);
   if (!given.scene.contact_sides().empty())
-    result.largest_face = name_of(contact.largest_part, given.scene);
-  located.fields = {of_stress.misfit,
-                    of_stress.oscillation,
+    result.worst_face = name_of(contact.dominant_part, given.scene);
+  located.fields = {stress_data.misfit,
+                    stress_data.oscillation,
                     roots(contact.cell_energies),
                     roots(contact.face_terms)};
   return located;
@@ -292,7 +293,7 @@ Columns<ErrorBound> ErrorBound::columns()
           {"contact_force_error", &ErrorBound::force_error}};
 }
 
-ErrorBound::Part ErrorBound::largest_part() const
+ErrorBound::Part ErrorBound::dominant_part() const
 {
   const double largest =
     std::max({mesh.value_or(0.), oscillation.value_or(0.), contact.value_or(0.)});

@@ -209,7 +209,8 @@ ContactBound ContactLift::evaluate(const LiftField &lift, const LiftMethod metho
     return bound;
   const PenetrationFace &worst =
     trace_->faces()[std::max_element(parts.begin(), parts.end()) - parts.begin()];
-  bound.largest_part = {worst.side, scene_.geometry.sides[worst.side].arc_length(worst.point(0.5))};
+  bound.dominant_part = {worst.side,
+                         scene_.geometry.sides[worst.side].arc_length(worst.point(0.5))};
   return bound;
 }
 
@@ -218,7 +219,7 @@ std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
                                         const ContactTrace &trace,
                                         const StiffnessInverse &inverse)
 {
-  const std::optional<Displacement> z = lift_of_one(space, trace, inverse);
+  const std::optional<Displacement> z = unit_normal_lift(space, trace, inverse);
   if (!z)
     return {};
   const LiftField lift(space, scene, trace, *z, std::vector<EdgeFunction>(trace.faces().size()));
@@ -246,9 +247,10 @@ void EquilibratedStress::integrate_patches(const CellState &state, CellIntegrals
   if (form != nullptr)
   {
     const CellMisfit misfit = {state.u, stresses(cell, data), load(cell).slope};
-    result.squares.of_patches = std::max(0., result.squares.misfit + form->change(b, misfit));
+    result.squares.interpolated_part =
+      std::max(0., result.squares.misfit + form->change(b, misfit));
     // There u_D - u_h = 0, and z is what is held back.
-    result.squares.lift_of_patches =
+    result.squares.interpolated_lift =
       holds_back ? form->change(bubbles_->held_back(cell), CellMisfit{}) : 0.;
     dual = form->dual(b);
   }
@@ -260,11 +262,11 @@ void EquilibratedStress::integrate_patches(const CellState &state, CellIntegrals
       const StressPoint &point = data.points[i];
       const Law &law = law_at(state.laws, i);
       const BubbleGradients gradients = bubble_gradients(point);
-      const Components of_bubbles = strain_of(gradients, b);
-      const Components e = sum(strain(cell, point, state.u), of_bubbles);
+      const Components bubble_data = strain_of(gradients, b);
+      const Components e = sum(strain(cell, point, state.u), bubble_data);
       const Components s = difference(law.stress(e), state.tau[i]);
       square.add(point, contraction(s, law.strain(s)));
-      add_dual(point, of_bubbles, dual);
+      add_dual(point, bubble_data, dual);
       if (!holds_back)
         continue;
       // u_D - π^{2h} u_h = (u_D - u_h) - b.
@@ -272,12 +274,12 @@ void EquilibratedStress::integrate_patches(const CellState &state, CellIntegrals
         difference(lift_.strain(cell, point), strain_of(gradients, bubbles_->held_back(cell)));
       energy.add(point, contraction(z, law.stress(z)));
     }
-    result.squares.of_patches = square.value();
-    result.squares.lift_of_patches = holds_back ? energy.value() : result.squares.lift;
+    result.squares.interpolated_part = square.value();
+    result.squares.interpolated_lift = holds_back ? energy.value() : result.squares.lift;
   }
-  const CellMoments of_bubbles = data.composite.transposed(dual);
-  for (unsigned int j = 0; j < of_bubbles.size(); ++j)
-    result.of_patches[j] = result.of_misfit[j] + of_bubbles[j];
+  const CellMoments bubble_data = data.composite.transposed(dual);
+  for (unsigned int j = 0; j < bubble_data.size(); ++j)
+    result.interpolated_part[j] = result.misfit_data[j] + bubble_data[j];
 }
 
 double EquilibratedStress::normal_bubble(const unsigned int contact_face) const

@@ -216,7 +216,7 @@ double ContactTrace::work_of_penetration() const
 
 void ContactTrace::sample()
 {
-  largest_ = 0.;
+  max_ = 0.;
   // About 20000 points on all faces: a power of two per quarter of a face.
   unsigned int n_scanned = 4;
   while (n_scanned < 256 && 2 * n_scanned * 4 * faces_.size() <= 20000)
@@ -239,9 +239,9 @@ void ContactTrace::sample()
     const UpperInterpolant upper = interpolate_from_above(
       [&](const double t) { return penetration(face, t); }, breaks, rounding, pinned, n_scanned);
     face.d = upper.function;
-    if (upper.largest > largest_)
+    if (upper.largest > max_)
     {
-      largest_ = upper.largest;
+      max_ = upper.largest;
       place_of_largest_ = {face.side,
                            scene_.geometry.sides[face.side].arc_length(face.point(upper.at))};
     }

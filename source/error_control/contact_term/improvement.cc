@@ -53,12 +53,12 @@ EquilibratedStress::residual(const std::vector<CellIntegrals> &integrals) const
   {
     const CellSquares &squares = integrals[c].squares;
     result.square += squares.misfit;
-    result.square_of_patches += squares.of_patches;
+    result.interpolated_square += squares.interpolated_part;
     result.energy += squares.stress;
-    add_moments(mesh_.cells()[c], integrals[c].of_misfit, result.r);
+    add_moments(mesh_.cells()[c], integrals[c].misfit_data, result.r);
   }
   if (!bubbles_)
-    result.square_of_patches = std::numeric_limits<double>::infinity();
+    result.interpolated_square = std::numeric_limits<double>::infinity();
   return result;
 }
 
@@ -67,7 +67,7 @@ std::vector<double> EquilibratedStress::improve(const ImprovementOptions &option
                                                 const CellEnergies &energies)
 {
   std::vector<double> change(moments_.size(), 0.);
-  if (options.most_steps == 0)
+  if (options.max_steps == 0)
     return change;
   Residual at_start = residual(integrals);
   std::vector<unsigned int> free;
@@ -118,9 +118,10 @@ std::vector<unsigned int> EquilibratedStress::iterate(Residual left,
   const Steps steps = improve_step_by_step(left, solver, energies, free, options);
   const std::size_t n_cells = mesh_.cells().size();
   if (!steps.pulling.empty() || left.square <= rounding * left.energy ||
-      n_cells > options.most_cells_exactly || (steps.settled && n_cells > options.few_cells))
+      n_cells > options.max_cells_direct ||
+      (steps.settled && n_cells > options.max_cells_always_direct))
     return steps.pulling;
-  const std::vector<double> change = best_change(mesh_, energies, left.r);
+  const std::vector<double> change = optimal_change(mesh_, energies, left.r);
   if (change.empty())
     return {};
   ++steps_;
@@ -140,7 +141,7 @@ EquilibratedStress::improve_step_by_step(Residual &left,
   std::vector<double> p = z;
   double rz = product(left.r, z);
   steps_ = 0;
-  while (rz > 0. && left.square > rounding * left.energy && steps_ < options.most_steps)
+  while (rz > 0. && left.square > rounding * left.energy && steps_ < options.max_steps)
   {
     multiply(mesh_, energies, p, q);
     const double alpha = rz / product(p, q), decrease = alpha * rz;
@@ -152,11 +153,11 @@ EquilibratedStress::improve_step_by_step(Residual &left,
     if (const auto edges = pulling(mesh_, free, moments_); !edges.empty())
       return {edges, false};
     left.square -= decrease;
-    left.square_of_patches -= decrease;
+    left.interpolated_square -= decrease;
     // Rounding may make the square for π^{2h} u_h negative.
     const double least =
-      std::min(options.least_share * left.square,
-               options.least_share_of_patches * std::max(0., left.square_of_patches));
+      std::min(options.min_share * left.square,
+               options.min_interpolated_share * std::max(0., left.interpolated_square));
     if (decrease < least || left.square < 0.)
       return {{}, true};
     solver.apply(left.r, z);

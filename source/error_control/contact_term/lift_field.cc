@@ -38,7 +38,7 @@ double along(const Point<2> &x, const unsigned int entry, const bool flipped)
 }
 
 /** The maximal number of cells per column. */
-constexpr unsigned int longest_column = 64;
+constexpr unsigned int max_column_length = 64;
 } // namespace
 
 LiftField::LiftField(const DisplacementSpace<2> &space,
@@ -96,7 +96,7 @@ void LiftField::add_column(const unsigned int face)
     const double height = cell->face(entry)->center().distance(cell->face(exit)->center());
     steps.push_back({cell, entry, flipped, height});
     reached += height;
-    if (reached >= wanted || steps.size() == longest_column || cell->face(exit)->at_boundary() ||
+    if (reached >= wanted || steps.size() == max_column_length || cell->face(exit)->at_boundary() ||
         cell->neighbor(exit)->level() != cell->level() || cell->neighbor(exit)->has_children())
       break;
     const auto next = cell->neighbor(exit);

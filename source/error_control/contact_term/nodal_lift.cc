@@ -22,10 +22,10 @@ using Vector = dealii::Vector<double>;
 /** The tolerance of the energy of a step, in products of forces and displacements: the steps
  * themselves are then below 1e-10. */
 constexpr double nodal_tolerance = 1e-20;
-constexpr unsigned int most_solves = 40;
+constexpr unsigned int max_solves = 40;
 /** The maximal size of a dense matrix, which takes 70 MB with that size, and its factors as much.
  */
-constexpr unsigned int most_nodes_of_kernel = 3000;
+constexpr unsigned int max_kernel_nodes = 3000;
 
 /** Returns the halves of faces beside each of the conditions, on the side of the condition's place.
  */
@@ -87,7 +87,7 @@ NodalCompliance::NodalCompliance(const DisplacementSpace<2> &space,
   C_ = make_compliance(inverse, E_, seconds_);
   if (C_->is_explicit())
     return;
-  if (numbers_.size() > most_nodes_of_kernel)
+  if (numbers_.size() > max_kernel_nodes)
   {
     numbers_.clear();
     return;
@@ -129,7 +129,7 @@ template <typename SolveWith>
 Vector NodalCompliance::iterate(const Vector &F, const SolveWith &solve_with)
 {
   Vector Q(F.size()), C_Q(F.size()), rhs(F.size()), M_d(F.size());
-  for (unsigned int k = 0; k < most_solves; ++k)
+  for (unsigned int k = 0; k < max_solves; ++k)
   {
     model_.vmult(rhs, Q);
     rhs += F;
@@ -146,10 +146,10 @@ Vector NodalCompliance::iterate(const Vector &F, const SolveWith &solve_with)
     if (step * step * energy <= nodal_tolerance * (Q * C_Q))
       return Q;
     model_.vmult(M_d, d);
-    const double of_model = d * M_d;
+    const double model_energy = d * M_d;
     for (unsigned int i = 0; i < d.size(); ++i)
       for (unsigned int j = 0; j < d.size(); ++j)
-        model_(i, j) += C_d[i] * C_d[j] / energy - M_d[i] * M_d[j] / of_model;
+        model_(i, j) += C_d[i] * C_d[j] / energy - M_d[i] * M_d[j] / model_energy;
   }
   return Q;
 }
@@ -204,11 +204,11 @@ std::vector<std::vector<unsigned int>> conditions_by_node(const Coupling &E)
 
 /** Returns l with lacking - G l = 0 (or, with only_raise, ≤ 0) for two conditions with G = (a c; c
  * b), and |E l| as small as possible. */
-std::array<double, 2> shortest_way(const double a,
-                                   const double b,
-                                   const double c,
-                                   const std::array<double, 2> &lacking,
-                                   const bool only_raise)
+std::array<double, 2> min_norm_solution(const double a,
+                                        const double b,
+                                        const double c,
+                                        const std::array<double, 2> &lacking,
+                                        const bool only_raise)
 {
   if (only_raise)
   {
@@ -235,7 +235,7 @@ void impose(const Coupling &E, const Vector &targets, const bool only_raise, Dis
     const double a = product(first, first);
     std::array<double, 2> l = {{(only_raise ? std::max(0., lacking[0]) : lacking[0]) / a, 0.}};
     if (node.size() > 1)
-      l = shortest_way(a, product(last, last), product(first, last), lacking, only_raise);
+      l = min_norm_solution(a, product(last, last), product(first, last), lacking, only_raise);
     for (const auto &entry : first)
       w[entry.first] += l[0] * entry.second;
     for (const auto &entry : last)
@@ -339,10 +339,10 @@ Displacement interpolate_layers(const DisplacementSpace<2> &space,
 
 /** Returns Eᵀ A⁻¹ D P: the last column of [E, D P]ᵀ A⁻¹ [E, D P], which a trailing factor
  * gives without a solve. */
-Vector pushed_by(const Pressure &P,
-                 const Coupling &condensed_D,
-                 const Coupling &E,
-                 const StiffnessInverse &inverse)
+Vector displacement_by_pressure(const Pressure &P,
+                                const Coupling &condensed_D,
+                                const Coupling &E,
+                                const StiffnessInverse &inverse)
 {
   std::map<dealii::types::global_dof_index, double> forces;
   for (unsigned int k = 0; k < P.size(); ++k)
@@ -374,7 +374,7 @@ Displacement pressed_displacement(const DisplacementSpace<2> &space,
                                   const Vector &required,
                                   NodalCompliance &C)
 {
-  Vector F = pushed_by(P, condensed_D, C.columns(), inverse), start(F.size());
+  Vector F = displacement_by_pressure(P, condensed_D, C.columns(), inverse), start(F.size());
   for (unsigned int i = 0; i < F.size(); ++i)
   {
     F[i] -= required[C.numbers()[i]];
@@ -446,9 +446,9 @@ Displacement dual_lift(const DisplacementSpace<2> &space,
   return w;
 }
 
-std::optional<Displacement> lift_of_one(const DisplacementSpace<2> &space,
-                                        const ContactTrace &trace,
-                                        const StiffnessInverse &inverse)
+std::optional<Displacement> unit_normal_lift(const DisplacementSpace<2> &space,
+                                             const ContactTrace &trace,
+                                             const StiffnessInverse &inverse)
 {
   NodalCompliance C(space, trace, inverse);
   const auto &conditions = trace.conditions();

@@ -307,9 +307,9 @@ Certificate certify(const DisplacementSpace<dim> &space,
   double size_of_contact = 0.;
   for (const Piece<dim> &piece : multipliers.surface().pieces())
   {
-    const Resultant<dim> of_piece = contact_resultant(multipliers, solution.P, piece);
-    contact += of_piece;
-    size_of_contact += of_piece.force.norm();
+    const Resultant<dim> piece_resultant = contact_resultant(multipliers, solution.P, piece);
+    contact += piece_resultant;
+    size_of_contact += piece_resultant.force.norm();
   }
   balance(space, scene, solution.system->applied, contact, size_of_contact, forces, certificate);
 
@@ -382,9 +382,9 @@ double bulk_to_shear(const dealii::SymmetricTensor<4, 3> &E)
       energies(i, j) = deviators[i] * (E * deviators[j]);
   dealii::Vector<double> eigenvalues;
   dealii::FullMatrix<double> eigenvectors;
-  const double more_than_all = 2. * energies.frobenius_norm();
+  const double eigenvalue_bound = 2. * energies.frobenius_norm();
   energies.compute_eigenvalues_symmetric(
-    -more_than_all, more_than_all, 0., eigenvalues, eigenvectors);
+    -eigenvalue_bound, eigenvalue_bound, 0., eigenvalues, eigenvectors);
   const Strain unit = dealii::unit_symmetric_tensor<3>();
   return (unit * (E * unit)) / 9. / (0.5 * eigenvalues[0]);
 }
@@ -392,7 +392,7 @@ double bulk_to_shear(const dealii::SymmetricTensor<4, 3> &E)
 /** Returns the largest K/μ at one point of each cell of the level, or of a coarser one that is
  * fine enough to show how E varies. */
 template <int dim>
-double largest_bulk_to_shear(const Mesh<dim> &mesh, const Material<dim> &material)
+double max_bulk_to_shear(const Mesh<dim> &mesh, const Material<dim> &material)
 {
   constexpr unsigned int fine_enough = dim == 2 ? 6 : 4;
   double largest = 0.;
@@ -413,7 +413,7 @@ template <int dim>
 double locking_number(const Mesh<dim> &mesh, const Material<dim> &material)
 {
   constexpr double nearly_incompressible = 10.;
-  const double ratio = largest_bulk_to_shear(mesh, material);
+  const double ratio = max_bulk_to_shear(mesh, material);
   return ratio > nearly_incompressible ? ratio * std::pow(mesh.longest_edge() / mesh.size(), 2)
                                        : 0.;
 }

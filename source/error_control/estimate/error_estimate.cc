@@ -254,12 +254,12 @@ Squares integrate(const DisplacementSpace<dim> &space,
     space,
     [&](const Cells<dim> &cells) {
       Distance<dim> distance(space, material, U, fine);
-      Squares of_chunk;
+      Squares chunk_result;
       for (const auto &cell : cells)
-        of_chunk += distance.integrate(cell);
-      return of_chunk;
+        chunk_result += distance.integrate(cell);
+      return chunk_result;
     },
-    [&sum](const Squares &of_chunk) { sum += of_chunk; });
+    [&sum](const Squares &chunk_result) { sum += chunk_result; });
   for (double *const square : {&sum.values, &sum.gradients, &sum.energy})
     *square = dealii::Utilities::MPI::sum(*square, space.mesh().communicator());
   return sum;
@@ -280,8 +280,8 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
                              const OtherErrors &others)
 {
   const Material<dim> *const material = scene.material.get();
-  const Squares of_U = integrate(space, material, U, 1);
-  double mesh_square = of_U.energy;
+  const Squares u_h_squares = integrate(space, material, U, 1);
+  double mesh_square = u_h_squares.energy;
   if (correction.z.size() > 0)
   {
     Displacement corrected(U);
@@ -289,7 +289,7 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
     mesh_square = integrate(space, material, corrected, 1).energy;
   }
   ErrorEstimate estimate;
-  estimate.h1 = norm_1(of_U, 1.);
+  estimate.h1 = norm_1(u_h_squares, 1.);
   estimate.mesh = std::sqrt(mesh_square);
   estimate.pressure = correction.energy_norm;
   estimate.algebra = others.algebra;

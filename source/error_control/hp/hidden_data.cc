@@ -17,7 +17,7 @@ namespace
 {
 /** The limits of splitting. A material whose layers need more splits is refused; hidden data of
  * sides are accepted. */
-constexpr unsigned int most_splits_in_body = 16, most_splits_on_sides = 24, most_split_cells = 2000;
+constexpr unsigned int max_splits_in_body = 16, max_splits_on_sides = 24, max_split_cells = 2000;
 
 /** The positions of the lines of a cell that are sampled. Near their ends the distances are 2^-k.
  */
@@ -59,7 +59,7 @@ double jump_share(const Material<2> &material,
                   const dealii::Triangulation<2>::active_cell_iterator &cell)
 {
   constexpr unsigned int n = 16;
-  const double least_jump = std::log(1.5);
+  const double min_jump = std::log(1.5);
   std::array<std::array<Values, n>, n> at;
   std::array<double, 3> sum = {}, sum_of_inverses = {};
   bool jumps = false;
@@ -72,8 +72,8 @@ double jump_share(const Material<2> &material,
         const double here = at[i][j][c];
         sum[c] += std::exp(here);
         sum_of_inverses[c] += std::exp(-here);
-        jumps = jumps || (i > 0 && std::abs(here - at[i - 1][j][c]) > least_jump) ||
-                (j > 0 && std::abs(here - at[i][j - 1][c]) > least_jump);
+        jumps = jumps || (i > 0 && std::abs(here - at[i - 1][j][c]) > min_jump) ||
+                (j > 0 && std::abs(here - at[i][j - 1][c]) > min_jump);
       }
     }
   double share = 0.;
@@ -84,7 +84,7 @@ double jump_share(const Material<2> &material,
 
 /** The range of the values at the points of a rule; is_far() returns whether another value is far
  * from all of them. */
-class SeenRange
+class SampledRange
 {
 public:
   void add(const Values &values)
@@ -122,7 +122,7 @@ public:
     : scene_(scene)
     , plan_(plan)
   {
-    const auto positions = sample_positions(most_points);
+    const auto positions = sample_positions(max_points);
     for (std::size_t i = 0; i < scene.boundary.size(); ++i)
     {
       const double length = scene.geometry.sides[i].length();
@@ -133,7 +133,7 @@ public:
           largest = std::max(largest, std::abs(value));
           sum += std::abs(value);
         }
-      largest_on_side_.push_back(largest);
+      max_on_side_.push_back(largest);
       force_on_side_.push_back(sum * length / positions.size());
     }
   }
@@ -142,15 +142,15 @@ public:
   {
     if (plan_.must_split(scene_, cell, n_splits))
       return true;
-    if (!looked_at_.insert(cell->id()).second)
+    if (!checked_cells_.insert(cell->id()).second)
       return false;
     const unsigned int n =
-      std::clamp<unsigned int>(4e4 / cell->get_triangulation().n_active_cells(), 16, most_points);
+      std::clamp<unsigned int>(4e4 / cell->get_triangulation().n_active_cells(), 16, max_points);
     const std::optional<dealii::Point<2>> place = hidden_in(cell, n);
     if (!place && !hides_on_side(cell, n))
       return false;
-    if (n_splits >= (place ? most_splits_in_body : most_splits_on_sides) ||
-        n_split_ >= most_split_cells)
+    if (n_splits >= (place ? max_splits_in_body : max_splits_on_sides) ||
+        n_split_ >= max_split_cells)
     {
       hidden_ = place;
       return false;
@@ -166,7 +166,7 @@ public:
   }
 
 private:
-  static constexpr unsigned int most_points = 1000;
+  static constexpr unsigned int max_points = 1000;
 
   /** Returns the data of a side; empty where there is none, or no value. */
   Values on_side(const unsigned int side, const double s) const
@@ -195,7 +195,7 @@ private:
       return log_moduli(*scene_.material, x);
     };
     constexpr double tolerance = 0.01;
-    SeenRange seen;
+    SampledRange seen;
     const dealii::QGauss<2> gauss(n_gauss);
     for (const dealii::Point<2> &x : gauss.get_points())
       seen.add(moduli(point_of(cell, x[0], x[1])));
@@ -234,7 +234,7 @@ private:
   {
     constexpr double tolerance = 1e-4;
     const auto at = [&](const double t) { return on_side(side, first + t * length); };
-    SeenRange seen;
+    SampledRange seen;
     const dealii::QGauss<1> gauss(n_gauss);
     for (const dealii::Point<1> &t : gauss.get_points())
       seen.add(at(t[0]));
@@ -244,7 +244,7 @@ private:
     for (std::size_t i = 0; i < positions.size(); ++i)
     {
       const Values values = at(positions[i]);
-      if (seen.is_far(values, tolerance * largest_on_side_[side]))
+      if (seen.is_far(values, tolerance * max_on_side_[side]))
         return true;
       if (i == 0)
         low = high = values;
@@ -267,15 +267,15 @@ private:
   const Scene<2> &scene_;
   MeshPlan &plan_;
   /** The largest component, and the approximate force of its absolute value. */
-  std::vector<double> largest_on_side_, force_on_side_;
+  std::vector<double> max_on_side_, force_on_side_;
   /** The cells in which nothing hides. */
-  std::set<dealii::CellId> looked_at_;
+  std::set<dealii::CellId> checked_cells_;
   unsigned int n_split_ = 0;
   std::optional<dealii::Point<2>> hidden_;
 };
 } // namespace
 
-std::optional<dealii::Point<2>> show_hidden_data(const Scene<2> &scene, MeshPlan &plan)
+std::optional<dealii::Point<2>> resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan)
 {
   DataProbe probe(scene, plan);
   const Mesh<2> mesh(

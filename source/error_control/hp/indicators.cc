@@ -165,10 +165,10 @@ std::vector<double> parts_along(const unsigned int d, const CellField &u, const 
 /** Returns the missing parts, from a line through the logarithms of the last ones. */
 CellIndicator extrapolate(const std::vector<double> &parts)
 {
-  constexpr unsigned int most_parts = 4;
+  constexpr unsigned int max_parts = 4;
   constexpr double slowest = 0.9, fastest = 0.02;
   const unsigned int p = parts.size();
-  const unsigned int first = p > most_parts ? p - most_parts : 0;
+  const unsigned int first = p > max_parts ? p - max_parts : 0;
   // Parts that are rounding against the largest one do not enter the slope.
   const double negligible = 1e-13 * *std::max_element(parts.begin(), parts.end());
   double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
@@ -333,7 +333,7 @@ public:
 
   /** Adds the samples of a piece to the state of its patch. Around the deepest point the next
    * samples are closer to each other: a tip may touch between those of the whole face. */
-  void look_at(const Piece<2> &piece, PatchState &state)
+  void add_samples(const Piece<2> &piece, PatchState &state)
   {
     constexpr unsigned int n_zooms = 3;
     double from = 0., to = 1.;
@@ -371,7 +371,7 @@ std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
   {
     PatchState &state = states[piece.patch];
     state.cell = surface.faces()[piece.face].cell->active_cell_index();
-    penetration.look_at(piece, state);
+    penetration.add_samples(piece, state);
   }
   const double threshold = pressing_threshold(P);
   for (unsigned int k = 0; k < P.size(); ++k)
@@ -381,10 +381,10 @@ std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
 }
 } // namespace
 
-std::vector<unsigned int> unseen_contact(const DisplacementSpace<2> &space,
-                                         const MultiplierSpace<2> &multipliers,
-                                         const Displacement &U,
-                                         const Pressure &P)
+std::vector<unsigned int> missed_contact_cells(const DisplacementSpace<2> &space,
+                                               const MultiplierSpace<2> &multipliers,
+                                               const Displacement &U,
+                                               const Pressure &P)
 {
   constexpr double rounding = 1e-10, noticeable = 1e-3;
   const std::vector<PatchState> states = patch_states(space, multipliers, U, P);

@@ -19,7 +19,7 @@ constexpr double layers_per_step = 3.;
 constexpr double exponent_at_ends = 1.5;
 
 /** The smallest exponent: smaller ones would need more layers than a mesh can have. */
-constexpr double smallest_exponent = 0.2;
+constexpr double min_exponent = 0.2;
 
 /** The rise of the degree far away from singularities in a full step. */
 constexpr double rise_per_step = 1.5;
@@ -77,7 +77,7 @@ double observed_exponent(const Singularity &known, const double error)
   if (known.last_error <= 0. || more_layers < 1. || error <= 0.)
     return known.exponent;
   const double observed = std::log2(known.last_error / error) / more_layers;
-  return std::max(smallest_exponent, std::min(known.exponent, observed));
+  return std::max(min_exponent, std::min(known.exponent, observed));
 }
 
 /** Returns whether u_h does not look analytic in the cells at a place. */
@@ -192,7 +192,7 @@ void demand(const Scene<2> &scene,
     const double missing =
       std::ceil(std::log(predicted / goal.per_cell) / std::log(1. / indicator.decay));
     CellDemand &demand = next.demands[cell->id()];
-    if (indicator.decay < slow_decay && planned + missing <= next.largest_degree)
+    if (indicator.decay < slow_decay && planned + missing <= next.max_element_degree)
       demand.degree = std::max(demand.degree, planned + static_cast<unsigned int>(missing));
     else
     {
@@ -205,7 +205,7 @@ void demand(const Scene<2> &scene,
 /** Adds a corner at which u may be singular. */
 void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan)
 {
-  constexpr double of_logarithm = 1.;
+  constexpr double logarithm_exponent = 1.;
   const auto is_homogeneous = [&](const unsigned int side) {
     const Role role = scene.boundary[side].role;
     return role == Role::free || role == Role::clamped || role == Role::roller;
@@ -216,9 +216,9 @@ void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan)
     place.is_certain = exponent < 1.;
   else
     // Data that does not fit together gives r log r; data of a smooth solution gives nothing.
-    exponent = std::min(exponent, of_logarithm);
-  place.exponent = std::max(exponent, smallest_exponent);
-  if (exponent < largest_corner_exponent)
+    exponent = std::min(exponent, logarithm_exponent);
+  place.exponent = std::max(exponent, min_exponent);
+  if (exponent < max_corner_exponent)
     plan.singularities.push_back(place);
 }
 
@@ -236,11 +236,11 @@ void add_kinks(const unsigned int side, const Scene<2> &scene, MeshPlan &plan)
 
 MeshPlan first_plan(const Scene<2> &scene,
                     const unsigned int base_level,
-                    const unsigned int largest_degree)
+                    const unsigned int max_element_degree)
 {
   MeshPlan plan;
   plan.base_level = base_level;
-  plan.largest_degree = largest_degree;
+  plan.max_element_degree = max_element_degree;
   const dealii::Tensor<1, 2> box = scene.geometry.upper - scene.geometry.lower;
   plan.base_size =
     std::sqrt(box[0] * box[1] / scene.geometry.n_coarse_cells) / std::pow(2., base_level);
@@ -264,12 +264,12 @@ MeshPlan next_plan(const MeshPlan &plan,
 {
   MeshPlan next = plan;
   const std::size_t n_cells = mesh.triangulation().n_active_cells();
-  if (!findings.unseen_contact.empty())
+  if (!findings.missed_contact_cells.empty())
   {
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
-      if (std::find(findings.unseen_contact.begin(),
-                    findings.unseen_contact.end(),
-                    cell->active_cell_index()) != findings.unseen_contact.end())
+      if (std::find(findings.missed_contact_cells.begin(),
+                    findings.missed_contact_cells.end(),
+                    cell->active_cell_index()) != findings.missed_contact_cells.end())
         next.demands[cell->id()].split = true;
     return next;
   }

@@ -24,10 +24,10 @@ double ErrorHistory::add(const double indicator,
   double estimate = indicator;
   if (difference && last_indicator_)
   {
-    const double of_indicators = *last_indicator_ > 0. ? indicator / *last_indicator_ : 1.;
-    double ratio = std::max(of_indicators, planned);
+    const double indicator_ratio = *last_indicator_ > 0. ? indicator / *last_indicator_ : 1.;
+    double ratio = std::max(indicator_ratio, planned);
     if (last_difference_ && *last_difference_ > 0.)
-      ratio = std::max(ratio, std::min(*difference / *last_difference_, 4. * of_indicators));
+      ratio = std::max(ratio, std::min(*difference / *last_difference_, 4. * indicator_ratio));
     estimate = std::max(estimate, *difference * std::min(1., ratio));
   }
   last_indicator_ = indicator;
@@ -231,12 +231,12 @@ StepFindings StepExamination::examine(const SolvedStep &step,
   add_contact_misfit(space, multipliers, scene_, U, P, findings.indicators);
   add_jump_misfit(space, scene_, U, findings.indicators);
   findings.brackets = contact_brackets(multipliers, P);
-  findings.unseen_contact = unseen_contact(space, multipliers, U, P);
+  findings.missed_contact_cells = missed_contact_cells(space, multipliers, U, P);
   const double indicator = total(findings.indicators);
   const double norm = energy_norm(space, scene_, U);
   findings.scale = energy_scale(norm, indicator, space, scene_, U);
   findings.target = target_ * findings.scale;
-  if (!findings.unseen_contact.empty())
+  if (!findings.missed_contact_cells.empty())
   {
     // The next mesh sees another problem.
     history_ = ErrorHistory();

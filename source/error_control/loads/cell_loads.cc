@@ -67,17 +67,17 @@ double depth(const CellShape &shape, const unsigned int k)
 }
 
 /** Returns the constant of Airy's function on a rectangle. */
-double beam_constant(const double L, const double largest_depth)
+double beam_constant(const double L, const double max_depth)
 {
-  const double d = std::min(largest_depth, 0.73 * L);
+  const double d = std::min(max_depth, 0.73 * L);
   return std::sqrt(13. / 35. * d + 12. / (5. * d) * L * L / (4. * PI * PI) +
                    12. / std::pow(d, 3) * std::pow(L, 4) / 500.56);
 }
 } // namespace
 
-double turning_constant(const double L, const double largest_depth)
+double turning_constant(const double L, const double max_depth)
 {
-  const double d = std::min(L, largest_depth);
+  const double d = std::min(L, max_depth);
   return std::sqrt(4. * L * L * L / (30. * d) + 4. * L * d / 45. + 4. * d * d * d / (105. * L));
 }
 
@@ -358,9 +358,9 @@ std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
   // About 500000 points on the mesh, as long as these are more than the system has.
   const unsigned int n_fine = std::clamp<unsigned int>(std::sqrt(5e5 / cells.size()), 1, 96);
   // The rules of cells that are cut have that many points on each of up to hundreds of parts.
-  constexpr unsigned int most_points_on_parts = 8;
+  constexpr unsigned int max_points_on_parts = 8;
   const bool check = n_fine > n_points && !is_constant(*scene.body_force);
-  work_on_ranges(number_of_threads(space.mesh().communicator()),
+  work_on_ranges(n_available_threads(space.mesh().communicator()),
                  cells.size(),
                  [&](const std::size_t begin, const std::size_t end) {
                    ForceSampler sampler(space, scene, n_points);
@@ -369,7 +369,7 @@ std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
                    {
                      finer = std::make_unique<ForceSampler>(space, scene, n_fine);
                      finer_on_parts = std::make_unique<ForceSampler>(
-                       space, scene, std::min(n_fine, most_points_on_parts));
+                       space, scene, std::min(n_fine, max_points_on_parts));
                    }
                    for (std::size_t i = begin; i < end; ++i)
                    {

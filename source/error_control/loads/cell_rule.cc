@@ -265,7 +265,7 @@ void bend(const CellMap &map, StressPoint &point)
 
 /** Returns the smallest eigenvalue of Hooke's law in the orthonormal components (s11, s22, sqrt(2)
  * s12). */
-double least_eigenvalue(const dealii::Tensor<2, 3> &matrix)
+double min_eigenvalue_of(const dealii::Tensor<2, 3> &matrix)
 {
   if (matrix[0][2] == 0. && matrix[1][2] == 0.)
   {
@@ -293,7 +293,7 @@ Law::Law(const dealii::SymmetricTensor<4, 2> &hooke)
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
       compliance[i][j] = inverse[i][j];
-  smallest_eigenvalue = least_eigenvalue(matrix);
+  min_eigenvalue = min_eigenvalue_of(matrix);
 }
 
 Components Law::stress(const Components &strain) const

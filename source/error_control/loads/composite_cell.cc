@@ -176,12 +176,12 @@ dealii::Point<2> CellShape::centre() const
 CompositeCell::CompositeCell(const CellShape &shape)
 {
   const ReferenceStress reference(shape.affine ? 1. : shape.p, shape.affine ? 1. : shape.q);
-  std::array<Stresses, n_moments + n_loads> of_unit;
-  for (unsigned int j = 0; j < of_unit.size(); ++j)
+  std::array<Stresses, n_moments + n_loads> unit_columns;
+  for (unsigned int j = 0; j < unit_columns.size(); ++j)
   {
     ReferenceStress::Sides side{};
     side[j] = 1.;
-    of_unit[j] = reference(side);
+    unit_columns[j] = reference(side);
   }
   const Vector2 a1 = shape.corners[0] - shape.crossing, a2 = shape.corners[1] - shape.crossing;
   const double J = cross(a1, a2);
@@ -196,7 +196,8 @@ CompositeCell::CompositeCell(const CellShape &shape)
       {
         Components s;
         for (unsigned int l = 0; l < 3; ++l)
-          s[l] = inverse[c][0] * of_unit[j][i + l] + inverse[c][1] * of_unit[j + 1][i + l];
+          s[l] =
+            inverse[c][0] * unit_columns[j][i + l] + inverse[c][1] * unit_columns[j + 1][i + l];
         s = push_forward(s, a1, a2);
         std::copy(s.begin(), s.end(), columns_[j + c].begin() + i);
       }

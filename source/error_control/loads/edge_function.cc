@@ -197,11 +197,11 @@ public:
   void refine(const double rounding)
   {
     const double range = bend();
-    linear_ = range <= rounding && largest_misfit() <= rounding;
+    linear_ = range <= rounding && max_misfit() <= rounding;
     if (linear_)
       return;
     const double allowed = std::max(0.01 * range, rounding);
-    for (unsigned int pass = 0; pass < 6 && largest_misfit() > allowed; ++pass)
+    for (unsigned int pass = 0; pass < 6 && max_misfit() > allowed; ++pass)
     {
       // The halves have the points of the whole, and not less than four each.
       n_scanned_ = n_scanned_ == 0 ? 0 : std::max(4U, n_scanned_ / 2);
@@ -280,7 +280,7 @@ private:
     }
     return largest;
   }
-  double largest_misfit() const
+  double max_misfit() const
   {
     double largest = 0.;
     for (const Samples &s : intervals_)

@@ -14,7 +14,7 @@ namespace
 using LawTriangle = RulePart::Triangle;
 
 /** The logarithm of the factor by which the tensor may vary in a part. */
-const double largest_range = std::log(1.5);
+const double max_log_range = std::log(1.5);
 
 /** The range of every feature over samples. */
 class FeatureRange
@@ -36,7 +36,7 @@ public:
   bool is_large() const
   {
     for (std::size_t i = 0; i < low_.size(); ++i)
-      if (high_[i] - low_[i] > largest_range)
+      if (high_[i] - low_[i] > max_log_range)
         return true;
     return false;
   }

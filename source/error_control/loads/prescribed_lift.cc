@@ -84,11 +84,11 @@ Vector2 PrescribedLift::EdgeRest::evaluate(const double s, const bool derivative
   const double position = s * pieces.size();
   const unsigned int piece = std::clamp<int>(position, 0, pieces.size() - 1);
   Vector2 sum;
-  std::vector<double> of_node(2);
+  std::vector<double> node_data(2);
   for (unsigned int i = 0; i < n_nodes; ++i)
   {
-    basis()[i].value(position - piece, of_node);
-    sum += (derivative ? pieces.size() * of_node[1] : of_node[0]) * pieces[piece][i];
+    basis()[i].value(position - piece, node_data);
+    sum += (derivative ? pieces.size() * node_data[1] : node_data[0]) * pieces[piece][i];
   }
   return sum;
 }
@@ -98,7 +98,7 @@ PrescribedLift::EdgeRest PrescribedLift::interpolate(const unsigned int k,
                                                      const unsigned int n_scanned)
 {
   constexpr double allowed = 1e-3;
-  constexpr unsigned int most_pieces = 32;
+  constexpr unsigned int max_pieces = 32;
   double size = 0.;
   std::vector<Vector2> scanned;
   for (unsigned int i = 0; i < n_scanned; ++i)
@@ -113,11 +113,11 @@ PrescribedLift::EdgeRest PrescribedLift::interpolate(const unsigned int k,
     double misfit = 0.;
     for (unsigned int i = 0; i < n_scanned; ++i)
       misfit = std::max(misfit, (rest.evaluate((i + 0.5) / n_scanned, false) - scanned[i]).norm());
-    if (misfit > allowed * size && n_pieces < most_pieces)
+    if (misfit > allowed * size && n_pieces < max_pieces)
       continue;
     // A smaller rest is rounding.
     if (size > 1e-10 * scale_)
-      largest_misfit_ = std::max(largest_misfit_, misfit / size);
+      max_misfit_ = std::max(max_misfit_, misfit / size);
     return rest;
   }
 }

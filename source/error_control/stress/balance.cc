@@ -305,10 +305,10 @@ void for_all_entries(const EdgeMesh &mesh,
 
 /** Returns the multipliers of a cell that do no work on any edge which may carry tractions: the
  * rigid motions that such edges leave to the body, in the coordinates of the cell. */
-std::vector<std::array<double, 3>> free_motions(const EdgeMesh &mesh, const EdgeCell &seen_by)
+std::vector<std::array<double, 3>> free_motions(const EdgeMesh &mesh, const EdgeCell &frame_cell)
 {
   // A motion moves x by (a - w y, b + w x)/size, x and y from corner 0 of the cell.
-  const double size = seen_by.corners[0].distance(seen_by.corners[2]);
+  const double size = frame_cell.corners[0].distance(frame_cell.corners[2]);
   dealii::SymmetricTensor<2, 3> work;
   for (const EdgeCell &cell : mesh.cells())
     for (unsigned int k = 0; k < 4; ++k)
@@ -318,7 +318,7 @@ std::vector<std::array<double, 3>> free_motions(const EdgeMesh &mesh, const Edge
         continue;
       for (const unsigned int corner : {k, (k + 1) % 4})
       {
-        const dealii::Tensor<1, 2> arm = (cell.corners[corner] - seen_by.corners[0]) / size;
+        const dealii::Tensor<1, 2> arm = (cell.corners[corner] - frame_cell.corners[0]) / size;
         for (unsigned int d = 0; d < (edge.freedom == EdgeFreedom::any ? 2 : 1); ++d)
         {
           dealii::Tensor<1, 2> n = edge.normal;
@@ -338,9 +338,9 @@ std::vector<std::array<double, 3>> free_motions(const EdgeMesh &mesh, const Edge
 }
 } // namespace
 
-std::vector<double> best_change(const EdgeMesh &mesh,
-                                const CellEnergies &energies,
-                                const std::vector<double> &r)
+std::vector<double> optimal_change(const EdgeMesh &mesh,
+                                   const CellEnergies &energies,
+                                   const std::vector<double> &r)
 {
   const FreeMoments free(mesh);
   const unsigned int n = free.size() + 3 * mesh.cells().size();

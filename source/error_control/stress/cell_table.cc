@@ -69,7 +69,7 @@ unsigned int CellTable::classify(const unsigned int cell)
         return false;
     return true;
   };
-  const unsigned int alone = most_shapes + cell;
+  const unsigned int alone = max_shapes + cell;
   if (mesh_.cells()[cell].is_curved || lift_.cells()[cell] || (sampling_ && varied_[cell]) ||
       !crossing(lines_, mesh_.cells()[cell]).empty())
     return alone;
@@ -80,7 +80,7 @@ unsigned int CellTable::classify(const unsigned int cell)
   const auto found = std::find_if(edges_of_shape_.begin(), edges_of_shape_.end(), is_same);
   if (found != edges_of_shape_.end())
     return found - edges_of_shape_.begin();
-  if (edges_of_shape_.size() == most_shapes)
+  if (edges_of_shape_.size() == max_shapes)
     return alone;
   edges_of_shape_.push_back(edges);
   shared_.push_back(
@@ -88,9 +88,9 @@ unsigned int CellTable::classify(const unsigned int cell)
   return edges_of_shape_.size() - 1;
 }
 
-const CellData &CellTable::data(const unsigned int cell, CellRoom &room) const
+const CellData &CellTable::data(const unsigned int cell, CellScratch &room) const
 {
-  if (shape_of_[cell] < most_shapes)
+  if (shape_of_[cell] < max_shapes)
     return *shared_[shape_of_[cell]];
   const EdgeCell &here = mesh_.cells()[cell];
   RuleKind kind = kind_;
@@ -106,15 +106,15 @@ const CellData &CellTable::data(const unsigned int cell, CellRoom &room) const
     };
   }
   std::vector<KinkLine<2>> lines = crossing(lines_, here);
-  const std::vector<KinkLine<2>> of_lift = lift_.lines(cell, here);
-  lines.insert(lines.end(), of_lift.begin(), of_lift.end());
+  const std::vector<KinkLine<2>> lift_lines = lift_.lines(cell, here);
+  lines.insert(lines.end(), lift_lines.begin(), lift_lines.end());
   room.data = std::make_unique<CellData>(shape, kind, lines, divide);
   return *room.data;
 }
 
 const std::vector<Law> &CellTable::laws(const unsigned int cell,
                                         const CellData &data,
-                                        CellRoom &room) const
+                                        CellScratch &room) const
 {
   if (kind_.constant_law)
     return law_;
@@ -168,14 +168,14 @@ Components EquilibratedStress::strain(const unsigned int cell,
                                       const StressPoint &point,
                                       const CornerValues &u) const
 {
-  const Components of_u_h = strain_of(point.gradients, u);
+  const Components strain_of_u_h = strain_of(point.gradients, u);
   if (!lift_.cells()[cell])
-    return of_u_h;
-  return sum(of_u_h, lift_.strain(cell, point));
+    return strain_of_u_h;
+  return sum(strain_of_u_h, lift_.strain(cell, point));
 }
 
 EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned int cell,
-                                                                CellRoom &room,
+                                                                CellScratch &room,
                                                                 const bool from_above,
                                                                 CellEnergies *const energies) const
 {
@@ -188,8 +188,8 @@ EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned i
                            from_above};
   CellIntegrals result;
   UpperSum misfit_square(from_above), stress_square(from_above), lift_square(from_above);
-  double &smallest_eigenvalue = result.squares.smallest_eigenvalue;
-  smallest_eigenvalue = state.laws[0].smallest_eigenvalue;
+  double &min_eigenvalue = result.squares.min_eigenvalue;
+  min_eigenvalue = state.laws[0].min_eigenvalue;
   CompositeCell::Stresses dual_of_misfit{}, dual_of_stress{};
   for (std::size_t i = 0; i < data.points.size(); ++i)
   {
@@ -197,24 +197,24 @@ EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned i
     const Law &law = law_at(state.laws, i);
     const Components &tau = state.tau[i];
     const Components misfit = difference(law.stress(strain(cell, point, state.u)), tau);
-    const Components of_misfit = law.strain(misfit), of_stress = law.strain(tau);
-    misfit_square.add(point, contraction(misfit, of_misfit));
-    stress_square.add(point, contraction(tau, of_stress));
-    add_dual(point, of_misfit, dual_of_misfit);
-    add_dual(point, of_stress, dual_of_stress);
+    const Components misfit_data = law.strain(misfit), stress_data = law.strain(tau);
+    misfit_square.add(point, contraction(misfit, misfit_data));
+    stress_square.add(point, contraction(tau, stress_data));
+    add_dual(point, misfit_data, dual_of_misfit);
+    add_dual(point, stress_data, dual_of_stress);
     if (lift_.cells()[cell])
     {
       const Components e = lift_.strain(cell, point);
       lift_square.add(point, contraction(e, law.stress(e)));
     }
-    smallest_eigenvalue = std::min(smallest_eigenvalue, law.smallest_eigenvalue);
+    min_eigenvalue = std::min(min_eigenvalue, law.min_eigenvalue);
     result.is_resolved = result.is_resolved && point.unresolved_part == StressPoint::resolved;
   }
   result.squares.misfit = misfit_square.value();
   result.squares.stress = stress_square.value();
   result.squares.lift = lift_square.value();
-  result.of_misfit = data.composite.transposed(dual_of_misfit);
-  result.of_stress = data.composite.transposed(dual_of_stress);
+  result.misfit_data = data.composite.transposed(dual_of_misfit);
+  result.stress_data = data.composite.transposed(dual_of_stress);
   if (bubbles_)
     integrate_patches(state, result);
   if (energies != nullptr && energies->is_first(cell))
@@ -227,7 +227,7 @@ EquilibratedStress::integrate_all(CellEnergies &energies) const
 {
   std::vector<CellIntegrals> all(mesh_.cells().size());
   work_on_ranges(n_threads(), all.size(), [&](const std::size_t begin, const std::size_t end) {
-    CellRoom room;
+    CellScratch room;
     for (std::size_t c = begin; c < end; ++c)
       all[c] = integrate(c, room, false, &energies);
   });
@@ -239,11 +239,11 @@ void EquilibratedStress::update(const std::vector<CellIntegrals> &integrals,
                                 const std::vector<double> &change)
 {
   // Where more digits than that are lost, the cell is integrated again.
-  constexpr double least_share = 1e-3;
+  constexpr double min_share = 1e-3;
   squares_.resize(integrals.size());
   work_on_ranges(
     n_threads(), integrals.size(), [&](const std::size_t begin, const std::size_t end) {
-      CellRoom room;
+      CellScratch room;
       for (std::size_t c = begin; c < end; ++c)
       {
         const CellIntegrals &before = integrals[c];
@@ -251,13 +251,13 @@ void EquilibratedStress::update(const std::vector<CellIntegrals> &integrals,
         const CellMoments b = moments_on(mesh_.cells()[c], change), Sb = multiply(energies(c), b);
         for (unsigned int j = 0; j < b.size(); ++j)
         {
-          squares.misfit += b[j] * (Sb[j] - 2. * before.of_misfit[j]);
-          squares.of_patches += b[j] * (Sb[j] - 2. * before.of_patches[j]);
-          squares.stress += b[j] * (Sb[j] + 2. * before.of_stress[j]);
+          squares.misfit += b[j] * (Sb[j] - 2. * before.misfit_data[j]);
+          squares.interpolated_part += b[j] * (Sb[j] - 2. * before.interpolated_part[j]);
+          squares.stress += b[j] * (Sb[j] + 2. * before.stress_data[j]);
         }
-        if (!before.is_resolved || squares.misfit < least_share * before.squares.misfit ||
-            squares.of_patches < least_share * before.squares.of_patches ||
-            squares.stress < least_share * before.squares.stress)
+        if (!before.is_resolved || squares.misfit < min_share * before.squares.misfit ||
+            squares.interpolated_part < min_share * before.squares.interpolated_part ||
+            squares.stress < min_share * before.squares.stress)
           squares = integrate(c, room, true).squares;
       }
     });
@@ -285,12 +285,12 @@ BubbleForm::BubbleForm(const CellShape &shape, const Law &law)
     std::array<Components, n_bubbles> strains;
     for (unsigned int i = 0; i < n_bubbles; ++i)
       strains[i] = strain_of_component(gradients[i / 2], i % 2);
-    std::array<Components, 4> of_slopes;
+    std::array<Components, 4> slope_stresses;
     for (unsigned int q = 0; q < 4; ++q)
     {
       CellLoad load;
       load.slope[q] = 1.;
-      of_slopes[q] = load.stress(shape, point.reference);
+      slope_stresses[q] = load.stress(shape, point.reference);
     }
     for (unsigned int i = 0; i < n_bubbles; ++i)
     {
@@ -304,7 +304,7 @@ BubbleForm::BubbleForm(const CellShape &shape, const Law &law)
           row[first_stress + 9 * point.triangle + 3 * m + l] -=
             2. * point.weight * e[l] * point.psi[m];
       for (unsigned int q = 0; q < 4; ++q)
-        row[first_slope + q] -= 2. * point.weight * contraction(e, of_slopes[q]);
+        row[first_slope + q] -= 2. * point.weight * contraction(e, slope_stresses[q]);
       for (unsigned int j = 0; j < n_bubbles; ++j)
         row[first_bubble + j] += point.weight * contraction(s, strains[j]);
     }
@@ -391,19 +391,19 @@ PatchBubbles::PatchBubbles(const DisplacementSpace<2> &space,
     for (unsigned int a = 0; a < 4; ++a)
       for (unsigned int c = 0; c < 2; ++c)
         u[a][c] = U[mesh.dofs()[here.vertices[a]][c]];
-    Vector2 in_centre = values[4] - 0.25 * (u[0] + u[1] + u[2] + u[3]);
+    Vector2 centre_value = values[4] - 0.25 * (u[0] + u[1] + u[2] + u[3]);
     for (unsigned int k = 0; k < 4; ++k)
     {
-      const Vector2 in_middle = values[k] - 0.5 * (u[k] + u[(k + 1) % 4]);
-      in_centre -= 0.5 * in_middle;
+      const Vector2 middle_value = values[k] - 0.5 * (u[k] + u[(k + 1) % 4]);
+      centre_value -= 0.5 * middle_value;
       const Edge &edge = mesh.edges()[here.edges[k]];
       const bool is_held = edge.side != Edge::no_side && edge.freedom == EdgeFreedom::any;
       if (!is_held)
-        edges_[here.edges[k]] = in_middle;
-      else if (in_middle.norm() > rounding)
-        held_[number][k] = in_middle;
+        edges_[here.edges[k]] = middle_value;
+      else if (middle_value.norm() > rounding)
+        held_[number][k] = middle_value;
     }
-    cells_[number++] = in_centre;
+    cells_[number++] = centre_value;
   }
 }
 

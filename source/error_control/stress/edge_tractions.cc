@@ -61,9 +61,9 @@ struct EdgeTraction
     {
       const double s = position(i);
       const Vector2 difference = Vector2({t[i][0], t[i][1]}) - (1. - s) * linear[0] - s * linear[1];
-      const double of_normal = difference * edge.normal;
-      normal_square += of_normal * of_normal * values.JxW(i);
-      shear_square += (difference - of_normal * edge.normal).norm_square() * values.JxW(i);
+      const double normal_part = difference * edge.normal;
+      normal_square += normal_part * normal_part * values.JxW(i);
+      shear_square += (difference - normal_part * edge.normal).norm_square() * values.JxW(i);
     }
     normal_rest = std::sqrt(normal_square);
     shear_rest = std::sqrt(shear_square);

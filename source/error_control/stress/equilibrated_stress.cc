@@ -36,14 +36,14 @@ void add_edge(const std::array<EdgePoint, 2> &points,
 
 std::string EquilibratedStress::objection(const StressData &data)
 {
-  if (data.space.largest_degree() > 1)
+  if (data.space.max_element_degree() > 1)
     return "the displacement has a degree above one, and the bound is for bilinear elements";
-  std::string of_mesh = EdgeMesh::objection(data.space.mesh());
-  if (!of_mesh.empty())
-    return of_mesh;
-  std::string of_supports = find_contradiction(data.scene);
-  if (!of_supports.empty())
-    return of_supports;
+  std::string mesh_objection = EdgeMesh::objection(data.space.mesh());
+  if (!mesh_objection.empty())
+    return mesh_objection;
+  std::string support_objection = find_contradiction(data.scene);
+  if (!support_objection.empty())
+    return support_objection;
   const auto prescribes = [](const BoundaryCondition<2> &condition) {
     return condition.role == Role::displacement;
   };
@@ -52,7 +52,7 @@ std::string EquilibratedStress::objection(const StressData &data)
     return "";
   const EdgeMesh mesh(data.space, data.scene);
   const PrescribedLift lift(data.scene, mesh, data.U);
-  if (lift.largest_misfit() > 0.02)
+  if (lift.max_misfit() > 0.02)
     return "the prescribed displacements jump, or vary too fast within the edge of a cell";
   return "";
 }
@@ -110,7 +110,7 @@ void EquilibratedStress::balance_couples(const std::vector<EdgeMoments::CornerFo
   }
 }
 
-double EquilibratedStress::geometry(const unsigned int cell, const double smallest_eigenvalue) const
+double EquilibratedStress::geometry(const unsigned int cell, const double min_eigenvalue) const
 {
   const EdgeCell &here = mesh_.cells()[cell];
   if (!here.is_curved)
@@ -132,12 +132,12 @@ double EquilibratedStress::geometry(const unsigned int cell, const double smalle
     sum += 4. * here.bulges[k].norm() / edge.length * along.norm() *
            turning_constant(edge.length, shape.area() / edge.length);
   }
-  return sum / std::sqrt(smallest_eigenvalue);
+  return sum / std::sqrt(min_eigenvalue);
 }
 
 unsigned int EquilibratedStress::n_threads() const
 {
-  return number_of_threads(data_.space.mesh().communicator());
+  return n_available_threads(data_.space.mesh().communicator());
 }
 
 CellLoad EquilibratedStress::load(const unsigned int cell) const
@@ -227,9 +227,9 @@ CompositeCell::Stresses EquilibratedStress::stresses(const unsigned int cell,
   CellMoments moments = moments_on(mesh_.cells()[cell], moments_);
   if (loads_.empty())
     return data.composite.stress(moments);
-  const CellMoments of_load = loads_[cell].moments(data.shape);
+  const CellMoments load_moments = loads_[cell].moments(data.shape);
   for (unsigned int j = 0; j < moments.size(); ++j)
-    moments[j] -= of_load[j];
+    moments[j] -= load_moments[j];
   return data.composite.stress(moments, loads_[cell].constant);
 }
 
@@ -254,21 +254,21 @@ std::vector<Components> EquilibratedStress::stress(const unsigned int cell,
 }
 
 double EquilibratedStress::oscillation(const unsigned int cell,
-                                       const double smallest_eigenvalue,
+                                       const double min_eigenvalue,
                                        OscillationTable &table) const
 {
   const auto &edges = mesh_.cells()[cell].edges;
-  double of_force = loads_.empty() ? 0. : loads_[cell].rest, of_edges = 0.;
+  double force_rest = loads_.empty() ? 0. : loads_[cell].rest, edge_rest = 0.;
   for (const unsigned int edge : edges)
-    of_edges += given_.normal_rest[edge] + given_.shear_rest[edge];
-  if (of_force == 0. && of_edges == 0.)
+    edge_rest += given_.normal_rest[edge] + given_.shear_rest[edge];
+  if (force_rest == 0. && edge_rest == 0.)
     return 0.;
   const OscillationConstants &constants = table(table_.shape_of(cell), mesh_.cells()[cell].corners);
-  double sum = constants.body * of_force;
+  double sum = constants.body * force_rest;
   for (unsigned int k = 0; k < 4; ++k)
     sum += constants.normal[k] * given_.normal_rest[edges[k]] +
            constants.edge[k] * given_.shear_rest[edges[k]];
-  return sum / std::sqrt(smallest_eigenvalue);
+  return sum / std::sqrt(min_eigenvalue);
 }
 
 double EquilibratedStress::support_work(const unsigned int number,
@@ -311,12 +311,12 @@ StressBound EquilibratedStress::bound() const
   {
     const CellSquares &squares = squares_[c];
     const double misfit = std::sqrt(squares.misfit);
-    const double rest = oscillation(c, squares.smallest_eigenvalue, constants);
+    const double rest = oscillation(c, squares.min_eigenvalue, constants);
     result.misfit.push_back(misfit);
     result.oscillation.push_back(rest);
-    const double of_geometry = geometry(c, squares.smallest_eigenvalue);
-    result.geometry_square += of_geometry * of_geometry;
-    result.square += std::pow(misfit + rest + of_geometry, 2);
+    const double geometry_part = geometry(c, squares.min_eigenvalue);
+    result.geometry_square += geometry_part * geometry_part;
+    result.square += std::pow(misfit + rest + geometry_part, 2);
     result.oscillation_square += rest * rest;
     const double norm = std::sqrt(squares.stress);
     const double work = support_work(c, result.translation, result.support_force);
@@ -325,14 +325,14 @@ StressBound EquilibratedStress::bound() const
     lift_square += squares.lift;
     if (bubbles_)
     {
-      const double of_patches = std::sqrt(squares.of_patches) + rest;
-      patch_square += of_patches * of_patches;
-      patch_lift_square += squares.lift_of_patches;
+      const double interpolated_part = std::sqrt(squares.interpolated_part) + rest;
+      patch_square += interpolated_part * interpolated_part;
+      patch_lift_square += squares.interpolated_lift;
     }
   }
   result.lift = std::sqrt(lift_square);
   if (bubbles_)
-    result.of_patches = {patch_square, std::sqrt(patch_lift_square)};
+    result.interpolated_part = {patch_square, std::sqrt(patch_lift_square)};
   return result;
 }
 } // namespace Signorini

@@ -266,10 +266,10 @@ CellEnergies::CellEnergies(const CellTable &table, const std::size_t n_cells)
   , index_(n_cells)
 {
   constexpr unsigned int unknown = static_cast<unsigned int>(-1);
-  std::vector<unsigned int> of_shape(table.n_shapes(), unknown);
+  std::vector<unsigned int> matrix_of_shape(table.n_shapes(), unknown);
   for (unsigned int cell = 0; cell < n_cells; ++cell)
   {
-    unsigned int *const shared = is_shared(cell) ? &of_shape[table.shape_of(cell)] : nullptr;
+    unsigned int *const shared = is_shared(cell) ? &matrix_of_shape[table.shape_of(cell)] : nullptr;
     index_[cell] = shared != nullptr && *shared != unknown ? *shared : first_cell_.size();
     if (index_[cell] == first_cell_.size())
       first_cell_.push_back(cell);
@@ -333,9 +333,9 @@ std::vector<double> StarSolver::solve_star(const Star &star, const CellEnergies 
   for (unsigned int j = 0; j < star.cells.size(); ++j)
   {
     const CellEnergy &energy = energies(star.cells[j].cell);
-    const auto of_cell = entries(star, j);
-    for (const StarEntry &a : of_cell)
-      for (const StarEntry &b : of_cell)
+    const auto cell_data = entries(star, j);
+    for (const StarEntry &a : cell_data)
+      for (const StarEntry &b : cell_data)
         S(a.in_star, b.in_star) +=
           a.sign * b.sign * energy[CompositeCell::n_moments * a.in_cell + b.in_cell];
   }

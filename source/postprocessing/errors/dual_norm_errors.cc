@@ -115,7 +115,7 @@ std::optional<double> hypot(const std::optional<double> &a, const std::optional<
 
 /** The number of patches above which a side does not get the paper's norm: its cost grows like m³.
  */
-constexpr unsigned int largest_slobodeckij = 128;
+constexpr unsigned int max_slobodeckij_patches = 128;
 
 /** Returns Richardson's extrapolation of the error's h² on grids of 8 m and 16 m cells. */
 double extrapolate(const std::array<double, 2> &norms)
@@ -174,7 +174,7 @@ DualNormErrors ExactPressure<2>::errors_on_side(const MultiplierSpace<2> &space,
   DualNormErrors errors;
   errors.spectral = norm.distance(p, ends, P_side);
   errors.superclose_spectral = norm.distance(dealii::Vector<double>(p.size()), ends, difference);
-  if (m > largest_slobodeckij || !side.is_flat())
+  if (m > max_slobodeckij_patches || !side.is_flat())
     return errors;
 
   std::array<double, 2> norms, superclose_norms;

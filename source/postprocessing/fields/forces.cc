@@ -101,8 +101,8 @@ std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipl
   std::vector<PressedInterval> intervals;
   for (const SideNodes &side : nodes_by_side(multipliers, P))
   {
-    const std::vector<PressedInterval> of_side = intervals_of(side);
-    intervals.insert(intervals.end(), of_side.begin(), of_side.end());
+    const std::vector<PressedInterval> side_data = intervals_of(side);
+    intervals.insert(intervals.end(), side_data.begin(), side_data.end());
   }
   return intervals;
 }

@@ -130,10 +130,10 @@ PatchInterpolation<dim>::make_table(const std::vector<dealii::Point<dim>> &point
   std::vector<dealii::Tensor<4, dim>> fourth;
   for (const dealii::Point<dim> &point : points)
   {
-    dealii::Point<dim> in_ancestor;
+    dealii::Point<dim> point_in_ancestor;
     for (unsigned int d = 0; d < dim; ++d)
-      in_ancestor[d] = (point[d] + place[d]) / n_cells_;
-    polynomials_.evaluate(in_ancestor, values, gradients, second, third, fourth);
+      point_in_ancestor[d] = (point[d] + place[d]) / n_cells_;
+    polynomials_.evaluate(point_in_ancestor, values, gradients, second, third, fourth);
     table.values.insert(table.values.end(), values.begin(), values.end());
     for (const dealii::Tensor<1, dim> &gradient : gradients)
       table.gradients.push_back(gradient / n_cells_);

@@ -149,12 +149,12 @@ void TensorEvaluation::evaluate(const std::vector<Vector3> &nodal_values,
 // The stress with three components per direction, and the quantities that follow from it.
 
 template <int dim>
-SpatialStress stress_in_space(const Material<dim> &material,
-                              const dealii::Point<dim> &x,
-                              const dealii::SymmetricTensor<2, dim> &strain)
+Stress3D stress_in_3d(const Material<dim> &material,
+                      const dealii::Point<dim> &x,
+                      const dealii::SymmetricTensor<2, dim> &strain)
 {
   const dealii::SymmetricTensor<2, dim> stress = material.hooke(x) * strain;
-  SpatialStress in_space;
+  Stress3D in_space;
   for (unsigned int i = 0; i < dim; ++i)
     for (unsigned int j = i; j < dim; ++j)
       in_space[i][j] = stress[i][j];
@@ -163,22 +163,22 @@ SpatialStress stress_in_space(const Material<dim> &material,
   return in_space;
 }
 
-double von_mises(const SpatialStress &stress)
+double von_mises(const Stress3D &stress)
 {
   return std::sqrt(1.5) * deviator(stress).norm();
 }
 
-std::array<double, 3> principal_stresses(const SpatialStress &stress)
+std::array<double, 3> principal_stresses(const Stress3D &stress)
 {
   // Jacobi's method keeps all digits where eigenvalues are equal.
   const auto pairs = dealii::eigenvectors(stress, dealii::SymmetricTensorEigenvectorMethod::jacobi);
   return {pairs[0].first, pairs[1].first, pairs[2].first};
 }
 
-template SpatialStress stress_in_space(const Material<2> &,
-                                       const dealii::Point<2> &,
-                                       const dealii::SymmetricTensor<2, 2> &);
-template SpatialStress stress_in_space(const Material<3> &,
-                                       const dealii::Point<3> &,
-                                       const dealii::SymmetricTensor<2, 3> &);
+template Stress3D stress_in_3d(const Material<2> &,
+                               const dealii::Point<2> &,
+                               const dealii::SymmetricTensor<2, 2> &);
+template Stress3D stress_in_3d(const Material<3> &,
+                               const dealii::Point<3> &,
+                               const dealii::SymmetricTensor<2, 3> &);
 } // namespace Signorini

@@ -102,7 +102,7 @@ CaseResult CaseSolver::solve_dual(const LoadCase &load_case)
     const MotionResult solved = solve_dual_problem(C_, F, motions, P_, data_.options);
     if (solved.escape)
       result.escape =
-        word_for_escape(rigid_part(data_.modes, *solved.escape), opens(B_, *solved.escape));
+        text_of_escape(rigid_part(data_.modes, *solved.escape), opens(B_, *solved.escape));
     qp = solved.qp;
     q_ = solved.q;
   }

@@ -101,19 +101,19 @@ dealii::FullMatrix<double> cosine_transform(const unsigned int n)
 }
 
 /** Returns the columns of the cells of every patch added up. */
-dealii::FullMatrix<double> sum_over_patches(const dealii::FullMatrix<double> &of_cells,
+dealii::FullMatrix<double> sum_over_patches(const dealii::FullMatrix<double> &cell_columns,
                                             const std::vector<unsigned int> &ends)
 {
-  dealii::FullMatrix<double> sums(of_cells.m(), ends.size() - 1);
+  dealii::FullMatrix<double> sums(cell_columns.m(), ends.size() - 1);
   for (unsigned int p = 0; p < sums.m(); ++p)
     for (unsigned int i = 0; i < sums.n(); ++i)
       for (unsigned int a = ends[i]; a < ends[i + 1]; ++a)
-        sums(p, i) += of_cells(p, a);
+        sums(p, i) += cell_columns(p, a);
   return sums;
 }
 
 /** The number of cells along an edge above which a divisor is due to rounding. */
-constexpr double most_cells = 1e5;
+constexpr double max_cells = 1e5;
 /** The rounding error of lengths, relative to an edge. */
 constexpr double edge_rounding = 1e-9;
 
@@ -284,7 +284,7 @@ std::array<std::vector<unsigned int>, 2> equal_cells(const PatchGrid &grid)
     for (const double s : ends)
     {
       const double number = (s - ends[0]) / cell;
-      if (std::abs(number - std::round(number)) > 0.01 || number > most_cells)
+      if (std::abs(number - std::round(number)) > 0.01 || number > max_cells)
         throw ComputationError(
           "The norm of order -1/2 in space needs patches that are unions of equal cells.");
       numbers[d].push_back(static_cast<unsigned int>(std::round(number)));
@@ -310,10 +310,10 @@ dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<3> &surface)
   dealii::FullMatrix<double> gram(surface.patches().size(), surface.patches().size());
   for (const PatchGrid &grid : patch_grids(surface.patches()))
   {
-    const auto of_side = rectangle_norm_on(grid).gram_matrix(equal_cells(grid));
+    const auto side_data = rectangle_norm_on(grid).gram_matrix(equal_cells(grid));
     for (std::size_t k = 0; k < grid.patches.size(); ++k)
       for (std::size_t l = 0; l < grid.patches.size(); ++l)
-        gram(grid.patches[k], grid.patches[l]) = of_side(k, l);
+        gram(grid.patches[k], grid.patches[l]) = side_data(k, l);
   }
   return gram;
 }

@@ -98,8 +98,8 @@ private:
   void integrate(const double from, const double to, const unsigned int n_halvings)
   {
     // The rest next to a singularity is 2^-50 of the whole.
-    constexpr unsigned int most_halvings = 50;
-    if (n_halvings > most_halvings)
+    constexpr unsigned int max_halvings = 50;
+    if (n_halvings > max_halvings)
       return;
     if (std::min(kernel_.distance(from), kernel_.distance(to)) < (1. - 1e-6) * (to - from))
     {
@@ -179,11 +179,11 @@ double DualKernel::distance(const double x) const
 double DualKernel::operator()(const double x) const
 {
   using dealii::numbers::PI;
-  constexpr double shortest_with_images = PI, negligible = 40.;
+  constexpr double min_period_with_images = PI, negligible = 40.;
   // Where ends of patches are equal up to rounding, rules may have a point there.
   const double r = std::max(distance(x), 1e-18 * period_);
   double sum = 0.;
-  if (period_ > shortest_with_images)
+  if (period_ > min_period_with_images)
   {
     for (double image = r; image < negligible; image += period_)
       sum += bessel_K_0(image);

@@ -97,9 +97,9 @@ std::vector<dealii::Point<2>> sample_positions(std::integral_constant<int, 3> /*
 } // namespace
 
 template <int dim>
-std::optional<Penetration> largest_penetration(const DisplacementSpace<dim> &space,
-                                               const MultiplierSpace<dim> &multipliers,
-                                               const Displacement &U)
+std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
+                                           const MultiplierSpace<dim> &multipliers,
+                                           const Displacement &U)
 {
   const auto positions = sample_positions(std::integral_constant<int, dim>());
   const ContactSurface<dim> &surface = multipliers.surface();
@@ -151,24 +151,24 @@ Answer compute_answer(const DisplacementSpace<dim> &space,
   answer.peak_pressure = describe_peak(multipliers, P, places);
   if constexpr (dim == 2)
     answer.zones = contact_zones(multipliers, P);
-  answer.penetration = largest_penetration(space, multipliers, U);
+  answer.penetration = max_penetration(space, multipliers, U);
   answer.von_mises = largest_von_mises(space, scene, U, places);
   set_growth(places, multipliers, P, answer.von_mises.point, answer.von_mises);
   return answer;
 }
 
-template std::optional<Penetration> largest_penetration(const DisplacementSpace<2> &,
-                                                        const MultiplierSpace<2> &,
-                                                        const Displacement &);
+template std::optional<Penetration> max_penetration(const DisplacementSpace<2> &,
+                                                    const MultiplierSpace<2> &,
+                                                    const Displacement &);
 template Answer compute_answer(const DisplacementSpace<2> &,
                                const Scene<2> &,
                                const MultiplierSpace<2> &,
                                const NodalForces &,
                                const Displacement &,
                                const Pressure &);
-template std::optional<Penetration> largest_penetration(const DisplacementSpace<3> &,
-                                                        const MultiplierSpace<3> &,
-                                                        const Displacement &);
+template std::optional<Penetration> max_penetration(const DisplacementSpace<3> &,
+                                                    const MultiplierSpace<3> &,
+                                                    const Displacement &);
 template Answer compute_answer(const DisplacementSpace<3> &,
                                const Scene<3> &,
                                const MultiplierSpace<3> &,

@@ -127,8 +127,8 @@ public:
                                         std::abs(middle(last + step) - inner_edge),
                                         mean(last) / mean(last - step)});
     }
-    const bool in_last = (edge - s) * step >= 0.;
-    const int patch = in_last ? last : last + step;
+    const bool in_last_patch = (edge - s) * step >= 0.;
+    const int patch = in_last_patch ? last : last + step;
     return {place(s), upper(patch) - lower(patch)};
   }
 

@@ -308,10 +308,10 @@ PointOfPressure golden_maximum(const std::function<double(double)> &f, double lo
 
 /** Returns the maximum of -p_H on a patch outside of given places: the best of many points, then
  * between its neighbours; none where the patch lies in one of the places. */
-std::optional<PointOfPressure> largest_on(const unsigned int patch,
-                                          const MultiplierSpace<2> &multipliers,
-                                          const Pressure &P,
-                                          const std::vector<SingularPlace<2>> &outside_of)
+std::optional<PointOfPressure> max_on_patch(const unsigned int patch,
+                                            const MultiplierSpace<2> &multipliers,
+                                            const Pressure &P,
+                                            const std::vector<SingularPlace<2>> &outside_of)
 {
   const Patch<2> &tau = multipliers.surface().patches()[patch];
   const Side<2> &side = multipliers.surface().side(tau);
@@ -388,7 +388,7 @@ std::optional<PressureMaximum> peak_of_polynomial(const MultiplierSpace<2> &mult
       presses = presses || P[k] < threshold;
     if (!presses)
       continue;
-    const std::optional<PointOfPressure> point = largest_on(patch, multipliers, P, outside_of);
+    const std::optional<PointOfPressure> point = max_on_patch(patch, multipliers, P, outside_of);
     if (!point || (peak && !(point->pressure > larger * peak->value)))
       continue;
     const Patch<2> &tau = surface.patches()[patch];

@@ -23,15 +23,15 @@ using dealii::numbers::PI;
 
 /** The largest singular exponent: closer to one, refinement changes stresses by less than rounding.
  */
-constexpr double largest_singular_exponent = 1. - 1e-3;
+constexpr double max_singular_exponent = 1. - 1e-3;
 
 /** The share of the sides and of the distances between corners. */
 constexpr double share_of_sides = 0.1;
 
 /** Returns the smallest exponent over the states that contact may have. */
-double smallest_exponent(const double angle, const std::array<Role, 2> &roles, const double kappa)
+double min_exponent(const double angle, const std::array<Role, 2> &roles, const double kappa)
 {
-  double smallest = largest_corner_exponent;
+  double smallest = max_corner_exponent;
   for (const EdgeSupport first : possible_supports(roles[0]))
     for (const EdgeSupport second : possible_supports(roles[1]))
       smallest = std::min(smallest, corner_exponent(angle, first, second, kappa));
@@ -41,7 +41,7 @@ double smallest_exponent(const double angle, const std::array<Role, 2> &roles, c
 /** Returns whether no state can be singular, which saves time with hundreds of corners: (W1) at
  * convex corners, and where contact goes on straight. There it ends at one of its ends at most,
  * where (1) excludes the root 1/2. */
-bool is_harmless(const double angle, const std::array<Role, 2> &roles)
+bool cannot_be_singular(const double angle, const std::array<Role, 2> &roles)
 {
   const auto is_free = [](const Role role) { return role == Role::free || role == Role::traction; };
   if (is_free(roles[0]) && is_free(roles[1]))
@@ -122,10 +122,10 @@ std::vector<SingularPlace<2>> singular_places(const Scene<2> &scene)
   for (const Corner &corner : all)
   {
     const std::array<Role, 2> roles = roles_at(scene, corner.sides);
-    if (is_harmless(corner.angle, roles))
+    if (cannot_be_singular(corner.angle, roles))
       continue;
     const double kappa = kolosov_constant(scene.material->relative_hooke(corner.position));
-    if (smallest_exponent(corner.angle, roles, kappa) >= largest_singular_exponent)
+    if (min_exponent(corner.angle, roles, kappa) >= max_singular_exponent)
       continue;
     double shortest = std::min(scene.geometry.sides[corner.sides[0]].length(),
                                scene.geometry.sides[corner.sides[1]].length());
@@ -152,13 +152,13 @@ std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene)
     {
       const std::array<unsigned int, 2> axes = {{axis_of(box.sides[i]), axis_of(box.sides[j])}};
       const std::array<Role, 2> roles = roles_at(scene, {{i, j}});
-      if (axes[0] == axes[1] || is_harmless(0.5 * PI, roles))
+      if (axes[0] == axes[1] || cannot_be_singular(0.5 * PI, roles))
         continue;
       dealii::Point<3> middle = box.lower + 0.5 * (box.upper - box.lower);
       middle[axes[0]] = box.sides[i].centre()[axes[0]];
       middle[axes[1]] = box.sides[j].centre()[axes[1]];
       const double kappa = kolosov_constant(in_plane(scene.material->relative_hooke(middle), axes));
-      if (smallest_exponent(0.5 * PI, roles, kappa) >= largest_singular_exponent)
+      if (min_exponent(0.5 * PI, roles, kappa) >= max_singular_exponent)
         continue;
       const unsigned int along = 3 - axes[0] - axes[1];
       std::array<dealii::Point<3>, 2> ends = {{middle, middle}};
@@ -195,8 +195,7 @@ std::optional<GrowthPlace> growth_at(const dealii::Point<dim> &x,
         role == Role::contact && presses_at(place.nearest(x), place.sides[i], multipliers, P);
       supports[i] = closed ? EdgeSupport::sliding : possible_supports(role).front();
     }
-    if (corner_exponent(place.angle, supports[0], supports[1], place.kappa) <
-        largest_singular_exponent)
+    if (corner_exponent(place.angle, supports[0], supports[1], place.kappa) < max_singular_exponent)
       return GrowthPlace{{{place.ends[0], place.ends[1]}}, place.radius};
   }
   return {};
@@ -241,12 +240,12 @@ struct CellResults
    * Adds the measure of a cell.
    * @param strain in the middle of the cell.
    */
-  void add_cell(const double of_cell, const dealii::SymmetricTensor<2, dim> &strain)
+  void add_cell(const double cell_data, const dealii::SymmetricTensor<2, dim> &strain)
   {
     const auto principal = dealii::eigenvalues(strain);
-    measure += of_cell;
+    measure += cell_data;
     if (std::max(principal[0], -principal[dim - 1]) > large_strain)
-      strained += of_cell;
+      strained += cell_data;
   }
 };
 
@@ -311,7 +310,7 @@ void compare(const StressField<dim> &field,
 {
   try
   {
-    const StressAt<dim> here = {von_mises(stress_in_space(field.material, x, strain)), x, mesh};
+    const StressAt<dim> here = {von_mises(stress_in_3d(field.material, x, strain)), x, mesh};
     take_larger(here, results.all);
     if (!any_contains(field.places, x))
       take_larger(here, results.away);
@@ -400,24 +399,24 @@ CellResults<dim> results_of_cells(const StressField<dim> &field)
   integrate_by_chunks<CellResults<dim>, dim>(
     field.space,
     [&](const Cells<dim> &cells) { return results_of(cells, field); },
-    [&results](const CellResults<dim> &of_chunk) { add(of_chunk, results); });
+    [&results](const CellResults<dim> &chunk_result) { add(chunk_result, results); });
   return results;
 }
 
 /** Returns the largest stress of all ranks. */
 template <int dim>
-StressMaximum largest_of_ranks(const StressAt<dim> &mine, MPI_Comm communicator)
+StressMaximum max_over_ranks(const StressAt<dim> &mine, MPI_Comm communicator)
 {
   std::array<double, 1 + dim> numbers = {{mine.value}};
   for (unsigned int d = 0; d < dim; ++d)
     numbers[1 + d] = mine.point[d];
   StressAt<dim> largest;
-  for (const auto &of_rank : dealii::Utilities::MPI::all_gather(communicator, numbers))
+  for (const auto &rank_numbers : dealii::Utilities::MPI::all_gather(communicator, numbers))
   {
     StressAt<dim> other;
-    other.value = of_rank[0];
+    other.value = rank_numbers[0];
     for (unsigned int d = 0; d < dim; ++d)
-      other.point[d] = of_rank[1 + d];
+      other.point[d] = rank_numbers[1 + d];
     // Graded meshes are serial.
     other.mesh = mine.mesh;
     take_larger(other, largest);
@@ -441,9 +440,9 @@ VonMises largest_von_mises(const DisplacementSpace<dim> &space,
                                   places};
   const CellResults<dim> mine = results_of_cells(field);
   MPI_Comm communicator = space.mesh().communicator();
-  VonMises stress = {largest_of_ranks(mine.all, communicator), {}, {}};
+  VonMises stress = {max_over_ranks(mine.all, communicator), {}, {}};
   if (!places.empty())
-    stress.away = largest_of_ranks(mine.away, communicator);
+    stress.away = max_over_ranks(mine.away, communicator);
   stress.strained_share = dealii::Utilities::MPI::sum(mine.strained, communicator) /
                           dealii::Utilities::MPI::sum(mine.measure, communicator);
   return stress;

@@ -287,12 +287,12 @@ ArcCell::push_forward_gradient(const dealii::Point<2> &chart_point) const
 
 dealii::Point<2> ArcCell::pull_back(const dealii::Point<2> &x) const
 {
-  constexpr unsigned int most_steps = 50;
+  constexpr unsigned int max_steps = 50;
   const double size = edges_[0].start.distance(edges_[2].start);
   const double rounding = 1e-15 * (size + x.norm());
   dealii::Point<2> chart_point(0.5, 0.5);
   double distance = HUGE_VAL;
-  for (unsigned int step = 0; step < most_steps; ++step)
+  for (unsigned int step = 0; step < max_steps; ++step)
   {
     const dealii::Tensor<1, 2> residual = x - push_forward(chart_point);
     // Newton's method continues until rounding ends it.
@@ -314,7 +314,7 @@ dealii::Point<2> ArcCell::pull_back(const dealii::Point<2> &x) const
   throw ComputationError(text.str());
 }
 
-bool ArcCell::is_valid(const unsigned int n, const double smallest_ratio) const
+bool ArcCell::is_valid(const unsigned int n, const double min_ratio) const
 {
   double lowest = HUGE_VAL, highest = 0.;
   for (unsigned int i = 0; i <= n; ++i)
@@ -325,6 +325,6 @@ bool ArcCell::is_valid(const unsigned int n, const double smallest_ratio) const
       lowest = std::min(lowest, determinant);
       highest = std::max(highest, determinant);
     }
-  return lowest > smallest_ratio * highest;
+  return lowest > min_ratio * highest;
 }
 } // namespace Signorini

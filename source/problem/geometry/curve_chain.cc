@@ -15,7 +15,7 @@ namespace Signorini
 namespace
 {
 /** The largest distance between pieces that follow one another, in lengths of the chain. */
-constexpr double largest_hole = 1e-8;
+constexpr double max_gap_between_pieces = 1e-8;
 
 /** Returns the pieces with all segments in a row on one line joined to one. */
 std::vector<Curve> without_straight_joints(const std::vector<Curve> &pieces)
@@ -51,13 +51,13 @@ Curve::Chain::Chain(const std::vector<Curve> &pieces)
     return cross_product(piece.tangent(0., 1.), piece.normal(0.));
   };
   for (unsigned int k = 0; k < n_pieces(); ++k)
-    AssertThrow(
-      pieces_[k].n_pieces() == 1 && hand(pieces_[k]) * hand(pieces_[0]) > 0. &&
-        (k == 0 || pieces_[k - 1].end().distance(pieces_[k].start()) <= largest_hole * length()),
-      dealii::ExcMessage("pieces of a chain follow one another"));
-  is_closed_ = n_pieces() == 1
-                 ? pieces_[0].is_closed()
-                 : pieces_.back().end().distance(pieces_[0].start()) <= largest_hole * length();
+    AssertThrow(pieces_[k].n_pieces() == 1 && hand(pieces_[k]) * hand(pieces_[0]) > 0. &&
+                  (k == 0 || pieces_[k - 1].end().distance(pieces_[k].start()) <=
+                               max_gap_between_pieces * length()),
+                dealii::ExcMessage("pieces of a chain follow one another"));
+  is_closed_ = n_pieces() == 1 ? pieces_[0].is_closed()
+                               : pieces_.back().end().distance(pieces_[0].start()) <=
+                                   max_gap_between_pieces * length();
   find_corners();
   boxes_.resize(4 * pieces_.size());
   make_box(1, 0, n_pieces());
@@ -69,7 +69,7 @@ void Curve::Chain::find_corners()
     const double s = pieces_[before].length();
     const dealii::Tensor<1, 2> in = pieces_[before].tangent(s, s),
                                out = pieces_[after].tangent(0., 0.);
-    return std::abs(std::atan2(cross_product(in, out), in * out)) > smallest_turn;
+    return std::abs(std::atan2(cross_product(in, out), in * out)) > min_corner_turn;
   };
   if (is_closed_ && n_pieces() > 1 && turns(n_pieces() - 1, 0))
     corners_.push_back(0.);

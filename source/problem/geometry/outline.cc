@@ -57,7 +57,7 @@ OutlineMesh make_mesh(const std::vector<Side<2>> &sides,
   // With shorter chords the cells next to arcs are less bent.
   double step = 0.25 * dealii::numbers::PI;
   for (unsigned int attempt = 0; attempt < 10; ++attempt, step *= 0.7)
-    if (auto mesh = mesh_outline(sides, loops, mesh_size, step, most_coarse_cells, where))
+    if (auto mesh = mesh_outline(sides, loops, mesh_size, step, max_coarse_cells, where))
       return *mesh;
   throw InputError(where +
                    ": no mesh was found for this shape, allowed: arcs that do not come very "

@@ -47,7 +47,7 @@ Polygons chords_of(const std::vector<Side<2>> &sides,
                    const std::vector<Loop> &loops,
                    const double mesh_size,
                    const double step,
-                   const std::size_t most_points)
+                   const std::size_t max_points)
 {
   Polygons polygons;
   for (const Loop &loop : loops)
@@ -60,7 +60,7 @@ Polygons chords_of(const std::vector<Side<2>> &sides,
         const double by_angle = piece.radius() > 0. ? piece.length() / piece.radius() / step : 1.;
         const double by_size = mesh_size > 0. ? piece.length() / mesh_size : 1.;
         const double n = std::ceil(std::max({1., by_angle, by_size}) * (1. - 1e-10));
-        for (double j = 0.; j < n && polygons.points.size() <= most_points; ++j)
+        for (double j = 0.; j < n && polygons.points.size() <= max_points; ++j)
         {
           const auto number = static_cast<unsigned int>(polygons.points.size());
           polygons.points.push_back(piece.point(j / n * piece.length()));
@@ -74,7 +74,7 @@ Polygons chords_of(const std::vector<Side<2>> &sides,
 
 /** Returns the number of triangles with edges of the mesh size, a lower bound: others are smaller.
  */
-double fewest_triangles(const Polygons &polygons, const double mesh_size)
+double min_triangles(const Polygons &polygons, const double mesh_size)
 {
   double area = 0.;
   for (const MeshChord &chord : polygons.chords)
@@ -133,7 +133,7 @@ public:
 private:
   using Edge = std::pair<unsigned int, unsigned int>;
   /** The smallest ratio of two determinants of the map of a valid cell. */
-  static constexpr double smallest_ratio = 0.1;
+  static constexpr double min_ratio = 0.1;
 
   static Edge sorted(const unsigned int a, const unsigned int b)
   {
@@ -146,7 +146,7 @@ private:
     mesh_.vertices[vertex] = piece.point(piece.arc_length(mesh_.vertices[vertex]));
   }
 
-  dealii::types::manifold_id number_of_circle(const Curve &arc)
+  dealii::types::manifold_id circle_manifold_id(const Curve &arc)
   {
     const auto known =
       std::find(mesh_.circles.begin(), mesh_.circles.end(), arc.centre_of_circle());
@@ -169,7 +169,7 @@ private:
     line.boundary_id = edge.chord->side;
     if (edge.is_curved())
     {
-      line.manifold_id = number_of_circle(piece);
+      line.manifold_id = circle_manifold_id(piece);
       arcs_[sorted(edge.start, middle)] = &piece;
       arcs_[sorted(middle, edge.end)] = &piece;
     }
@@ -205,7 +205,7 @@ private:
       dealii::CellData<2> cell;
       cell.vertices = {triangle[i], middles[i], middles[(i + 2) % 3], number};
       const ArcCell map = map_of(cell.vertices);
-      is_valid_ = is_valid_ && map.is_valid(4, smallest_ratio);
+      is_valid_ = is_valid_ && map.is_valid(4, min_ratio);
       if (arc_between(cell.vertices[0], cell.vertices[1]) != nullptr ||
           arc_between(cell.vertices[0], cell.vertices[2]) != nullptr)
       {
@@ -244,20 +244,20 @@ std::optional<OutlineMesh> mesh_outline(const std::vector<Side<2>> &sides,
                                         const std::vector<Loop> &loops,
                                         const double mesh_size,
                                         const double step,
-                                        const std::size_t most_cells,
+                                        const std::size_t max_cells,
                                         const std::string &where)
 {
-  const Polygons polygons = chords_of(sides, loops, mesh_size, step, most_cells);
+  const Polygons polygons = chords_of(sides, loops, mesh_size, step, max_cells);
   std::vector<std::array<unsigned int, 2>> segments;
   for (const MeshChord &chord : polygons.chords)
     segments.push_back({chord.start, chord.end});
   Triangles triangles;
   triangles.too_many =
-    polygons.points.size() > most_cells || 3. * fewest_triangles(polygons, mesh_size) > most_cells;
+    polygons.points.size() > max_cells || 3. * min_triangles(polygons, mesh_size) > max_cells;
   if (!triangles.too_many)
-    triangles = triangulate(polygons.points, segments, mesh_size, most_cells / 3);
+    triangles = triangulate(polygons.points, segments, mesh_size, max_cells / 3);
   if (triangles.too_many)
-    throw InputError(where + ": found more than " + std::to_string(most_cells) +
+    throw InputError(where + ": found more than " + std::to_string(max_cells) +
                      " coarse cells, allowed: a larger Mesh size, and sides that do not come very "
                      "close to each other.");
   std::vector<BoundaryEdge> edges;

@@ -46,12 +46,12 @@ struct OutlineMesh
 /**
  * Returns the mesh of make_outlined_body(), with chords of at most @p step (radians) on arcs; none
  * if chords cross or a cell comes out folded.
- * @throws InputError beginning with @p where if there are more than @p most_cells.
+ * @throws InputError beginning with @p where if there are more than @p max_cells.
  */
 std::optional<OutlineMesh> mesh_outline(const std::vector<Side<2>> &sides,
                                         const std::vector<Loop> &loops,
                                         double mesh_size,
                                         double step,
-                                        std::size_t most_cells,
+                                        std::size_t max_cells,
                                         const std::string &where);
 } // namespace Signorini

@@ -89,7 +89,7 @@ Triangles to_triangles(Delaunay &delaunay, Triangles result)
 Triangles triangulate(const std::vector<dealii::Point<2>> &points,
                       const std::vector<std::array<unsigned int, 2>> &segments,
                       const double mesh_size,
-                      const std::size_t most_triangles)
+                      const std::size_t max_triangles)
 {
   Delaunay delaunay;
   std::vector<Delaunay::Vertex_handle> vertices;
@@ -113,7 +113,7 @@ Triangles triangulate(const std::vector<dealii::Point<2>> &points,
   mesher.init(/*domain_specified=*/true);
   // A mesh of n vertices has fewer than 2 n triangles.
   while (mesher.try_one_step_refine_mesh())
-    if (delaunay.number_of_vertices() > most_triangles / 2)
+    if (delaunay.number_of_vertices() > max_triangles / 2)
       return {{}, {}, {}, true};
   return to_triangles(delaunay, {points, {}, {}, false});
 }

@@ -26,10 +26,10 @@ struct Triangles
  * Points may be added on the segments. The first points of the result are the given ones.
  *
  * @param segments pairs of numbers of points.
- * @return no triangles if segments cross, or if there would be more than about @p most_triangles.
+ * @return no triangles if segments cross, or if there would be more than about @p max_triangles.
  */
 Triangles triangulate(const std::vector<dealii::Point<2>> &points,
                       const std::vector<std::array<unsigned int, 2>> &segments,
                       double mesh_size,
-                      std::size_t most_triangles);
+                      std::size_t max_triangles);
 } // namespace Signorini

@@ -122,7 +122,7 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
                               reference);
   }
   else if (given.law == MaterialLaw::general)
-    return make_general_in_space(read_moduli(given.hooke_tensor, 21, reader, geometry), reference);
+    return make_general_3d(read_moduli(given.hooke_tensor, 21, reader, geometry), reference);
   const Expression<dim> youngs_modulus =
     read_moduli(given.youngs_modulus, 1, reader, geometry).front();
   const Expression<dim> poissons_ratio = reader.components(given.poissons_ratio, 1).front();

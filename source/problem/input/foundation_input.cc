@@ -16,10 +16,10 @@ namespace Signorini
 namespace
 {
 /** The largest number of obstacles: every point of a contact side computes its distance to all. */
-constexpr std::size_t most_things = 1000;
+constexpr std::size_t max_obstacles = 1000;
 
 /** The largest gap in diameters of the body. */
-constexpr double largest_gap = 10.;
+constexpr double max_gap = 10.;
 
 /** A word that begins a part of an obstacle, and the text up to the next one. */
 struct Part
@@ -59,30 +59,30 @@ std::vector<Part> split_at_words(const std::string &text)
 }
 
 /** Reads the obstacles of one entry. */
-class ThingReader
+class ObstacleReader
 {
 public:
-  ThingReader(const Entry &entry, const Constants &constants, const Geometry<2> &geometry)
+  ObstacleReader(const Entry &entry, const Constants &constants, const Geometry<2> &geometry)
     : entry_(entry)
     , constants_(constants)
     , geometry_(geometry)
   {
   }
 
-  RigidThing read(const std::string &text) const
+  Obstacle read(const std::string &text) const
   {
     const std::vector<Part> parts = split_at_words(text);
     std::string words;
     for (const Part &part : parts)
       words += (words.empty() ? "" : " ") + part.word;
     if (words == "plane normal")
-      return RigidThing::plane(point(parts[0]), normal(parts[1]));
+      return Obstacle::plane(point(parts[0]), normal(parts[1]));
     if (words == "parabola normal curvature")
-      return RigidThing::parabola(point(parts[0]), normal(parts[1]), numbers(parts[2], 1)[0]);
+      return Obstacle::parabola(point(parts[0]), normal(parts[1]), numbers(parts[2], 1)[0]);
     if (words == "circle radius")
-      return RigidThing::circle(point(parts[0]), radius(parts[1]), Body::outside);
+      return Obstacle::circle(point(parts[0]), radius(parts[1]), Body::outside);
     if (words == "circle radius inside" && trim(parts[2].text).empty())
-      return RigidThing::circle(point(parts[0]), radius(parts[1]), Body::inside);
+      return Obstacle::circle(point(parts[0]), radius(parts[1]), Body::inside);
     throw InputError(entry_.where() + ": found " + quote(text) +
                      ", allowed: plane x,y normal nx,ny; circle x,y radius r; circle x,y radius r "
                      "inside; parabola x,y normal nx,ny curvature k.");
@@ -107,8 +107,7 @@ private:
                        (n == 1 ? ", allowed: one number"
                                : ", allowed: two numbers separated by a "
                                  "comma") +
-                       " (formulas of the constants) up to " + number_text(largest_magnitude) +
-                       ".");
+                       " (formulas of the constants) up to " + number_text(max_magnitude) + ".");
     };
     if (texts.size() != n)
       refuse();
@@ -116,7 +115,7 @@ private:
     {
       const Expression<2> formula(text, constants_, entry_.where());
       numbers.push_back(formula(dealii::Point<2>()));
-      if (!formula.is_constant() || !(std::abs(numbers.back()) <= largest_magnitude))
+      if (!formula.is_constant() || !(std::abs(numbers.back()) <= max_magnitude))
         refuse();
     }
     return numbers;
@@ -138,7 +137,7 @@ private:
   dealii::Tensor<1, 2> normal(const Part &part) const
   {
     const dealii::Tensor<1, 2> n = vector_of(part);
-    if (!(n.norm() >= smallest_magnitude))
+    if (!(n.norm() >= min_magnitude))
       throw InputError(entry_.where() + ": found the normal " + quote(trim(part.text)) +
                        ", allowed: a vector of any length but zero, towards the body.");
     return n;
@@ -147,9 +146,9 @@ private:
   double radius(const Part &part) const
   {
     const double r = numbers(part, 1)[0];
-    if (!(r >= smallest_magnitude))
+    if (!(r >= min_magnitude))
       throw InputError(entry_.where() + ": found the radius " + number_text(r) +
-                       ", allowed: numbers from " + number_text(smallest_magnitude) + ".");
+                       ", allowed: numbers from " + number_text(min_magnitude) + ".");
     check_length(r, "the radius", part);
     return r;
   }
@@ -158,11 +157,11 @@ private:
   void check_length(const double length, const std::string &what, const Part &part) const
   {
     const double diameter = geometry_.diameter();
-    if (!(length <= largest_distance * diameter))
+    if (!(length <= max_distance * diameter))
       throw InputError(entry_.where() + ": found " + quote(trim(part.text)) + " after '" +
                        part.word + "', " + what + " of " + number_text(length) +
                        " for a body of the size " + number_text(diameter) + ", allowed: at most " +
-                       number_text(largest_distance) +
+                       number_text(max_distance) +
                        " times its size; take a plane or a parabola that begins near the body.");
   }
 
@@ -188,43 +187,44 @@ std::vector<double> sample(const Side<2> &side, const dealii::Point<2> &near)
 
 /** Returns whether the normal somewhere on a side meets an obstacle; wherever it is, if load cases
  * move it. */
-bool can_touch(const RigidThing &thing,
+bool can_touch(const Obstacle &obstacle,
                const Side<2> &side,
                const dealii::Tensor<1, 2> &position,
                const double reach,
                const bool moves)
 {
-  const std::vector<double> samples = sample(side, thing.anchor() + position);
+  const std::vector<double> samples = sample(side, obstacle.anchor() + position);
   return std::any_of(samples.begin(), samples.end(), [&](const double s) {
     const dealii::Tensor<1, 2> n = side.normal(s);
-    return moves ? thing.can_stop(n) : thing.is_met(side.point(s) - position, n, reach);
+    return moves ? obstacle.can_be_hit_along(n)
+                 : obstacle.is_hit_by_line(side.point(s) - position, n, reach);
   });
 }
 
 /** An obstacle with the sides that may touch it. */
-struct ThingOfSides
+struct ObstacleOfSides
 {
-  RigidThing thing;
+  Obstacle obstacle;
   std::vector<unsigned int> sides;
 };
 
-std::vector<ThingOfSides> read_things(const Given<std::string> &given,
-                                      const Constants &constants,
-                                      const Scene<2> &scene,
-                                      const bool moves)
+std::vector<ObstacleOfSides> read_obstacles(const Given<std::string> &given,
+                                            const Constants &constants,
+                                            const Scene<2> &scene,
+                                            const bool moves)
 {
   const Geometry<2> &geometry = scene.geometry;
-  const ThingReader reader(given, constants, geometry);
+  const ObstacleReader reader(given, constants, geometry);
   const std::vector<unsigned int> contact_sides = scene.contact_sides();
   std::vector<std::string> names;
   for (const unsigned int side : contact_sides)
     names.push_back(geometry.sides[side].name());
   const std::vector<std::string> texts = split_list(given, '|');
-  if (texts.size() > most_things)
+  if (texts.size() > max_obstacles)
     throw InputError(given.where() + ": found " + std::to_string(texts.size()) +
-                     " things, allowed: at most " + std::to_string(most_things) + ".");
-  const double reach = largest_gap * geometry.diameter();
-  std::vector<ThingOfSides> things;
+                     " things, allowed: at most " + std::to_string(max_obstacles) + ".");
+  const double reach = max_gap * geometry.diameter();
+  std::vector<ObstacleOfSides> things;
   for (const std::string &text : texts)
   {
     std::vector<unsigned int> sides = contact_sides;
@@ -241,13 +241,13 @@ std::vector<ThingOfSides> read_things(const Given<std::string> &given,
     things.push_back({reader.read(description), sides});
     if (std::none_of(sides.begin(), sides.end(), [&](const unsigned int side) {
           return can_touch(
-            things.back().thing, geometry.sides[side], scene.foundation_position, reach, moves);
+            things.back().obstacle, geometry.sides[side], scene.foundation_position, reach, moves);
         }))
       throw InputError(
         given.where() + ": found " + quote(text) +
         ", which no outward normal of its contact sides can meet; allowed: things "
         "ahead of a contact side, with normals towards the body, at a distance below " +
-        number_text(reach) + " (" + number_text(largest_gap) + " times the size of the body).");
+        number_text(reach) + " (" + number_text(max_gap) + " times the size of the body).");
   }
   return things;
 }
@@ -265,20 +265,21 @@ void read_foundation(const ContactParameters &given,
                        ", which is not given.");
     return;
   }
-  scene.foundation_position = ThingReader(given.foundation_position, constants, scene.geometry)
+  scene.foundation_position = ObstacleReader(given.foundation_position, constants, scene.geometry)
                                 .vector(given.foundation_position);
-  const std::vector<ThingOfSides> things = read_things(given.foundation, constants, scene, moves);
+  const std::vector<ObstacleOfSides> things =
+    read_obstacles(given.foundation, constants, scene, moves);
   for (const unsigned int side : scene.contact_sides())
   {
-    std::vector<RigidThing> of_side;
-    for (const ThingOfSides &thing : things)
-      if (std::count(thing.sides.begin(), thing.sides.end(), side) > 0)
-        of_side.push_back(thing.thing);
-    if (of_side.empty())
+    std::vector<Obstacle> side_data;
+    for (const ObstacleOfSides &obstacle : things)
+      if (std::count(obstacle.sides.begin(), obstacle.sides.end(), side) > 0)
+        side_data.push_back(obstacle.obstacle);
+    if (side_data.empty())
       continue;
     BoundaryCondition<2> &condition = scene.boundary[side];
     condition.foundation =
-      std::make_shared<Foundation>(of_side, largest_gap * scene.geometry.diameter());
+      std::make_shared<Foundation>(side_data, max_gap * scene.geometry.diameter());
     condition.data =
       foundation_gap(scene.geometry.sides[side], condition.foundation, scene.foundation_position);
   }

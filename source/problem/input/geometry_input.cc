@@ -68,9 +68,9 @@ void check_coordinates(const std::vector<dealii::Point<dim>> &points, const std:
 {
   for (const dealii::Point<dim> &x : points)
     for (unsigned int d = 0; d < dim; ++d)
-      if (!(std::abs(x[d]) <= largest_magnitude))
+      if (!(std::abs(x[d]) <= max_magnitude))
         throw InputError(where + ": found the coordinate " + number_text(x[d]) +
-                         ", allowed: coordinates up to " + number_text(largest_magnitude) +
+                         ", allowed: coordinates up to " + number_text(max_magnitude) +
                          "; take other units.");
 }
 
@@ -79,19 +79,19 @@ void check_size(const Geometry<dim> &geometry, const std::string &where)
 {
   const double size = geometry.diameter();
   const double distance = distance_from_origin(geometry), shortest = shortest_side(geometry);
-  if (!(size >= smallest_magnitude && size <= largest_magnitude))
+  if (!(size >= min_magnitude && size <= max_magnitude))
     throw InputError(where + ": found a body of the size " + number_text(size) +
-                     ", allowed: sizes from " + number_text(smallest_magnitude) + " to " +
-                     number_text(largest_magnitude) + "; take other units.");
-  if (!(distance <= largest_distance * size))
+                     ", allowed: sizes from " + number_text(min_magnitude) + " to " +
+                     number_text(max_magnitude) + "; take other units.");
+  if (!(distance <= max_distance * size))
     throw InputError(where + ": found a body of the size " + number_text(size) +
                      " at the distance " + number_text(distance) +
-                     " from the origin, allowed: at most " + number_text(largest_distance) +
+                     " from the origin, allowed: at most " + number_text(max_distance) +
                      " times its size; put the origin near the body.");
-  if (!(shortest * largest_slenderness >= size))
+  if (!(shortest * max_slenderness >= size))
     throw InputError(where + ": found a side of the length " + number_text(shortest) +
                      " on a body of the size " + number_text(size) +
-                     ", allowed: sides of at least " + number_text(1. / largest_slenderness) +
+                     ", allowed: sides of at least " + number_text(1. / max_slenderness) +
                      " of the size.");
 }
 
@@ -105,7 +105,7 @@ template void check_size(const Geometry<3> &, const std::string &);
 namespace
 {
 /** Returns the entries that must stay at their defaults in 3-D. */
-std::vector<const Entry *> entries_of_the_plane(const Parameters &parameters)
+std::vector<const Entry *> entries_for_2d_only(const Parameters &parameters)
 {
   return {&parameters.geometry.arcs,
           &parameters.material.plane_state,
@@ -136,9 +136,9 @@ void refuse_option(const Given<Option> &given, const Option option, const std::s
 }
 } // namespace
 
-void refuse_what_is_plane(const Parameters &parameters)
+void refuse_2d_entries(const Parameters &parameters)
 {
-  for (const Entry *entry : entries_of_the_plane(parameters))
+  for (const Entry *entry : entries_for_2d_only(parameters))
     if (entry->changed)
       throw InputError(entry->where() +
                        ": this entry exists with Dimension = 2 only, found Dimension = 3.");
@@ -159,7 +159,7 @@ void refuse_what_is_plane(const Parameters &parameters)
 namespace
 {
 /** The largest size of a mesh file in bytes: some millions of cells. */
-constexpr std::size_t largest_mesh_file = 500000000;
+constexpr std::size_t max_mesh_file_size = 500000000;
 } // namespace
 
 Geometry<2> read_mesh_file(const GeometryParameters &given)
@@ -177,7 +177,7 @@ Geometry<2> read_mesh_file(const GeometryParameters &given)
                      (given.folder.empty() ? "" : " (" + shorten_path(given.folder) + ")") +
                      " nor in the working folder, allowed: a mesh file of Gmsh (.msh).");
   const std::string text =
-    read_whole_file(path.string(), given.file.where() + ": ", "mesh file", largest_mesh_file);
+    read_whole_file(path.string(), given.file.where() + ": ", "mesh file", max_mesh_file_size);
   const std::string name = given.file.where() + ": " + shorten_path(path.filename().string());
   return make_geometry(
     make_file_mesh(read_gmsh(text, name)), split_words(given.arcs), given.arcs.where());
@@ -264,7 +264,7 @@ Geometry<2> read_round_body(const GeometryParameters &given)
     return make_half_disc(given.radius, centre);
   if (given.shape == Shape::disc)
     return make_disc(given.radius, centre);
-  if (!(given.inner_radius < given.radius * (1. - 1. / largest_slenderness)))
+  if (!(given.inner_radius < given.radius * (1. - 1. / max_slenderness)))
     throw InputError(given.inner_radius.where() + ": found " + number_text(given.inner_radius) +
                      ", allowed: less than Radius = " + number_text(given.radius) + ".");
   return make_ring(given.inner_radius, given.radius, centre);
@@ -277,9 +277,9 @@ Geometry<3> make_geometry(const GeometryParameters &given)
   if (given.shape != Shape::box && given.shape.changed)
     throw InputError(given.shape.where() + ": found '" + to_text(given.shape.value) +
                      "' with Dimension = 3, allowed: " + to_text(Shape::box) + ".");
-  GeometryParameters of_box = given;
-  of_box.shape.value = Shape::box;
-  refuse_foreign_entries(of_box);
+  GeometryParameters box_parameters = given;
+  box_parameters.shape.value = Shape::box;
+  refuse_foreign_entries(box_parameters);
   const Block<3> block = read_block<3>(given);
   Geometry<3> geometry = make_box(block.lower, block.upper, block.cells);
   check_size(geometry, given.upper_right.where());

@@ -65,7 +65,7 @@ SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2>
  * InputError */
 std::vector<double> read_coordinates(const std::string &text, unsigned int n, const Entry &entry);
 
-/** Refuses coordinates beyond largest_magnitude, whose squares would overflow before the size of
+/** Refuses coordinates beyond max_magnitude, whose squares would overflow before the size of
  * the body is checked. */
 template <int dim>
 void check_coordinates(const std::vector<dealii::Point<dim>> &points, const std::string &where);
@@ -76,7 +76,7 @@ template <int dim>
 void check_size(const Geometry<dim> &geometry, const std::string &where);
 
 /** Refuses, with Dimension = 3, entries that exist in 2-D only. @throws InputError */
-void refuse_what_is_plane(const Parameters &parameters);
+void refuse_2d_entries(const Parameters &parameters);
 
 /** Returns the body that the entries describe. @throws InputError */
 template <int dim>

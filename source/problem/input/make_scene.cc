@@ -65,7 +65,7 @@ bool is_loaded(const Scene<2> &scene)
 }
 
 /** Finds out whether contact alone holds the body, which needs a load. */
-void judge_free_motions(Scene<2> &scene, const std::string &where)
+void check_free_motions(Scene<2> &scene, const std::string &where)
 {
   scene.is_held_by_contact = !free_rigid_motions(scene, Plates::held).empty();
   std::vector<std::string> names;
@@ -80,7 +80,7 @@ void judge_free_motions(Scene<2> &scene, const std::string &where)
 
 /** The smallest distance of two kinks as a share of the body. Closer ones cut off slivers, each of
  * which is integrated on parts that shrink towards it. */
-constexpr double smallest_distance_of_kinks = 1e-3;
+constexpr double min_kink_distance = 1e-3;
 
 /** Refuses kinks that are too close. @p positions are sorted. */
 void refuse_close_kinks(const std::vector<double> &positions,
@@ -88,12 +88,11 @@ void refuse_close_kinks(const std::vector<double> &positions,
                         const std::string &where)
 {
   for (std::size_t i = 0; i + 1 < positions.size(); ++i)
-    if (!(positions[i + 1] - positions[i] >= smallest_distance_of_kinks * extent))
+    if (!(positions[i + 1] - positions[i] >= min_kink_distance * extent))
       throw InputError(where + ": found kinks at " + number_text(positions[i]) +
                        " at a distance of " + number_text(positions[i + 1] - positions[i]) +
                        " from each other, allowed: distances of at least " +
-                       number_text(smallest_distance_of_kinks * extent) +
-                       " (a thousandth of the body).");
+                       number_text(min_kink_distance * extent) + " (a thousandth of the body).");
 }
 
 /** Refuses a position that misses the body, which would have no effect. */
@@ -154,10 +153,10 @@ unsigned int dimension_of(const Parameters &parameters)
   if (parameters.dimension.changed)
     return parameters.dimension;
   const auto &in_space = catalogue<3>();
-  const bool is_in_space = std::any_of(in_space.begin(), in_space.end(), [&](const auto &entry) {
+  const bool is_3d = std::any_of(in_space.begin(), in_space.end(), [&](const auto &entry) {
     return entry.name == parameters.scene.name.value;
   });
-  return is_in_space ? 3 : parameters.dimension.value;
+  return is_3d ? 3 : parameters.dimension.value;
 }
 
 template <>
@@ -165,7 +164,7 @@ Scene<2> make_scene(const Parameters &parameters)
 {
   Scene<2> scene = read_scene<2>(parameters);
   refuse_contradiction(scene, parameters.boundary.where);
-  judge_free_motions(scene, parameters.boundary.where);
+  check_free_motions(scene, parameters.boundary.where);
   const DiscretizationParameters &discretization = parameters.discretization;
   refuse_bad_kinks(scene, discretization);
   std::vector<KinkLine<2>> lines = scene.kinks.lines();
@@ -182,7 +181,7 @@ Scene<2> make_scene(const Parameters &parameters)
 template <>
 Scene<3> make_scene(const Parameters &parameters)
 {
-  refuse_what_is_plane(parameters);
+  refuse_2d_entries(parameters);
   const Scene<3> scene = read_scene<3>(parameters);
   refuse_contradiction(scene, parameters.boundary.where);
   const std::vector<std::string> names = free_rigid_motions(scene);
@@ -198,7 +197,7 @@ Scene<3> make_scene(const Parameters &parameters)
 
 namespace
 {
-constexpr unsigned int most_cases = 100000;
+constexpr unsigned int max_cases = 100000;
 
 /** One factor, or a range of it. */
 struct CaseFactor
@@ -246,8 +245,8 @@ public:
     std::vector<CaseFactor> factors;
     for (const std::string &part : split_list(text, ','))
       factors.push_back(read_factor(part, entry));
-    if (cases.size() + n > most_cases)
-      throw InputError(given_.where() + ": found more than " + std::to_string(most_cases) +
+    if (cases.size() + n > max_cases)
+      throw InputError(given_.where() + ": found more than " + std::to_string(max_cases) +
                        " cases, allowed: at most that many.");
     for (unsigned int i = 0; i < n; ++i)
     {
@@ -281,7 +280,7 @@ private:
       return 1;
     std::vector<double> count;
     if (!read_numbers(words[n - 2], count) || count.size() != 1 || !(count[0] >= 2.) ||
-        !(count[0] <= most_cases) || count[0] != std::floor(count[0]))
+        !(count[0] <= max_cases) || count[0] != std::floor(count[0]))
       refuse(text);
     text = text.substr(0, text.rfind("in "));
     return static_cast<unsigned int>(count[0]);
@@ -305,8 +304,7 @@ private:
   double number(const std::string &word, const std::string &entry) const
   {
     std::vector<double> value;
-    if (!read_numbers(word, value) || value.size() != 1 ||
-        !(std::abs(value[0]) <= largest_magnitude))
+    if (!read_numbers(word, value) || value.size() != 1 || !(std::abs(value[0]) <= max_magnitude))
       refuse(entry);
     return value[0];
   }

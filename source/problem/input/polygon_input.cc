@@ -251,13 +251,13 @@ std::vector<Side<2>> sides_of(const PolygonLoop &loop,
 namespace
 {
 /** The largest number of vertices: a longer list belongs into a mesh file. */
-constexpr std::size_t most_vertices = 200;
+constexpr std::size_t max_vertices = 200;
 
 void check_number(const std::size_t n, const std::string &where)
 {
-  if (n > most_vertices)
+  if (n > max_vertices)
     throw InputError(where + ": found " + std::to_string(n) + " vertices, allowed: at most " +
-                     std::to_string(most_vertices) + ".");
+                     std::to_string(max_vertices) + ".");
 }
 
 /** Reads "arc cx,cy ccw". */
@@ -315,12 +315,12 @@ PolygonLoop read_loop(const std::string &text, const Entry &entry)
   }
   check_coordinates<2>(points, entry.where());
   const bool is_tiny = std::all_of(points.begin(), points.end(), [](const auto &x) {
-    return std::abs(x[0]) < smallest_magnitude && std::abs(x[1]) < smallest_magnitude;
+    return std::abs(x[0]) < min_magnitude && std::abs(x[1]) < min_magnitude;
   });
   const std::size_t n = loop.vertices.size();
   if (is_tiny && n > 2)
     throw InputError(entry.where() + ": found coordinates that are all below " +
-                     number_text(smallest_magnitude) +
+                     number_text(min_magnitude) +
                      ", allowed: the corners of a polygon; take other units.");
   if (n < 2 || (n == 2 && !loop.edges[0].arc && !loop.edges[1].arc))
     throw InputError(entry.where() + ": found " + std::to_string(n) +

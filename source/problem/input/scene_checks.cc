@@ -162,11 +162,11 @@ void check_finite(const FunctionPointer<dim> &function,
     for (unsigned int c = 0; c < function->n_components; ++c)
     {
       const double value = function->value(x, c);
-      if (!(std::abs(value) <= largest_magnitude))
+      if (!(std::abs(value) <= max_magnitude))
         refuse_value(where,
                      "the value " + number_text(value) + " of component " + std::to_string(c + 1),
                      x,
-                     "values up to " + number_text(largest_magnitude) + " on the whole body");
+                     "values up to " + number_text(max_magnitude) + " on the whole body");
     }
 }
 
@@ -200,12 +200,12 @@ void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim
     for (const Expression<dim> &modulus : moduli)
       largest = std::max(largest, std::abs(modulus(x)));
     // The material checks signs, and refuses what is no number.
-    if (largest > largest_magnitude || (largest > 0. && largest < smallest_magnitude))
+    if (largest > max_magnitude || (largest > 0. && largest < min_magnitude))
       refuse_value(moduli[0].where(),
                    number_text(largest),
                    x,
-                   "moduli from " + number_text(smallest_magnitude) + " to " +
-                     number_text(largest_magnitude) + "; take other units");
+                   "moduli from " + number_text(min_magnitude) + " to " +
+                     number_text(max_magnitude) + "; take other units");
   }
 }
 
@@ -264,8 +264,8 @@ dealii::Point<dim> aside(const dealii::Point<dim> &x, const Geometry<dim> &geome
 }
 
 template <int dim>
-double largest_displacement(const dealii::Function<dim> &u,
-                            const std::vector<dealii::Point<dim>> &points)
+double max_displacement(const dealii::Function<dim> &u,
+                        const std::vector<dealii::Point<dim>> &points)
 {
   double largest = 0.;
   for (const dealii::Point<dim> &x : points)
@@ -323,19 +323,19 @@ void check_exact_gradient(const ExactSolutionParameters &exact,
   const dealii::Function<dim> &u = *scene.exact_displacement;
   const std::string where = exact.displacement_gradient.where();
   const double h = 1e-5 * scene.geometry.shortest_extent();
-  double largest_gradient = 0.;
+  double max_gradient = 0.;
   for (const dealii::Point<dim> &x : points)
     for (unsigned int c = 0; c < dim; ++c)
     {
       const double size = u.gradient(x, c).norm();
-      if (!(size <= largest_magnitude))
+      if (!(size <= max_magnitude))
         refuse_value(where,
                      "the gradient " + number_text(size) + " of component " + std::to_string(c + 1),
                      x,
-                     "values up to " + number_text(largest_magnitude) + " on the whole body");
-      largest_gradient = std::max(largest_gradient, size);
+                     "values up to " + number_text(max_magnitude) + " on the whole body");
+      max_gradient = std::max(max_gradient, size);
     }
-  const std::pair<double, double> largest = {largest_displacement(u, points), largest_gradient};
+  const std::pair<double, double> largest = {max_displacement(u, points), max_gradient};
   constexpr unsigned int several = 3;
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int d = 0; d < dim; ++d)
@@ -368,8 +368,8 @@ void check_exact_on_side(const ExactSolutionParameters &exact,
   const dealii::Function<dim> &u = *scene.exact_displacement;
   const Side<dim> &side = scene.geometry.sides[i];
   const BoundaryCondition<dim> &condition = scene.boundary[i];
-  const double size = std::max(largest_displacement(u, points),
-                               largest_displacement(u, {scene.geometry.inner_point()}));
+  const double size =
+    std::max(max_displacement(u, points), max_displacement(u, {scene.geometry.inner_point()}));
   const double tolerance = tolerated_difference * size;
   const auto check = [&](const bool holds,
                          const double found,

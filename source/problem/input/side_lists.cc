@@ -152,9 +152,9 @@ void read_numbers_of(const Given<std::string> &given,
   {
     std::vector<double> number;
     if (!read_numbers(text, number) || number.size() != 1 ||
-        !(std::abs(number[0]) <= largest_magnitude))
+        !(std::abs(number[0]) <= max_magnitude))
       throw InputError(given.where() + ": found " + quote(text) + " for the plate '" + name +
-                       "', allowed: one number up to " + number_text(largest_magnitude) + ".");
+                       "', allowed: one number up to " + number_text(max_magnitude) + ".");
     take(plates[std::find(names.begin(), names.end(), name) - names.begin()], number[0]);
   }
 }

@@ -29,10 +29,10 @@ using Tensor = dealii::Tensor<1, 2>;
 constexpr double segment_tolerance = 1e-8;
 
 /** The share of an edge's length: an edge whose middle lies closer to its chord is straight. */
-constexpr double smallest_rise = 1e-6;
+constexpr double min_rise = 1e-6;
 
 /** The largest radius of an arc, in chords: a circle with a larger one is a line. */
-constexpr double largest_radius = 1e6;
+constexpr double max_radius = 1e6;
 
 /** Returns the outward normal of an edge that has the body on its left. */
 Tensor right_of(const Tensor &direction)
@@ -52,7 +52,7 @@ bool is_bent(const FileMesh &mesh, const FileMesh::Edge &edge)
   const Tensor chord = position(mesh, edge.end) - position(mesh, edge.start);
   const double rise =
     std::abs((edge.middle->position - position(mesh, edge.start)) * right_of(chord));
-  return rise > smallest_rise * chord.norm();
+  return rise > min_rise * chord.norm();
 }
 
 /** Returns the angle from one point to another, seen from a centre, in (-pi, pi]. */
@@ -214,7 +214,7 @@ ChainPiece make_arc(const FileMesh &mesh,
                      " to node " + std::to_string(end.tag) + allowed);
   const FittedCircle circle = circle_of(mesh, chain, 0, chain.size());
   const bool is_closed = chain.front().start == chain.back().end;
-  if (!is_closed && !(circle.radius < largest_radius * start.position.distance(end.position)))
+  if (!is_closed && !(circle.radius < max_radius * start.position.distance(end.position)))
     throw InputError(where + " is straight from node " + std::to_string(start.tag) + " to node " +
                      std::to_string(end.tag) + allowed);
   const FileMesh::Vertex *farthest = &start;

@@ -21,10 +21,10 @@ namespace
 using dealii::Point;
 
 /** The smallest sine of the angle in a corner of a cell. */
-constexpr double smallest_sine = 1e-6;
+constexpr double min_sine = 1e-6;
 
 /** The share of the body's size below which two nodes are one. */
-constexpr double smallest_distance_of_nodes = 1e-9;
+constexpr double min_node_distance = 1e-9;
 
 constexpr unsigned int unused = std::numeric_limits<unsigned int>::max();
 
@@ -71,7 +71,7 @@ double check_nodes(const GmshMesh &gmsh, const std::vector<bool> &is_used)
       highest = node.x[2] > highest->x[2] ? &node : highest;
     }
   const double size = lower.distance(upper);
-  if (highest->x[2] - lowest->x[2] > smallest_distance_of_nodes * size)
+  if (highest->x[2] - lowest->x[2] > min_node_distance * size)
     throw InputError(place_of(gmsh, highest->line) + ": node " + std::to_string(highest->tag) +
                      " has z = " + number_text(highest->x[2]) + ", node " +
                      std::to_string(lowest->tag) + " z = " + number_text(lowest->x[2]) +
@@ -91,7 +91,7 @@ void check_distances(const GmshMesh &gmsh, const std::vector<bool> &is_used, con
     if (is_used[i])
       sorted.emplace_back(along(i), i);
   std::sort(sorted.begin(), sorted.end());
-  const double tolerance = smallest_distance_of_nodes * size;
+  const double tolerance = min_node_distance * size;
   for (std::size_t a = 0; a < sorted.size(); ++a)
     for (std::size_t b = a + 1; b < sorted.size() && sorted[b].first - sorted[a].first < tolerance;
          ++b)
@@ -119,8 +119,8 @@ void make_counter_clockwise(const GmshMesh &gmsh, GmshMesh::Element &cell)
     const dealii::Tensor<1, 2> next = position_of(gmsh, cell.nodes[(i + 1) % 4]) - x;
     const dealii::Tensor<1, 2> last = position_of(gmsh, cell.nodes[(i + 3) % 4]) - x;
     sines[i] = cross_product(next, last) / (next.norm() * last.norm());
-    n_left += sines[i] > smallest_sine ? 1 : 0;
-    n_right += sines[i] < -smallest_sine ? 1 : 0;
+    n_left += sines[i] > min_sine ? 1 : 0;
+    n_right += sines[i] < -min_sine ? 1 : 0;
   }
   if (n_right == 4)
   {
@@ -135,7 +135,7 @@ void make_counter_clockwise(const GmshMesh &gmsh, GmshMesh::Element &cell)
   if (n_left == 4)
     return;
   for (unsigned int i = 0; i < 4; ++i)
-    if (!(n_left >= n_right ? sines[i] > smallest_sine : sines[i] < -smallest_sine))
+    if (!(n_left >= n_right ? sines[i] > min_sine : sines[i] < -min_sine))
       wrong = i;
   throw InputError(place_of(gmsh, cell.line) + ": the quadrilateral " + std::to_string(cell.tag) +
                    " is not convex at node " + std::to_string(gmsh.nodes[cell.nodes[wrong]].tag) +

@@ -173,7 +173,7 @@ FileSides find_sides(FileMesh &mesh, const std::vector<std::string> &arcs, const
 
 // The edges of a mesh from a file: between two cells, or on the boundary with a name.
 
-const std::string name_of_the_rest = "rest";
+const std::string unnamed_side_name = "rest";
 
 namespace
 {
@@ -327,7 +327,7 @@ std::string name_of(const GmshMesh &gmsh, const GmshMesh::Element &line)
     throw InputError(gmsh.name + ": found the physical name " + quote(name) +
                      ", allowed: names of letters, digits, '_', '-' and '.', because the parameter "
                      "file separates names by blanks.");
-  if (name == name_of_the_rest)
+  if (name == unnamed_side_name)
     throw InputError(gmsh.name + ": found the physical name " + quote(name) +
                      ", allowed: another one, because this is the side of all edges without a "
                      "name.");
@@ -407,7 +407,7 @@ void add_boundary(const GmshMesh &gmsh, const std::vector<GmshMesh::Element> &ce
     const auto line = lines.find(edge.key());
     line_of.push_back(line == lines.end() ? nullptr : &line->second);
     const bool is_named = line_of.back() != nullptr && !line_of.back()->name.empty();
-    names.insert(is_named ? line_of.back()->name : name_of_the_rest);
+    names.insert(is_named ? line_of.back()->name : unnamed_side_name);
   }
   mesh.names.assign(names.begin(), names.end());
   std::vector<FileMesh::Edge> edges;
@@ -417,7 +417,7 @@ void add_boundary(const GmshMesh &gmsh, const std::vector<GmshMesh::Element> &ce
     const FileMesh::Cell &cell = mesh.cells[edge.cell];
     const bool is_named = line_of[i] != nullptr && !line_of[i]->name.empty();
     const auto name = std::lower_bound(
-      mesh.names.begin(), mesh.names.end(), is_named ? line_of[i]->name : name_of_the_rest);
+      mesh.names.begin(), mesh.names.end(), is_named ? line_of[i]->name : unnamed_side_name);
     edges.push_back({cell.corners[edge.edge_of_cell],
                      cell.corners[(edge.edge_of_cell + 1) % 4],
                      middle_of(gmsh, cells[edge.cell], edge, line_of[i]),

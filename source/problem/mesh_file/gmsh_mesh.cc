@@ -265,10 +265,10 @@ private:
     for (double &x : node.x)
     {
       x = scanner_.number<double>("a coordinate of a node");
-      if (!(std::abs(x) <= largest_magnitude))
+      if (!(std::abs(x) <= max_magnitude))
         throw InputError(scanner_.place() + ": found the coordinate " + number_text(x) +
                          " of node " + std::to_string(tag) + ", allowed: coordinates up to " +
-                         number_text(largest_magnitude) + "; take other units.");
+                         number_text(max_magnitude) + "; take other units.");
     }
     node.line = scanner_.line();
     if (!index_of_tag_.emplace(tag, mesh_.nodes.size()).second)

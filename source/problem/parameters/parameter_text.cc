@@ -22,7 +22,7 @@ namespace Signorini
 namespace
 {
 /** The largest size of a parameter file in bytes. */
-constexpr std::size_t largest_file = 1000000;
+constexpr std::size_t max_file_size = 1000000;
 
 /** An open file, which is closed at the end of the object's life. */
 class FileDescriptor
@@ -219,7 +219,7 @@ Assignment scan_override(const std::string &argument)
 std::string read_whole_file(const std::string &file_name,
                             const std::string &where,
                             const std::string &kind,
-                            const std::size_t largest_size)
+                            const std::size_t max_size)
 {
   const std::string name = where + shorten_path(file_name);
   // Pipes and some files of the kernel would wait for what never comes.
@@ -231,13 +231,13 @@ std::string read_whole_file(const std::string &file_name,
     throw InputError(name + ": this is a device or a pipe, allowed: a file of text on a disk.");
   const auto refuse_size = [&](const std::string &found) {
     throw InputError(name + ": this file has " + found + " bytes, allowed: at most " +
-                     std::to_string(largest_size) + ".");
+                     std::to_string(max_size) + ".");
   };
-  const auto told_size = static_cast<std::size_t>(status.st_size);
-  if (told_size > largest_size)
-    refuse_size(std::to_string(told_size));
+  const auto stat_size = static_cast<std::size_t>(status.st_size);
+  if (stat_size > max_size)
+    refuse_size(std::to_string(stat_size));
   // Files of the kernel have the size 0, and may have no end.
-  const std::size_t most = told_size > 0 ? told_size : std::min<std::size_t>(largest_size, 1000000);
+  const std::size_t most = stat_size > 0 ? stat_size : std::min<std::size_t>(max_size, 1000000);
   std::string text(most + 1, '\0');
   std::size_t size = 0;
   ssize_t n = 1;
@@ -256,7 +256,7 @@ std::string read_whole_file(const std::string &file_name,
 
 std::string read_text_file(const std::string &file_name)
 {
-  const std::string text = read_whole_file(file_name, "", "parameter file", largest_file);
+  const std::string text = read_whole_file(file_name, "", "parameter file", max_file_size);
   if (text.find('\0') != std::string::npos)
     throw InputError(shorten_path(file_name) + ": this is not a text file.");
   return text;

@@ -99,11 +99,11 @@ bool is_integer(const Complex exponent)
 /** Returns the smallest Re z > 0 of the roots, which Newton's method finds from the points of a
  * grid. With |frequency Im z| > 6 + log(1 + kappa) a sine or cosine is larger than all other terms;
  * roots come in pairs z, conj(z). */
-double smallest_real_part(const CornerFunction &f, const double kappa)
+double min_real_part(const CornerFunction &f, const double kappa)
 {
   const double spacing = 0.5 / f.frequency;
   const double highest = (6. + std::log(1. + kappa)) / f.frequency;
-  double smallest = largest_corner_exponent;
+  double smallest = max_corner_exponent;
   for (double x = 0.5 * spacing; x < smallest + spacing; x += spacing)
     for (double y = 0.; y < highest; y += spacing)
       if (const std::optional<Complex> root = root_near(f, Complex(x, y)))
@@ -121,9 +121,9 @@ double corner_exponent(const double angle,
   Assert(angle > 0. && angle < 2. * dealii::numbers::PI + 1e-6,
          dealii::ExcMessage("The angle of a corner lies between 0 and 2 pi."));
   Assert(kappa > 1. - 1e-6, dealii::ExcMessage("Kolosov's constant is at least one."));
-  double smallest = largest_corner_exponent;
+  double smallest = max_corner_exponent;
   for (const CornerFunction &f : corner_functions(angle, first, second, kappa))
-    smallest = std::min(smallest, smallest_real_part(f, kappa));
+    smallest = std::min(smallest, min_real_part(f, kappa));
   return smallest;
 }
 
@@ -234,7 +234,7 @@ std::vector<EdgeSupport> possible_supports(const Role role)
 double corner_exponent(const Scene<2> &scene, const Corner &corner)
 {
   const double kappa = kolosov_constant(scene.material->relative_hooke(corner.position));
-  double smallest = largest_corner_exponent;
+  double smallest = max_corner_exponent;
   for (const EdgeSupport first : possible_supports(scene.boundary[corner.sides[0]].role))
     for (const EdgeSupport second : possible_supports(scene.boundary[corner.sides[1]].role))
       smallest = std::min(smallest, corner_exponent(corner.angle, first, second, kappa));
@@ -313,12 +313,12 @@ std::string text_of(const dealii::Tensor<1, dim> &vector)
 
 /** Checks the points where two sides meet. */
 template <int dim>
-class MeetingJudge
+class MeetingCheck
 {
 public:
   using Vector = dealii::Tensor<1, dim>;
 
-  explicit MeetingJudge(const Scene<dim> &scene)
+  explicit MeetingCheck(const Scene<dim> &scene)
     : scene_(scene)
     , size_(1e-14 * scene.geometry.diameter())
   {
@@ -405,7 +405,7 @@ private:
 template <int dim>
 std::string find_contradiction(const Scene<dim> &scene)
 {
-  const MeetingJudge<dim> judge(scene);
+  const MeetingCheck<dim> judge(scene);
   for (const auto &[x, sides] : meetings(scene.geometry))
     for (const auto &[i, j] : {std::pair{sides[0], sides[1]}, std::pair{sides[1], sides[0]}})
     {

@@ -25,7 +25,7 @@ constexpr std::array<const char *, 3> coordinate_names = {{"x", "y", "z"}};
 
 /** The largest number of constants. Every formula stores all of them, so that time grows like their
  * square: 0.2 s for this many. */
-constexpr std::size_t most_constants = 1000;
+constexpr std::size_t max_constants = 1000;
 
 /** Returns the length of the operator at text[i] that compares; 0 if there is none. */
 std::size_t comparison_at(const std::string &text, const std::size_t i)
@@ -166,7 +166,7 @@ public:
   {
   }
 
-  Parser &of_this_thread()
+  Parser &thread_parser()
   {
     std::unique_ptr<Parser> &parser = parsers_.get();
     if (parser == nullptr)
@@ -230,7 +230,7 @@ Expression<dim>::~Expression() = default;
 template <int dim>
 double Expression<dim>::operator()(const dealii::Point<dim> &x) const
 {
-  return constant_ ? *constant_ : parsers_->of_this_thread().evaluate(x);
+  return constant_ ? *constant_ : parsers_->thread_parser().evaluate(x);
 }
 
 // muParser's own bulk mode starts OpenMP threads for every call; a cell has too few points for
@@ -245,7 +245,7 @@ void Expression<dim>::evaluate(const std::vector<dealii::Point<dim>> &points,
     values.assign(points.size(), *constant_);
     return;
   }
-  Parser &parser = parsers_->of_this_thread();
+  Parser &parser = parsers_->thread_parser();
   for (std::size_t q = 0; q < points.size(); ++q)
     values[q] = parser.evaluate(points[q]);
 }
@@ -254,9 +254,9 @@ Constants read_constants(const std::string &text, const std::string &where)
 {
   Constants constants;
   const std::vector<std::string> parts = split_list(text, ',');
-  if (parts.size() > most_constants)
+  if (parts.size() > max_constants)
     throw InputError(where + ": found " + std::to_string(parts.size()) +
-                     " constants, allowed: at most " + std::to_string(most_constants) + ".");
+                     " constants, allowed: at most " + std::to_string(max_constants) + ".");
   for (const std::string &part : parts)
   {
     const auto equals = part.find('=');

@@ -17,7 +17,7 @@ constexpr double parallel = 1e-12;
 } // namespace
 
 /** The polynomial phi(t) = a t² + 2 b t + c. */
-struct RigidThing::LinePolynomial
+struct Obstacle::LinePolynomial
 {
   double a, b, c;
   /** The discriminant b² - a c, from a formula without cancellation. */
@@ -50,30 +50,30 @@ struct RigidThing::LinePolynomial
   }
 };
 
-RigidThing::RigidThing(std::variant<Parabola, Circle> shape)
+Obstacle::Obstacle(std::variant<Parabola, Circle> shape)
   : shape_(shape)
 {
 }
 
-RigidThing RigidThing::plane(const dealii::Point<2> &point, const dealii::Tensor<1, 2> &normal)
+Obstacle Obstacle::plane(const dealii::Point<2> &point, const dealii::Tensor<1, 2> &normal)
 {
   return parabola(point, normal, 0.);
 }
 
-RigidThing RigidThing::parabola(const dealii::Point<2> &point,
-                                const dealii::Tensor<1, 2> &normal,
-                                const double curvature)
+Obstacle Obstacle::parabola(const dealii::Point<2> &point,
+                            const dealii::Tensor<1, 2> &normal,
+                            const double curvature)
 {
-  return RigidThing(Parabola{point, normal / normal.norm(), curvature});
+  return Obstacle(Parabola{point, normal / normal.norm(), curvature});
 }
 
-RigidThing RigidThing::circle(const dealii::Point<2> &centre, const double radius, const Body body)
+Obstacle Obstacle::circle(const dealii::Point<2> &centre, const double radius, const Body body)
 {
-  return RigidThing(Circle{centre, radius, body});
+  return Obstacle(Circle{centre, radius, body});
 }
 
-RigidThing::LinePolynomial RigidThing::along(const dealii::Point<2> &x,
-                                             const dealii::Tensor<1, 2> &n) const
+Obstacle::LinePolynomial Obstacle::along(const dealii::Point<2> &x,
+                                         const dealii::Tensor<1, 2> &n) const
 {
   const dealii::Tensor<1, 2> d = x - anchor();
   if (const auto *circle = std::get_if<Circle>(&shape_))
@@ -97,44 +97,44 @@ RigidThing::LinePolynomial RigidThing::along(const dealii::Point<2> &x,
           0.25 * (n_nu * n_nu - 2. * k * n_tau * (d_tau * n_nu - n_tau * d_nu))};
 }
 
-std::optional<double> RigidThing::distance(const dealii::Point<2> &x,
-                                           const dealii::Tensor<1, 2> &n) const
+std::optional<double> Obstacle::distance(const dealii::Point<2> &x,
+                                         const dealii::Tensor<1, 2> &n) const
 {
   return along(x, n).entry();
 }
 
-bool RigidThing::is_met(const dealii::Point<2> &x,
-                        const dealii::Tensor<1, 2> &n,
-                        const double reach) const
+bool Obstacle::is_hit_by_line(const dealii::Point<2> &x,
+                              const dealii::Tensor<1, 2> &n,
+                              const double reach) const
 {
   const LinePolynomial phi = along(x, n);
   return !phi.misses() && phi.entry().value_or(reach) < reach;
 }
 
-bool RigidThing::can_stop(const dealii::Tensor<1, 2> &n) const
+bool Obstacle::can_be_hit_along(const dealii::Tensor<1, 2> &n) const
 {
   const auto *parabola = std::get_if<Parabola>(&shape_);
   return parabola == nullptr || parabola->curvature != 0. || n * parabola->normal < -parallel;
 }
 
-const dealii::Point<2> &RigidThing::anchor() const
+const dealii::Point<2> &Obstacle::anchor() const
 {
   if (const auto *circle = std::get_if<Circle>(&shape_))
     return circle->centre;
   return std::get<Parabola>(shape_).point;
 }
 
-Foundation::Foundation(std::vector<RigidThing> things, const double largest_gap)
-  : things_(std::move(things))
-  , largest_gap_(largest_gap)
+Foundation::Foundation(std::vector<Obstacle> things, const double max_gap)
+  : obstacles_(std::move(things))
+  , max_gap_(max_gap)
 {
 }
 
 double Foundation::gap(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const
 {
-  double gap = largest_gap_;
-  for (const RigidThing &thing : things_)
-    gap = std::min(gap, thing.distance(x, n).value_or(largest_gap_));
+  double gap = max_gap_;
+  for (const Obstacle &obstacle : obstacles_)
+    gap = std::min(gap, obstacle.distance(x, n).value_or(max_gap_));
   return gap;
 }
 

@@ -39,12 +39,12 @@ void ExpressionFunction<dim>::check(const double value,
                                     const unsigned int component,
                                     const dealii::Point<dim> &x) const
 {
-  if (h_ > 0. || std::abs(value) <= largest_magnitude)
+  if (h_ > 0. || std::abs(value) <= max_magnitude)
     return;
   std::ostringstream message;
   message << values_[component].where() << ": found the value " << number_text(value)
           << " of component " << component + 1 << " at (" << x << "), allowed: values up to "
-          << number_text(largest_magnitude) << " on the whole body.";
+          << number_text(max_magnitude) << " on the whole body.";
   throw InputError(message.str());
 }
 

@@ -270,10 +270,10 @@ double unit_from(const Expression<3> &entry, const dealii::Point<3> &x)
   return value > 0. && std::isfinite(value) ? value : 1.;
 }
 
-class GeneralInSpace : public Material<3>
+class General3D : public Material<3>
 {
 public:
-  GeneralInSpace(const std::vector<Expression<3>> &entries, const dealii::Point<3> &reference)
+  General3D(const std::vector<Expression<3>> &entries, const dealii::Point<3> &reference)
     : Material<3>(unit_from(entries[0], reference))
     , entries_(entries)
   {
@@ -325,10 +325,10 @@ private:
 };
 } // namespace
 
-std::shared_ptr<const Material<3>> make_general_in_space(const std::vector<Expression<3>> &entries,
-                                                         const dealii::Point<3> &reference)
+std::shared_ptr<const Material<3>> make_general_3d(const std::vector<Expression<3>> &entries,
+                                                   const dealii::Point<3> &reference)
 {
   AssertDimension(entries.size(), 21);
-  return std::make_shared<GeneralInSpace>(entries, reference);
+  return std::make_shared<General3D>(entries, reference);
 }
 } // namespace Signorini

@@ -53,7 +53,7 @@ public:
     std::vector<RigidMotion> motions;
     for (unsigned int k = 0; k < 3; ++k)
       // A clamped side of the length l holds a rotation with (l / size)² at least, see
-      // largest_slenderness; rounding leaves 1e-15.
+      // max_slenderness; rounding leaves 1e-15.
       if (eigenvalues[k] < 1e-14)
         motions.push_back(
           {dealii::Tensor<1, 2>({vectors(0, k), vectors(1, k)}), vectors(2, k), centre_, size_});
@@ -74,7 +74,7 @@ private:
 };
 
 /** Adds what a side of this role forbids; two points suffice for a segment, three for a circle. */
-void hold_side(const Side<2> &side, const Role role, Conditions &conditions)
+void add_side_conditions(const Side<2> &side, const Role role, Conditions &conditions)
 {
   const double weight = 1. / side.n_pieces();
   for (unsigned int k = 0; k < side.n_pieces(); ++k)
@@ -92,7 +92,7 @@ void hold_side(const Side<2> &side, const Role role, Conditions &conditions)
 }
 
 /** Adds what a plate forbids to a body that moves as a whole. */
-void hold_plate(const Plate &plate, Conditions &conditions)
+void add_plate_conditions(const Plate &plate, Conditions &conditions)
 {
   const dealii::Tensor<1, 2> across({-plate.direction[1], plate.direction[0]});
   conditions.forbid_velocity(plate.centre, across);
@@ -173,11 +173,11 @@ std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates 
     for (const Plate &plate : scene.plates)
     {
       is_released[plate.side] = true;
-      hold_plate(plate, conditions);
+      add_plate_conditions(plate, conditions);
     }
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
     if (!is_released[i])
-      hold_side(scene.geometry.sides[i], scene.boundary[i].role, conditions);
+      add_side_conditions(scene.geometry.sides[i], scene.boundary[i].role, conditions);
   return conditions.solutions();
 }
 
@@ -280,7 +280,7 @@ std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions)
 }
 
 /** Returns the scene with contact sides that can neither open nor close. */
-Scene<2> on_rails(Scene<2> scene)
+Scene<2> with_sliding_contact(Scene<2> scene)
 {
   for (BoundaryCondition<2> &condition : scene.boundary)
     if (condition.role == Role::contact)
@@ -372,7 +372,7 @@ FreeMotionBasis free_motions(const Scene<2> &scene)
     kind.push_back({follow(rigid, scene.plates), rigid});
     extend(plate_motions, coordinates_of(kind.back().plates, size));
   };
-  for (const RigidMotion &rigid : free_rigid_motions(on_rails(scene), Plates::released))
+  for (const RigidMotion &rigid : free_rigid_motions(with_sliding_contact(scene), Plates::released))
     add(rigid, motions.unseen);
   // Pure translations are exact on all meshes, and their balance is that of forces.
   for (const RigidMotion &rigid : translations_first(free_rigid_motions(scene, Plates::released)))

@@ -206,7 +206,7 @@ public:
       return;
     const CaseSummary &cases = *level_.load_cases;
     std::vector<std::string> parts = {std::to_string(cases.n_cases) + " in cases.csv,",
-                                      "KKT residuals up to " + digits(cases.largest_kkt) +
+                                      "KKT residuals up to " + digits(cases.max_kkt) +
                                         (cases.n_escapes > 0 ? ";" : "")};
     if (cases.n_escapes > 0)
       parts.push_back("in " + std::to_string(cases.n_escapes) + " of them nothing stops the body");

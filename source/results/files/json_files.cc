@@ -211,7 +211,7 @@ Json describe(const ErrorBound &bound)
           {"max_penetration", bound.penetration},
           {"place_of_penetration", bound.place_of_penetration},
           {"largest_cell", bound.largest_cell},
-          {"largest_contact_face", bound.largest_face},
+          {"largest_contact_face", bound.worst_face},
           {"missing", bound.missing}};
 }
 

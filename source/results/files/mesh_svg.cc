@@ -147,11 +147,11 @@ std::vector<Panel> choose_panels(const Scene<2> &scene, const std::vector<DrawnC
     return a_touches == b_touches ? a.size < 0.999 * b.size : a_touches;
   };
   const DrawnCell &smallest = *std::min_element(cells.begin(), cells.end(), smaller);
-  constexpr double visible = 12., clear = 30., largest_factor = 24.;
+  constexpr double visible = 12., clear = 30., max_zoom_factor = 24.;
   if (smallest.size * panels.front().scale >= visible)
     return panels;
   const double last_width = smallest.size * zoom_pixels / clear;
-  const double n = std::ceil(std::log(extent / last_width) / std::log(largest_factor));
+  const double n = std::ceil(std::log(extent / last_width) / std::log(max_zoom_factor));
   const dealii::Point<2> centre = centroid(smallest.outline);
   for (unsigned int i = 1; i <= n; ++i)
   {

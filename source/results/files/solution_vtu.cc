@@ -146,7 +146,7 @@ private:
   {
     try
     {
-      const SpatialStress stress = stress_in_space(material_, x, strain);
+      const Stress3D stress = stress_in_3d(material_, x, strain);
       const std::array<double, 3> principal = principal_stresses(stress);
       const double values[stress_names.size()] = {stress[0][0],
                                                   stress[1][1],
@@ -300,7 +300,7 @@ FieldPiece<dim> fields_by_degree(const DisplacementSpace<dim> &space,
   for (const auto &cell : space.dofs().active_cell_iterators())
     degrees[cell->active_cell_index()] = cell->get_fe().degree;
   FieldPiece<dim> piece;
-  for (unsigned int degree = 1; degree <= space.largest_degree(); ++degree)
+  for (unsigned int degree = 1; degree <= space.max_element_degree(); ++degree)
   {
     if (std::find(degrees.begin(), degrees.end(), degree) == degrees.end())
       continue;
@@ -332,7 +332,7 @@ void write_solution_vtu(const std::filesystem::path &path,
                                         space.strain_operator() == StrainOperator::mean_dilatation
                                           ? mean_dilatations(space, U)
                                           : std::vector<double>());
-  const FieldPiece<dim> piece = space.largest_degree() > 1
+  const FieldPiece<dim> piece = space.max_element_degree() > 1
                                   ? fields_by_degree(space, U, stress)
                                   : fields_of_bilinear_cells(space, U, stress, bound);
   write_vtu_pieces(path, piece.text(flags), flags, space.mesh().communicator());

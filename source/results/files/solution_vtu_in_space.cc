@@ -18,7 +18,7 @@ namespace Signorini
 namespace
 {
 /** The names of the fields; the first three are a vector. */
-constexpr std::array<const char *, 13> names_in_space = {"displacement",
+constexpr std::array<const char *, 13> field_names_3d = {"displacement",
                                                          "displacement",
                                                          "displacement",
                                                          "stress_xx",
@@ -36,14 +36,14 @@ constexpr unsigned int first_stress = 3;
 
 /** Returns the stresses in the order of the names; not a number where the material's data has no
  * value. */
-std::array<double, names_in_space.size() - first_stress>
+std::array<double, field_names_3d.size() - first_stress>
 stresses_at(const Material<3> &material,
             const dealii::Point<3> &x,
             const dealii::SymmetricTensor<2, 3> &strain)
 {
   try
   {
-    const SpatialStress s = stress_in_space(material, x, strain);
+    const Stress3D s = stress_in_3d(material, x, strain);
     const std::array<double, 3> principal = principal_stresses(s);
     return {{s[0][0],
              s[1][1],
@@ -58,7 +58,7 @@ stresses_at(const Material<3> &material,
   }
   catch (const InputError &)
   {
-    std::array<double, names_in_space.size() - first_stress> nothing = {};
+    std::array<double, field_names_3d.size() - first_stress> nothing = {};
     nothing.fill(std::numeric_limits<double>::quiet_NaN());
     return nothing;
   }
@@ -78,8 +78,9 @@ Hexahedra fields_of_hexahedra(const DisplacementSpace<3> &space,
                              space.element(),
                              dealii::Quadrature<3>(corners),
                              dealii::update_inverse_jacobians | dealii::update_quadrature_points);
-  PatchInterpolation<3> field(
-    space, values.get_quadrature(), space.largest_degree() > 1 ? 0 : best_interpolation(space, U));
+  PatchInterpolation<3> field(space,
+                              values.get_quadrature(),
+                              space.max_element_degree() > 1 ? 0 : best_interpolation(space, U));
   Hexahedra cells;
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
@@ -91,7 +92,7 @@ Hexahedra fields_of_hexahedra(const DisplacementSpace<3> &space,
     patch.patch_index = cells.size() - 1;
     patch.reference_cell = dealii::ReferenceCells::get_hypercube<3>();
     patch.n_subdivisions = 1;
-    patch.data.reinit(names_in_space.size(), corners.size());
+    patch.data.reinit(field_names_3d.size(), corners.size());
     for (unsigned int v = 0; v < corners.size(); ++v)
     {
       patch.vertices[v] = cell->vertex(v);
@@ -138,7 +139,7 @@ void write_solution_vtu(const std::filesystem::path &path,
   const Hexahedra cells = fields_of_hexahedra(space, *scene.material, U);
   std::ostringstream stream;
   dealii::DataOutBase::write_vtu_main(
-    cells, {names_in_space.begin(), names_in_space.end()}, vectors, flags, stream);
+    cells, {field_names_3d.begin(), field_names_3d.end()}, vectors, flags, stream);
   std::string piece = stream.str();
   // A rank may have no cells, and then has no point data.
   if (!cells.empty())

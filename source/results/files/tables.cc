@@ -176,7 +176,7 @@ constexpr int number_width = 11;
 constexpr int order_width = 6;
 
 /** The smallest error that has an order; errors below are rounding (patch tests). */
-constexpr double smallest_error = 1e-13;
+constexpr double min_error = 1e-13;
 
 void print_count(std::ostream &stream, const int width, const unsigned long long value)
 {
@@ -223,7 +223,7 @@ std::optional<double> order(const LevelRecord &level,
   if (before == nullptr || level.sizes.is_graded() || !(before->sizes.h > level.sizes.h))
     return {};
   const std::optional<double> now = value(level, name), then = value(*before, name);
-  if (!now || !then || *now <= smallest_error || *then <= smallest_error)
+  if (!now || !then || *now <= min_error || *then <= min_error)
     return {};
   return std::log(*then / *now) / std::log(before->sizes.h / level.sizes.h);
 }
@@ -234,8 +234,7 @@ std::optional<double> slope(const std::vector<LevelRecord> &levels, const std::s
   constexpr std::size_t n_levels = 4;
   double n = 0., sum_x = 0., sum_y = 0., sum_xx = 0., sum_xy = 0.;
   for (std::size_t i = levels.size() - std::min(n_levels, levels.size()); i < levels.size(); ++i)
-    if (const std::optional<double> error = value(levels[i], name);
-        error && *error > smallest_error)
+    if (const std::optional<double> error = value(levels[i], name); error && *error > min_error)
     {
       const double x = std::log(levels[i].sizes.h), y = std::log(*error);
       n += 1.;
@@ -330,7 +329,7 @@ namespace
 using CaseColumn = std::pair<const char *, std::function<double(const CaseResult &)>>;
 
 /** Returns a number of the first plate; not a number without one. */
-double of_first_plate(const CaseResult &result, double PlateMotion::*const part)
+double first_plate_value(const CaseResult &result, double PlateMotion::*const part)
 {
   return result.plates.empty() ? std::numeric_limits<double>::quiet_NaN()
                                : result.plates.front().*part;
@@ -358,9 +357,10 @@ const std::vector<CaseColumn> &answers_of_case()
     {"zone_length", [](const CaseResult &c) { return c.zone_length; }},
     {"zones", [](const CaseResult &c) { return c.n_zones; }},
     {"active", [](const CaseResult &c) { return c.active; }},
-    {"plate_travel", [](const CaseResult &c) { return of_first_plate(c, &PlateMotion::travel); }},
+    {"plate_travel",
+     [](const CaseResult &c) { return first_plate_value(c, &PlateMotion::travel); }},
     {"plate_rotation",
-     [](const CaseResult &c) { return of_first_plate(c, &PlateMotion::rotation); }},
+     [](const CaseResult &c) { return first_plate_value(c, &PlateMotion::rotation); }},
     {"qp_iterations", [](const CaseResult &c) { return c.iterations; }},
     {"kkt", [](const CaseResult &c) { return c.kkt; }}};
   return columns;

@@ -17,7 +17,7 @@ namespace Signorini
 namespace
 {
 /** The smallest relative error that is not rounding. */
-constexpr double smallest_relative_error = 1e-12;
+constexpr double min_relative_error = 1e-12;
 
 struct ErrorPoint
 {
@@ -57,7 +57,7 @@ std::vector<ErrorPoint> points_of(const std::vector<LevelRecord> &levels,
   std::vector<ErrorPoint> points;
   for (const LevelRecord &level : levels)
     if (const std::optional<double> error = error_of(level);
-        error && std::isfinite(*error) && *error > smallest_relative_error)
+        error && std::isfinite(*error) && *error > min_relative_error)
       points.push_back({static_cast<double>(level.sizes.dofs), level.sizes.h, *error});
   return points;
 }
@@ -239,8 +239,8 @@ std::optional<Picture> travel_picture(const TravelCurve &cases)
     script << plot_number(cases.travel[i]) << " " << plot_number(forces[i]) << " "
            << plot_number(cases.peak[i]) << " " << plot_number(cases.zone_length[i]) << "\n";
   script << "END_OF_DATA\nset lmargin 12\nset rmargin 3\nset multiplot layout 1,3\n";
-  constexpr std::size_t most_with_points = 40;
-  const bool with_points = n <= most_with_points;
+  constexpr std::size_t max_cases_with_points = 40;
+  const bool with_points = n <= max_cases_with_points;
   const std::string force = "contact force |F| (force)";
   const double tics = distance_of_tics(forces);
   plot_cases(script,

@@ -306,8 +306,8 @@ Picture deformed_picture(const DisplacementSpace<2> &space,
     drawing.frame().include(run.surface);
     drawing.frame().include(run.inside);
   }
-  constexpr std::size_t most_cells_with_edges = 1200;
-  const bool has_edges = cells.size() <= most_cells_with_edges;
+  constexpr std::size_t max_cells_with_edges = 1200;
+  const bool has_edges = cells.size() <= max_cells_with_edges;
   drawing.write_cells();
   drawing.write_edges("undeformed", true, false);
   drawing.write_edges("edges", !has_edges, true);

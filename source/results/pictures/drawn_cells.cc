@@ -19,7 +19,7 @@ namespace Signorini
 {
 namespace
 {
-constexpr unsigned int most_cells = 10000;
+constexpr unsigned int max_cells = 10000;
 
 /** Evaluates the drawn displacement and its stress on active cells. The stress is that of the
  * interpolation that largest_von_mises() uses, too. */
@@ -81,7 +81,7 @@ private:
   {
     try
     {
-      return von_mises(stress_in_space(material_, x, strain));
+      return von_mises(stress_in_3d(material_, x, strain));
     }
     catch (const InputError &)
     {
@@ -140,7 +140,7 @@ DrawnCell coarse_cell(const dealii::Triangulation<2>::cell_iterator &cell, Field
 unsigned int drawn_level(const dealii::Triangulation<2> &triangulation)
 {
   unsigned int level = triangulation.n_levels() - 1;
-  while (level > 0 && triangulation.n_cells(level) > most_cells)
+  while (level > 0 && triangulation.n_cells(level) > max_cells)
     --level;
   return level;
 }
@@ -160,7 +160,7 @@ std::vector<DrawnCell> collect_drawn_cells(const DisplacementSpace<2> &space,
   };
   const bool is_uniform =
     triangulation.n_active_cells() == triangulation.n_cells(triangulation.n_levels() - 1);
-  if (is_uniform && triangulation.n_active_cells() > most_cells)
+  if (is_uniform && triangulation.n_active_cells() > max_cells)
     for (const auto &cell : triangulation.cell_iterators_on_level(drawn_level(triangulation)))
       add(coarse_cell(cell, sampler), cell);
   else

@@ -101,7 +101,7 @@ void write_data(std::ostream &script,
 }
 
 /** Colours the ground where p_H presses. The numbers of objects begin anew with every side. */
-void mark_zones(std::ostream &script, const DrawnSide &side, const double largest_pressure)
+void mark_zones(std::ostream &script, const DrawnSide &side, const double max_drawn_pressure)
 {
   constexpr double pressing = 1e-10;
   script << "unset object\n";
@@ -118,7 +118,7 @@ void mark_zones(std::ostream &script, const DrawnSide &side, const double larges
     for (std::size_t i = 0; i + 1 < segment->curve.size(); ++i)
     {
       const ContactPoint &a = segment->curve[i], &b = segment->curve[i + 1];
-      if (-0.5 * (a.p_H + b.p_H) <= pressing * largest_pressure)
+      if (-0.5 * (a.p_H + b.p_H) <= pressing * max_drawn_pressure)
         close();
       else
       {
@@ -169,22 +169,22 @@ std::vector<ContactSegment> trace_for_pictures(const DisplacementSpace<2> &space
                                                const Displacement &U,
                                                const Pressure &P)
 {
-  constexpr std::size_t enough_points = 300;
+  constexpr std::size_t n_curve_points = 300;
   const std::size_t n_pieces = std::max<std::size_t>(1, multipliers.surface().pieces().size());
-  const std::size_t n_parts = 1 + (enough_points - 1) / n_pieces;
+  const std::size_t n_parts = 1 + (n_curve_points - 1) / n_pieces;
   return trace_contact_line(space, multipliers, U, P, static_cast<unsigned int>(n_parts));
 }
 
 Picture pressure_picture(const Scene<2> &scene, const std::vector<ContactSegment> &line)
 {
   const std::vector<DrawnSide> sides = sides_of(scene, line);
-  double largest_pressure = 0.;
+  double max_drawn_pressure = 0.;
   for (const ContactSegment &segment : line)
     for (const ContactPoint &point : segment.curve)
-      largest_pressure = std::max(largest_pressure, -point.p_H);
+      max_drawn_pressure = std::max(max_drawn_pressure, -point.p_H);
 
-  constexpr unsigned int most_columns = 3, width = 560, height = 660;
-  const unsigned int n_columns = std::min<unsigned int>(sides.size(), most_columns);
+  constexpr unsigned int max_columns = 3, width = 560, height = 660;
+  const unsigned int n_columns = std::min<unsigned int>(sides.size(), max_columns);
   const unsigned int n_rows = (sides.size() + n_columns - 1) / n_columns;
   std::ostringstream script;
   start_script(script, std::max(720U, width * n_columns), height * n_rows);
@@ -203,7 +203,7 @@ Picture pressure_picture(const Scene<2> &scene, const std::vector<ContactSegment
           continue;
         }
         const std::string data = "side" + std::to_string(i);
-        mark_zones(script, sides[i], largest_pressure);
+        mark_zones(script, sides[i], max_drawn_pressure);
         script << "set xlabel "
                << (opening ? plot_text("arc length s along " + sides[i].name + " (length)") : "''")
                << "\nset xrange [" << plot_number(sides[i].segments.front()->curve.front().s) << ":"
@@ -339,7 +339,7 @@ int start_gnuplot(const NamelessFile &in,
 }
 
 /** The time after which gnuplot is killed; pictures take seconds. */
-constexpr std::chrono::seconds longest_wait(60);
+constexpr std::chrono::seconds max_wait(60);
 
 enum class End
 {
@@ -351,7 +351,7 @@ enum class End
 /** Waits for the end of a process, which is good with code 0. A process that is late is killed. */
 End wait_for(const pid_t id)
 {
-  const auto deadline = std::chrono::steady_clock::now() + longest_wait;
+  const auto deadline = std::chrono::steady_clock::now() + max_wait;
   int status = 0;
   for (pid_t ended = 0; ended != id; ended = waitpid(id, &status, WNOHANG))
   {
@@ -405,7 +405,7 @@ Drawing draw_with_gnuplot(const Picture &picture)
   const End end_of_process = wait_for(id);
   if (end_of_process == End::late)
     return {"",
-            "gnuplot did not end within " + std::to_string(longest_wait.count()) +
+            "gnuplot did not end within " + std::to_string(max_wait.count()) +
               " seconds and was stopped"};
   std::string svg = out.read_all();
   constexpr const char *own_title = "<title>Gnuplot</title>", *end = "</svg>";

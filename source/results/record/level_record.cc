@@ -51,7 +51,7 @@ CaseSummary summarise(const std::vector<CaseResult> &cases, const double seconds
       ++summary.n_escapes;
     else
     {
-      summary.largest_kkt = std::max(summary.largest_kkt, cases[i].kkt);
+      summary.max_kkt = std::max(summary.max_kkt, cases[i].kkt);
       if (!cases[i].converged && summary.first_failure == 0)
         summary.first_failure = i + 1;
     }

@@ -90,7 +90,7 @@ std::string cause_and_remedy(const Residual::Origin origin, const DualSolve &dua
 
 /** The largest rounding: with less than six digits of U left, nothing that is computed from it can
  * be trusted. */
-constexpr double largest_rounding = 1e-6;
+constexpr double max_rounding = 1e-6;
 
 /** The rounding above which it explains large residuals. */
 constexpr double noticeable_rounding = 1e-10;
@@ -98,14 +98,14 @@ constexpr double noticeable_rounding = 1e-10;
 
 std::string check_overflow(const LevelRecord &level, const Judge &)
 {
-  if (std::isfinite(largest_residual(level.certificate).value) && std::isfinite(level.dual.kkt))
+  if (std::isfinite(max_residual(level.certificate).value) && std::isfinite(level.dual.kkt))
     return "";
   return "numbers overflow: choose units in which moduli, lengths and loads are of size one.";
 }
 
 std::string check_rounding(const LevelRecord &level, const Judge &)
 {
-  if (rounding(level) <= largest_rounding)
+  if (rounding(level) <= max_rounding)
     return "";
   std::ostringstream text;
   text << "rounding changes displacements or forces by the relative amount " << rounding(level)
@@ -136,7 +136,7 @@ std::string check_load_cases(const LevelRecord &level, const Judge &)
 
 std::string check_residuals(const LevelRecord &level, const Judge &judge)
 {
-  const Residual residual = largest_residual(level.certificate);
+  const Residual residual = max_residual(level.certificate);
   const double bound = judge.residual_bound(level);
   if (residual.value <= bound)
     return "";
@@ -155,7 +155,7 @@ std::string check_residuals(const LevelRecord &level, const Judge &judge)
 namespace
 {
 /** The largest locking_number(): above it contact forces are wrong by ten per cent and more. */
-constexpr double largest_locking_number = 0.25;
+constexpr double max_locking_number = 0.25;
 
 /** The number of levels with the same estimate that shows that refinement does not help. */
 constexpr std::size_t n_stagnant_levels = 3;
@@ -181,10 +181,10 @@ std::string remedy_for(const LevelRecord &level)
                                 "smaller Patch ratio.";
   }
   const ErrorBound &bound = *level.bound;
-  switch (bound.largest_part())
+  switch (bound.dominant_part())
   {
   case ErrorBound::Part::contact:
-    return "contact is not resolved on " + bound.largest_face +
+    return "contact is not resolved on " + bound.worst_face +
            ": refine, take a smaller Patch ratio, or more Patches.";
   case ErrorBound::Part::oscillation:
     return "loads vary too much within cells, most in " + bound.largest_cell + ": refine.";
@@ -316,14 +316,14 @@ std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &j
   const LevelRecord &finest = levels.back();
   const double number = finest.locking_number.value_or(0.);
   // A guaranteed bound excludes large errors; solutions in V^h, such as rigid motions, do not lock.
-  const double excluded = is_guaranteed(finest) ? 0.1 * largest_locking_number : 1e-6;
-  if (number <= largest_locking_number || relative_error(finest).value_or(1.) <= excluded)
+  const double excluded = is_guaranteed(finest) ? 0.1 * max_locking_number : 1e-6;
+  if (number <= max_locking_number || relative_error(finest).value_or(1.) <= excluded)
     return "";
   std::ostringstream text;
   text << "The body is nearly incompressible, and bilinear elements lock on a mesh as coarse as "
           "level "
        << finest.sizes.level << ": K/mu (h/l)^2 = " << number << ", allowed: at most "
-       << largest_locking_number << "; "
+       << max_locking_number << "; "
        << (judge.has_b_bar() ? "set Discretization/Element = Q1 B-bar, or refine." : "refine.");
   return text.str();
 }

@@ -12,7 +12,7 @@
 
 namespace Signorini
 {
-Residual largest_residual(const Certificate &certificate)
+Residual max_residual(const Certificate &certificate)
 {
   using Origin = Residual::Origin;
   const Certificate &c = certificate;
@@ -58,7 +58,7 @@ std::string percent(const double share)
 }
 
 /** The number of levels that shows whether an estimate falls. */
-constexpr std::size_t enough_levels = 3;
+constexpr std::size_t min_trend_levels = 3;
 } // namespace
 
 std::optional<double> bound_of(const LevelRecord &level)
@@ -111,7 +111,7 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels)
     text << "there is no bound of the error";
     if (finest.bound)
       text << " (" << finest.bound->missing << ")";
-    if (levels.size() < enough_levels)
+    if (levels.size() < min_trend_levels)
       text << ", and with fewer than three levels the accuracy is not checked";
   }
   if (finest.estimate)
@@ -192,17 +192,17 @@ bool Judge::reaches_target(const LevelRecord &level) const
 double Judge::residual_bound(const LevelRecord &level) const
 {
   // A residual is a difference of terms that are larger than itself; five digits are necessary.
-  constexpr double largest_bound = 1e-5;
-  const double of_rounding = std::min(100. * rounding(level), largest_bound);
+  constexpr double max_rounding_bound = 1e-5;
+  const double rounding_bound = std::min(100. * rounding(level), max_rounding_bound);
   // Direct solves and sums over all cells lose some digits of their own, and so do other measures
   // of contact than the KKT residual. No tolerance makes an imbalance of one per cent a balance.
-  const double of_tolerance = std::min(100. * demands_.tolerance, 0.01);
+  const double tolerance_bound = std::min(100. * demands_.tolerance, 0.01);
   // V-cycles that end at the error of the discretisation leave that much in the forces of nodes.
-  const double of_cycles = 10. * level.dual.energy_tolerance;
-  return std::max({1e-8, of_tolerance, of_rounding, of_cycles});
+  const double cycle_bound = 10. * level.dual.energy_tolerance;
+  return std::max({1e-8, tolerance_bound, rounding_bound, cycle_bound});
 }
 
-double Judge::largest_residual_bound(const std::vector<LevelRecord> &levels) const
+double Judge::max_residual_bound(const std::vector<LevelRecord> &levels) const
 {
   double bound = residual_bound(LevelRecord());
   for (const LevelRecord &level : levels)
@@ -229,16 +229,16 @@ StudyVerdict Judge::verdict(const std::vector<LevelRecord> &levels) const
                           : is_guaranteed(levels.back())    ? Outcome::certified
                           : levels.back().sizes.is_graded() ? Outcome::accuracy_estimated
                                                             : Outcome::equations_certified;
-  return {outcome, doubt, describe_accuracy(levels), largest_residual_bound(levels)};
+  return {outcome, doubt, describe_accuracy(levels), max_residual_bound(levels)};
 }
 
 StudyVerdict Judge::unfinished(const std::vector<LevelRecord> &levels) const
 {
-  return {Outcome::unfinished, "", "", largest_residual_bound(levels)};
+  return {Outcome::unfinished, "", "", max_residual_bound(levels)};
 }
 
 StudyVerdict Judge::failed(const std::vector<LevelRecord> &levels, const std::string &reason) const
 {
-  return {Outcome::not_certified, reason, "", largest_residual_bound(levels)};
+  return {Outcome::not_certified, reason, "", max_residual_bound(levels)};
 }
 } // namespace Signorini

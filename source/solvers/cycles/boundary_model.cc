@@ -36,8 +36,8 @@ Vector restricted(const Vector &all, const Indices &set)
 }
 } // namespace
 
-BoundaryModel::BoundaryModel(const unsigned int largest_factorised)
-  : largest_factorised_(largest_factorised)
+BoundaryModel::BoundaryModel(const unsigned int max_factorised_size)
+  : max_factorised_size_(max_factorised_size)
 {
 }
 
@@ -45,8 +45,8 @@ Vector BoundaryModel::solve(const Indices &set, const Vector &rhs) const
 {
   if (set.empty())
     return Vector();
-  return set.size() <= largest_factorised_ ? solve_by_factor(set, rhs)
-                                           : solve_by_gradients(set, rhs);
+  return set.size() <= max_factorised_size_ ? solve_by_factor(set, rhs)
+                                            : solve_by_gradients(set, rhs);
 }
 
 Vector BoundaryModel::solve_by_factor(const Indices &set, const Vector &rhs) const
@@ -74,7 +74,7 @@ Vector BoundaryModel::solve_by_factor(const Indices &set, const Vector &rhs) con
 
 Vector BoundaryModel::solve_by_gradients(const Indices &set, const Vector &rhs) const
 {
-  constexpr unsigned int most_steps = 500;
+  constexpr unsigned int max_steps = 500;
   constexpr double tolerance = 1e-10;
   const auto inverse = [&](const Vector &r) {
     return restricted(apply_inverse(extended(r, set, size())), set);
@@ -82,7 +82,7 @@ Vector BoundaryModel::solve_by_gradients(const Indices &set, const Vector &rhs) 
   Vector x(rhs.size()), r(rhs), z = inverse(r), direction(z);
   const double wanted = tolerance * r.l2_norm();
   double r_z = r * z;
-  for (unsigned int k = 0; k < most_steps && r.l2_norm() > wanted; ++k)
+  for (unsigned int k = 0; k < max_steps && r.l2_norm() > wanted; ++k)
   {
     const Vector product = restricted(apply(extended(direction, set, size())), set);
     const double step = r_z / (direction * product);
@@ -138,13 +138,13 @@ using Vector = ComplianceOperator::Vector;
 
 /** Returns the size of sets of patches up to which they are factorised. In 2-D a product with m
  * patches costs m², as a solve with factors does; in 3-D only m^{3/2}. */
-constexpr unsigned int largest_factorised_set(const unsigned int dim)
+constexpr unsigned int max_factorised_set_size(const unsigned int dim)
 {
   return dim == 2 ? 3000 : 500;
 }
 
 /** The maximal number of patches of a dense kernel: 300 MB with its factor. */
-constexpr unsigned int most_kernel_patches = 6000;
+constexpr unsigned int max_kernel_patches = 6000;
 
 template <int dim>
 void require_constants(const MultiplierSpace<dim> &multipliers)
@@ -242,14 +242,14 @@ std::optional<GridBlock> grid_of(const ContactSurface<dim> &surface,
 template <int dim>
 std::vector<std::vector<unsigned int>> patches_by_side(const ContactSurface<dim> &surface)
 {
-  std::vector<std::vector<unsigned int>> of_side(surface.scene().geometry.sides.size());
+  std::vector<std::vector<unsigned int>> side_data(surface.scene().geometry.sides.size());
   for (unsigned int k = 0; k < surface.patches().size(); ++k)
-    of_side[surface.patches()[k].side].push_back(k);
-  of_side.erase(std::remove_if(of_side.begin(),
-                               of_side.end(),
-                               [](const std::vector<unsigned int> &s) { return s.empty(); }),
-                of_side.end());
-  return of_side;
+    side_data[surface.patches()[k].side].push_back(k);
+  side_data.erase(std::remove_if(side_data.begin(),
+                                 side_data.end(),
+                                 [](const std::vector<unsigned int> &s) { return s.empty(); }),
+                  side_data.end());
+  return side_data;
 }
 
 template <int dim>
@@ -284,7 +284,7 @@ std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<d
     blocks.push_back(std::move(*block));
   }
   return std::make_shared<const CosineModel>(
-    std::move(blocks), scaling_of(surface, surface.patches()), largest_factorised_set(dim));
+    std::move(blocks), scaling_of(surface, surface.patches()), max_factorised_set_size(dim));
 }
 
 template <int dim>
@@ -299,10 +299,10 @@ std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim>
                                                        const std::vector<Patch<dim>> &patches)
 {
   const auto m = static_cast<unsigned int>(patches.size());
-  if (m > most_kernel_patches)
+  if (m > max_kernel_patches)
     throw ComputationError("The kernel of the half space is a dense matrix: found " +
                            std::to_string(m) + " contact patches, allowed: at most " +
-                           std::to_string(most_kernel_patches) + ".");
+                           std::to_string(max_kernel_patches) + ".");
   // The logarithm is definite where R exceeds the capacity of the surface.
   const double radius = surface.scene().geometry.diameter();
   const Vector scaling = scaling_of(surface, patches);

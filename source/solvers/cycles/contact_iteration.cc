@@ -223,7 +223,7 @@ Vector approximate_compliance_times(const ContactSystem &system, const Vector &P
 
 /** Returns the largest eigenvalue of a symmetric tridiagonal matrix, by bisection with Sturm's
  * sequence. */
-double largest_eigenvalue(const std::vector<double> &diagonal, const std::vector<double> &beside)
+double max_eigenvalue(const std::vector<double> &diagonal, const std::vector<double> &beside)
 {
   double low = 0., high = 0.;
   for (std::size_t i = 0; i < diagonal.size(); ++i)
@@ -363,7 +363,7 @@ double estimate_scale(const ContactSystem &system, const unsigned int n_steps)
     beside.push_back(norm);
   }
   beside.resize(diagonal.size() - 1);
-  return share_of_largest * largest_eigenvalue(diagonal, beside);
+  return share_of_largest * max_eigenvalue(diagonal, beside);
 }
 
 ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
@@ -372,7 +372,7 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
                                                const ContactIterationOptions &options)
 {
   constexpr unsigned int lanczos_steps = 6;
-  constexpr unsigned int most_doublings = 2;
+  constexpr unsigned int max_doublings = 2;
   ContactIterationResult result;
   result.U = U;
   result.P = P;
@@ -401,7 +401,7 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
         measure_energy_of_residual(system, step.r, result);
       return result;
     }
-    if (history.grows() && doublings < most_doublings)
+    if (history.grows() && doublings < max_doublings)
     {
       ++doublings;
       result.scale *= 2.;

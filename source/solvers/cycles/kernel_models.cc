@@ -175,8 +175,8 @@ void scatter_block(const std::vector<unsigned int> &numbers, const Vector &part,
 
 CosineModel::CosineModel(std::vector<GridBlock> blocks,
                          Vector scaling,
-                         const unsigned int largest_factorised)
-  : BoundaryModel(largest_factorised)
+                         const unsigned int max_factorised_size)
+  : BoundaryModel(max_factorised_size)
   , blocks_(std::move(blocks))
   , scaling_(std::move(scaling))
   , places_(scaling_.size())

@@ -47,15 +47,15 @@ double relative_or_absolute(const double value, const double scale)
  */
 dealii::Vector<double> measure_forces(const ContactSystem &system, ContactIterationResult &result)
 {
-  constexpr double least_share_of_terms = 1e-3;
+  constexpr double min_term_share = 1e-3;
   dealii::Vector<double> pressing(system.A.size()), r(system.A.size());
   add_product(system.condensed_D, result.P, pressing);
   system.A.apply(r, result.U);
-  const double of_contact = pressing.l2_norm();
-  const double largest = std::max({r.l2_norm(), of_contact, system.f.l2_norm()});
+  const double contact_size = pressing.l2_norm();
+  const double largest = std::max({r.l2_norm(), contact_size, system.f.l2_norm()});
   // Where nothing touches, prescribed displacements may move the body as a whole: nothing else
   // shows how small its forces are.
-  const double scale = std::max({of_contact, system.loads, least_share_of_terms * largest});
+  const double scale = std::max({contact_size, system.loads, min_term_share * largest});
   r *= -1.;
   r += system.f;
   r += pressing;
@@ -161,12 +161,12 @@ Vector solve_safely(const BoundaryModel &model, const Vector &W, const Vector &P
 
 Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const Vector &P)
 {
-  constexpr unsigned int most_steps = 30;
+  constexpr unsigned int max_steps = 30;
   const unsigned int m = P.size();
   std::vector<bool> active(m);
   for (unsigned int i = 0; i < m; ++i)
     active[i] = P[i] < 0. || W[i] > 0.;
-  for (unsigned int k = 0; k < most_steps; ++k)
+  for (unsigned int k = 0; k < max_steps; ++k)
   {
     const Vector d = change_on_set(model, W, P, indices_of(active));
     Vector Q(P), V = model.apply(d);
@@ -252,7 +252,7 @@ private:
 void solve_on(const ContactSystem &system,
               const Indices &set,
               const double reduction,
-              const unsigned int most_cycles,
+              const unsigned int max_cycles,
               ContactIterationResult &result)
 {
   const SaddlePoint matrix(system, set, result.scale);
@@ -266,7 +266,7 @@ void solve_on(const ContactSystem &system,
   const Vector W = system.opening(result.U);
   for (unsigned int r = 0; r < set.size(); ++r)
     rhs.block(1)[r] = W[set[r]];
-  dealii::ReductionControl control(most_cycles, 1e-300, reduction, false, false);
+  dealii::ReductionControl control(max_cycles, 1e-300, reduction, false, false);
   dealii::SolverMinRes<BlockVector> minres(control);
   try
   {

@@ -16,7 +16,7 @@ namespace
 using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 
-Vector pressure_at(const SeenMotions &motions, const Vector &F, const Vector &c, const Vector &z)
+Vector pressure_at(const ReducedMotions &motions, const Vector &F, const Vector &c, const Vector &z)
 {
   Vector P = times(motions.B, z);
   for (unsigned int i = 0; i < P.size(); ++i)
@@ -24,7 +24,7 @@ Vector pressure_at(const SeenMotions &motions, const Vector &F, const Vector &c,
   return P;
 }
 
-double energy_at(const SeenMotions &motions, const Vector &F, const Vector &c, const Vector &z)
+double energy_at(const ReducedMotions &motions, const Vector &F, const Vector &c, const Vector &z)
 {
   const Vector P = pressure_at(motions, F, c, z);
   double energy = 0.5 * (times(motions.K, z) * z) - motions.b * z;
@@ -35,7 +35,8 @@ double energy_at(const SeenMotions &motions, const Vector &F, const Vector &c, c
 
 /** Returns K + sum of B_i B_iᵀ/c_i, where springs that are open count only with the part @p open.
  */
-Matrix stiffness_at(const SeenMotions &motions, const Vector &c, const Vector &P, const double open)
+Matrix
+stiffness_at(const ReducedMotions &motions, const Vector &c, const Vector &P, const double open)
 {
   Matrix H = motions.K;
   for (unsigned int r = 0; r < P.size(); ++r)
@@ -46,7 +47,7 @@ Matrix stiffness_at(const SeenMotions &motions, const Vector &c, const Vector &P
 }
 } // namespace
 
-MotionState solve_on_bedding(const SeenMotions &motions, const Vector &F, const Vector &c)
+MotionState solve_on_bedding(const ReducedMotions &motions, const Vector &F, const Vector &c)
 {
   // The first step assumes that all springs press.
   Vector load = F;
@@ -161,7 +162,7 @@ using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 
 /** Returns P ≤ 0 with Bᵀ P = -b on few patches; nothing if K resists, where every P will do. */
-std::optional<Vector> pressure_in_balance(const SeenMotions &motions, const unsigned int m)
+std::optional<Vector> pressure_in_balance(const ReducedMotions &motions, const unsigned int m)
 {
   Matrix directions(motions.size(), m);
   Vector norms(m);
@@ -207,7 +208,7 @@ void step_to_first_zero(const Vector &wanted, Vector &P)
  * rounding. */
 std::optional<unsigned int> deepest(const ComplianceOperator &C,
                                     const Vector &F,
-                                    const SeenMotions &motions,
+                                    const ReducedMotions &motions,
                                     const Vector &diagonal,
                                     const MotionState &state)
 {
@@ -228,8 +229,8 @@ std::optional<unsigned int> deepest(const ComplianceOperator &C,
 
 std::optional<MotionState> descend(const ComplianceOperator &C,
                                    const Vector &F,
-                                   const SeenMotions &motions,
-                                   const unsigned int most_solves,
+                                   const ReducedMotions &motions,
+                                   const unsigned int max_solves,
                                    unsigned int &n_solves)
 {
   const Vector diagonal = C.diagonal();
@@ -237,7 +238,7 @@ std::optional<MotionState> descend(const ComplianceOperator &C,
   if (!start)
     return {};
   MotionState state = {*start, Vector(motions.size())};
-  for (unsigned int step = 0; step < most_solves; ++step)
+  for (unsigned int step = 0; step < max_solves; ++step)
   {
     ++n_solves;
     const auto exact = solve_on_pressing(C, F, motions, state);

@@ -18,12 +18,12 @@ using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 using Compliance = std::shared_ptr<const ComplianceOperator>;
 
-/** The problem in the coordinates of SeenMotions. */
+/** The problem in the coordinates of ReducedMotions. */
 struct MotionProblem
 {
   Compliance C;
   const Vector &F;
-  const SeenMotions &motions;
+  const ReducedMotions &motions;
   /** The diagonal of C, or an estimate where columns are expensive. */
   const Vector &diagonal;
   const DualSolverOptions &options;
@@ -143,7 +143,7 @@ Vector exchange(const MotionProblem &problem, const MotionState &state)
 void solve_exactly(const MotionProblem &problem, const unsigned int attempts, MotionSearch &search)
 {
   MotionState trial = search.state;
-  for (unsigned int in_vain = 0; in_vain <= attempts;)
+  for (unsigned int n_failed_attempts = 0; n_failed_attempts <= attempts;)
   {
     const ComplianceOperator::Indices A = pressing_patches(trial.P);
     const auto exact = solve_on_pressing(*problem.C, problem.F, problem.motions, trial);
@@ -156,7 +156,7 @@ void solve_exactly(const MotionProblem &problem, const unsigned int attempts, Mo
     // Patches that cannot carry the load would throw the body far away.
     if (search.residual < before)
       search.state.z = exact->state.z;
-    in_vain = search.residual < before ? 0 : in_vain + 1;
+    n_failed_attempts = search.residual < before ? 0 : n_failed_attempts + 1;
     trial.P = exchange(problem, exact->state);
     trial.z = exact->state.z;
     if (attempts == 0 || pressing_patches(trial.P) == A)
@@ -202,7 +202,7 @@ DualSolverOptions inner_options(const MotionProblem &problem,
  * pressure. */
 void solve_inner(const MotionProblem &problem, MotionSearch &search)
 {
-  const SeenMotions &motions = problem.motions;
+  const ReducedMotions &motions = problem.motions;
   const std::optional<std::string> failure = search.inner.active_set_failure;
   const bool by_sweeps = problem.options.method == ContactSolver::psor || failure;
   Matrix Q = proximal_stiffness(search.stiffness, by_sweeps ? 0.3 : 1e-4);
@@ -259,7 +259,7 @@ bool is_only_solution(const MotionProblem &problem, const MotionState &state)
 MotionSearch begin(const MotionProblem &problem, const Vector &start)
 {
   MotionSearch search;
-  const SeenMotions &motions = problem.motions;
+  const ReducedMotions &motions = problem.motions;
   search.state = solve_on_bedding(motions, problem.F, problem.diagonal);
   if (start.size() > 0 && !pressing_patches(start).empty())
     search.state.P = start;
@@ -280,15 +280,15 @@ void iterate(const MotionProblem &problem, MotionSearch &search)
   const double tolerance = problem.options.tolerance;
   const double rounding = (problem.F.size() + 10) * std::numeric_limits<double>::epsilon();
   const double small = std::min(tolerance, std::max(1e-2 * tolerance, rounding));
-  unsigned int in_vain = 0;
-  while (search.residual > small && in_vain < (search.residual <= tolerance ? 1U : 20U) &&
+  unsigned int n_failed_attempts = 0;
+  while (search.residual > small && n_failed_attempts < (search.residual <= tolerance ? 1U : 20U) &&
          search.inner.iterations < problem.options.maximum_iterations)
   {
     const double before = search.residual;
     solve_inner(problem, search);
     judge(problem, search.state, search);
-    solve_exactly(problem, in_vain > 0 ? 5 : 0, search);
-    in_vain = search.residual < 0.5 * before ? 0 : in_vain + 1;
+    solve_exactly(problem, n_failed_attempts > 0 ? 5 : 0, search);
+    n_failed_attempts = search.residual < 0.5 * before ? 0 : n_failed_attempts + 1;
   }
 }
 
@@ -325,7 +325,7 @@ bool is_zero(const Vector &v)
 }
 
 /** Solves where there is at least one patch, and one motion that the patches or K resist. */
-void solve_seen(const MotionProblem &problem, const Vector &start, MotionResult &result)
+void solve_reduced(const MotionProblem &problem, const Vector &start, MotionResult &result)
 {
   MotionSearch search = begin(problem, start);
   iterate(problem, search);
@@ -366,7 +366,7 @@ MotionResult solve_dual_problem(const Compliance &C,
     std::fill(diagonal.begin(), diagonal.end(), 1.);
   else
     diagonal = diagonal_guess(*C, F, norms);
-  const SeenMotions seen(motions, m, contact_stiffness(norms, diagonal));
+  const ReducedMotions seen(motions, m, contact_stiffness(norms, diagonal));
   MotionResult result;
   result.unseen = seen.unseen;
   result.escape = seen.escape;
@@ -382,7 +382,7 @@ MotionResult solve_dual_problem(const Compliance &C,
     result.qp.converged = true;
   }
   else
-    solve_seen({C, F, seen, diagonal, options}, start, result);
+    solve_reduced({C, F, seen, diagonal, options}, start, result);
   return result;
 }
 } // namespace Signorini

@@ -84,16 +84,16 @@ Displacement extend(const Displacement &k,
 }
 
 /** Returns the modes of plates, and of a body that only contact holds. */
-MotionModes<2> modes_of_plane(const DisplacementSpace<2> &space,
-                              const Scene<2> &scene,
-                              const StiffnessInverse &inverse)
+MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space,
+                           const Scene<2> &scene,
+                           const StiffnessInverse &inverse)
 {
   MotionModes<2> modes;
   const FreeMotionBasis basis = free_motions(scene);
   modes.motions = basis.seen;
   modes.unseen = basis.unseen;
   for (const FreeMotion &motion : modes.unseen)
-    modes.unseen_Z.push_back(interpolate(*motion.rigid, space));
+    modes.unseen_modes.push_back(interpolate(*motion.rigid, space));
   if (space.mesh().is_curved())
     modes.unseen_tolerance = 1e-3;
   for (const FreeMotion &motion : modes.motions)
@@ -161,7 +161,7 @@ std::optional<unsigned int> MotionModes<dim>::driven_unseen(const std::vector<Pl
   {
     WorkSum sum;
     sum.add(unseen[j].work_of_plates(plates));
-    sum.add_product(unseen_Z[j], loads, 1.);
+    sum.add_product(unseen_modes[j], loads, 1.);
     if (std::abs(sum.value) > unseen_tolerance * sum.magnitude)
       return j;
   }
@@ -193,7 +193,7 @@ MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
 {
   if constexpr (dim == 2)
     if (!scene.plates.empty() || scene.is_held_by_contact)
-      return modes_of_plane(space, scene, inverse);
+      return modes_in_2d(space, scene, inverse);
   return MotionModes<dim>();
 }
 
@@ -208,7 +208,7 @@ template MotionModes<3> make_motion_modes(const DisplacementSpace<3> &,
 
 // The motion of a body that neither supports nor contact stop.
 
-std::string word_for_escape(const RigidMotion &motion, const bool opens)
+std::string text_of_escape(const RigidMotion &motion, const bool opens)
 {
   if (!opens)
     return "it slides";

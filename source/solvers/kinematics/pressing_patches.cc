@@ -167,7 +167,7 @@ bool factorise_nearly(Matrix C_AA, Factor &factor)
  * result. X = C_AA⁻¹ B_A. */
 void refine(const ComplianceOperator &C,
             const Vector &F,
-            const SeenMotions &motions,
+            const ReducedMotions &motions,
             const Indices &A,
             const Factor &C_AA,
             const std::vector<Vector> &X,
@@ -204,7 +204,7 @@ Indices pressing_patches(const Vector &P)
 
 std::optional<PressingSolution> solve_on_pressing(const ComplianceOperator &C,
                                                   const Vector &F,
-                                                  const SeenMotions &motions,
+                                                  const ReducedMotions &motions,
                                                   const MotionState &start)
 {
   const Indices A = pressing_patches(start.P);

@@ -265,9 +265,9 @@ Unitless without_units(const FreeMotions &motions, const unsigned int m, const d
  * resist. */
 std::optional<Vector> find_escape(const Unitless &all, const Matrix &hidden, const Matrix &seen)
 {
-  const Vector unseen_part = transpose_times(hidden, all.b);
-  if (unseen_part.size() > 0 && unseen_part.l2_norm() > all.noise)
-    return times(hidden, unseen_part);
+  const Vector hidden_work = transpose_times(hidden, all.b);
+  if (hidden_work.size() > 0 && hidden_work.l2_norm() > all.noise)
+    return times(hidden, hidden_work);
   const Vector b = transpose_times(seen, all.b);
   if (b.size() == 0 || b.l2_norm() <= all.noise)
     return std::nullopt;
@@ -311,7 +311,9 @@ Vector column_norms(const Matrix &B)
   return norms;
 }
 
-SeenMotions::SeenMotions(const FreeMotions &motions, const unsigned int m, const double stiffness)
+ReducedMotions::ReducedMotions(const FreeMotions &motions,
+                               const unsigned int m,
+                               const double stiffness)
 {
   check_sizes(motions, m);
   const unsigned int k = motions.b.size();
@@ -319,8 +321,8 @@ SeenMotions::SeenMotions(const FreeMotions &motions, const unsigned int m, const
     return;
   const Unitless all = without_units(motions, m, stiffness);
   const Matrix free = as_columns(split_by_size(all.K, all.resistance).null, k);
-  const Splitting of_free = split_by_size(product(all.B, free), 1e-10);
-  const Matrix hidden = product(free, as_columns(of_free.null, free.n()));
+  const Splitting free_splitting = split_by_size(product(all.B, free), 1e-10);
+  const Matrix hidden = product(free, as_columns(free_splitting.null, free.n()));
   const Matrix basis = complement(hidden, k);
   B = product(all.B, basis);
   K = transpose_product(basis, product(all.K, basis));
@@ -330,7 +332,8 @@ SeenMotions::SeenMotions(const FreeMotions &motions, const unsigned int m, const
     for (unsigned int j = 0; j < T_.n(); ++j)
       T_(i, j) *= all.units[i];
   n_original_ = k;
-  if (const auto v = find_escape(all, hidden, product(free, as_columns(of_free.rest, free.n()))))
+  if (const auto v =
+        find_escape(all, hidden, product(free, as_columns(free_splitting.rest, free.n()))))
     escape = with_units(*v, all.units);
   for (unsigned int j = 0; j < hidden.n() && !escape; ++j)
   {
@@ -341,12 +344,12 @@ SeenMotions::SeenMotions(const FreeMotions &motions, const unsigned int m, const
   }
 }
 
-Vector SeenMotions::original(const Vector &z) const
+Vector ReducedMotions::original(const Vector &z) const
 {
   return size() == 0 ? Vector(n_original_) : times(T_, z);
 }
 
-Vector SeenMotions::imbalance(const Vector &P, const Vector &z) const
+Vector ReducedMotions::imbalance(const Vector &P, const Vector &z) const
 {
   Vector missing = b;
   missing += transpose_times(B, P);

@@ -80,9 +80,9 @@ bool points_balance(const Discretization<2> &discretization,
                     const MotionModes<2> &modes,
                     const FreeMotions &motions)
 {
-  FreeMotions of_points = motions;
-  of_points.B = closing_of_points(discretization, modes);
-  return !SeenMotions(of_points, of_points.B.m(), typical_stiffness(motions)).escape;
+  FreeMotions point_motions = motions;
+  point_motions.B = closing_of_points(discretization, modes);
+  return !ReducedMotions(point_motions, point_motions.B.m(), typical_stiffness(motions)).escape;
 }
 } // namespace
 
@@ -100,11 +100,11 @@ void refuse_undetermined(const Parameters &parameters,
 {
   if (!motions.b.all_zero())
     return;
-  FreeMotions of_pressing = motions;
+  FreeMotions pressing_motions = motions;
   for (unsigned int i = 0; i < P.size(); ++i)
     for (unsigned int j = 0; j < modes.size() && P[i] == 0.; ++j)
-      of_pressing.B(i, j) = 0.;
-  const auto unseen = SeenMotions(of_pressing, P.size(), typical_stiffness(motions)).unseen;
+      pressing_motions.B(i, j) = 0.;
+  const auto unseen = ReducedMotions(pressing_motions, P.size(), typical_stiffness(motions)).unseen;
   if (!unseen.empty())
     throw InputError(parameters.boundary.where +
                      ": the loads are zero, and the pressure of the "
@@ -131,7 +131,7 @@ void refuse_escape(const Parameters &parameters,
   }
   throw InputError(parameters.boundary.where + ": the loads move the body " + motion.direction() +
                    ", and no pressure of the foundation balances them (" +
-                   word_for_escape(motion, opens(motions.B, v)) +
+                   text_of_escape(motion, opens(motions.B, v)) +
                    "); allowed: loads that press it onto the foundation, or more sides that hold "
                    "it.");
 }
@@ -200,9 +200,8 @@ public:
       state.algebraic_error = algebraic_part(discretization, state);
     }
     prescribe_motions(state);
-    state.linear = {state.inverse->n_solves(),
-                    state.inverse->largest_residual(),
-                    state.inverse->rounding_error()};
+    state.linear = {
+      state.inverse->n_solves(), state.inverse->max_residual(), state.inverse->rounding_error()};
     return state;
   }
 
@@ -222,7 +221,7 @@ private:
     progress("factorisation");
     state.inverse = timed(state.times.factor, [&]() -> std::unique_ptr<StiffnessInverse> {
       if (choice_.is_matrix_free())
-        return make_multigrid_inverse(space, scene_, goal_of_solves);
+        return make_multigrid_inverse(space, scene_, solve_tolerance);
       return factorise(state.system->matrix,
                        state.system->unit,
                        choice_.linear,

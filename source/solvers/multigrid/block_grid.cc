@@ -48,14 +48,14 @@ std::vector<bool> BlockGrid<dim>::number_nodes(std::vector<NodeNumber> &places,
   identity_.reserve(n_identities);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    NodeNumber &of_identity = number[places[i]];
-    if (of_identity == no_node)
+    NodeNumber &node_number = number[places[i]];
+    if (node_number == no_node)
     {
-      of_identity = static_cast<NodeNumber>(identity_.size());
+      node_number = static_cast<NodeNumber>(identity_.size());
       identity_.push_back(places[i]);
       owned[i] = true;
     }
-    places[i] = of_identity;
+    places[i] = node_number;
   }
   identity_.shrink_to_fit();
   return owned;
@@ -95,10 +95,10 @@ void BlockGrid<dim>::make_batches()
   for (std::size_t cell = 0; cell < n_batches() * n_lanes; ++cell)
   {
     // Lanes behind the last cell repeat it; their results are not used.
-    const auto of_cell = nodes(std::min(cell, n_cells_ - 1));
+    const auto cell_data = nodes(std::min(cell, n_cells_ - 1));
     NodeNumber *const batch = &batch_nodes_[cell / n_lanes * n_vertices * n_lanes];
     for (unsigned int v = 0; v < n_vertices; ++v)
-      batch[v * n_lanes + cell % n_lanes] = of_cell[v];
+      batch[v * n_lanes + cell % n_lanes] = cell_data[v];
   }
 }
 
@@ -173,9 +173,9 @@ dealii::Tensor<2, dim> projection_onto_range(const dealii::Tensor<2, dim> &T)
 }
 
 template <int dim>
-void project(LevelVector<dim, float> &x, const NodeConditions<dim> &conditions)
+void project(LevelVector<dim, float> &x, const ConstrainedNodes<dim> &conditions)
 {
-  for (const NodeCondition<dim> &condition : conditions)
+  for (const ConstrainedNode<dim> &condition : conditions)
   {
     dealii::Tensor<1, dim> u;
     for (unsigned int c = 0; c < dim; ++c)
@@ -187,15 +187,15 @@ void project(LevelVector<dim, float> &x, const NodeConditions<dim> &conditions)
 }
 
 template <int dim>
-NodeConditions<dim> coarsen(const NodeConditions<dim> &fine,
-                            const unsigned int n_fine_nodes,
-                            const BlockGrid<dim> &coarse)
+ConstrainedNodes<dim> coarsen(const ConstrainedNodes<dim> &fine,
+                              const unsigned int n_fine_nodes,
+                              const BlockGrid<dim> &coarse)
 {
   constexpr NodeNumber none = ~0U;
   std::vector<NodeNumber> place(n_fine_nodes, none);
   for (std::size_t i = 0; i < fine.size(); ++i)
     place[fine[i].node] = static_cast<NodeNumber>(i);
-  NodeConditions<dim> conditions;
+  ConstrainedNodes<dim> conditions;
   for (NodeNumber node = 0; node < coarse.n_nodes(); ++node)
     if (const NodeNumber i = place[coarse.identities()[node]]; i != none)
       conditions.push_back({node, fine[i].T, fine[i].projection});
@@ -204,8 +204,12 @@ NodeConditions<dim> coarsen(const NodeConditions<dim> &fine,
 
 template dealii::Tensor<2, 2> projection_onto_range(const dealii::Tensor<2, 2> &);
 template dealii::Tensor<2, 3> projection_onto_range(const dealii::Tensor<2, 3> &);
-template void project(LevelVector<2, float> &, const NodeConditions<2> &);
-template void project(LevelVector<3, float> &, const NodeConditions<3> &);
-template NodeConditions<2> coarsen(const NodeConditions<2> &, unsigned int, const BlockGrid<2> &);
-template NodeConditions<3> coarsen(const NodeConditions<3> &, unsigned int, const BlockGrid<3> &);
+template void project(LevelVector<2, float> &, const ConstrainedNodes<2> &);
+template void project(LevelVector<3, float> &, const ConstrainedNodes<3> &);
+template ConstrainedNodes<2> coarsen(const ConstrainedNodes<2> &,
+                                     unsigned int,
+                                     const BlockGrid<2> &);
+template ConstrainedNodes<3> coarsen(const ConstrainedNodes<3> &,
+                                     unsigned int,
+                                     const BlockGrid<3> &);
 } // namespace Signorini

@@ -273,7 +273,7 @@ void add_diagonal_blocks(LevelVector<dim * dim, Number> &blocks,
   for (std::size_t cell = 0; cell < grid.n_cells(); ++cell)
   {
     const std::size_t batch = cell / n_lanes;
-    const int shared = matrices.of_batch[batch];
+    const int shared = matrices.batch_storage[batch];
     if (cell % n_lanes == 0 && (shared < 0 || shared != last_shared))
     {
       K = entries_of_batch(matrices, grid, batch, buffer);

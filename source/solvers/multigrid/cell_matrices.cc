@@ -100,12 +100,12 @@ int common_matrix(const CellMatrices<dim, double> &fine,
                   const std::size_t begin,
                   const std::size_t end)
 {
-  const int first = fine.of_batch[children(begin, 0) / n_lanes];
+  const int first = fine.batch_storage[children(begin, 0) / n_lanes];
   if (first < 0)
     return -1;
   for (std::size_t cell = begin; cell < end; ++cell)
     for (unsigned int child = 0; child < (1U << dim); ++child)
-      if (fine.of_batch[children(cell, child) / n_lanes] != first)
+      if (fine.batch_storage[children(cell, child) / n_lanes] != first)
         return -1;
   return first;
 }
@@ -174,7 +174,7 @@ CellMatrices<dim, double> coarsen(const CellMatrices<dim, double> &fine,
     const int common = common_matrix(fine, children, begin, end);
     if (common < 0 && coarse.rule != nullptr)
     {
-      coarse.of_batch[batch] = CellMatrices<dim, double>::integrated;
+      coarse.batch_storage[batch] = CellMatrices<dim, double>::integrated;
       continue;
     }
     if (common < 0)
@@ -190,7 +190,7 @@ CellMatrices<dim, double> coarsen(const CellMatrices<dim, double> &fine,
         parent_of_equals<dim>(fine.shared_matrix(children(begin, 0) / n_lanes));
       coarse.shared.insert(coarse.shared.end(), parent.begin(), parent.end());
     }
-    coarse.of_batch[batch] = found->second;
+    coarse.batch_storage[batch] = found->second;
   }
   return coarse;
 }
@@ -245,8 +245,8 @@ public:
   }
 
   /** Returns the largest eigenvalue of the first @p n_cells cells. */
-  SIGNORINI_INLINE double largest_eigenvalue(const unsigned int n_cells,
-                                             const unsigned int n_steps) const
+  SIGNORINI_INLINE double max_eigenvalue(const unsigned int n_cells,
+                                         const unsigned int n_steps) const
   {
     float x[n_dofs][n], y[n_dofs][n], quotient[n];
     // The vector has no pattern: no eigenvector is orthogonal to it.
@@ -308,20 +308,20 @@ private:
 };
 /** Returns the largest eigenvalue of n_lanes cells, [entry][lane]. */
 template <int dim>
-double of_batch_basic(const float *const K)
+double batch_eigenvalue_basic(const float *const K)
 {
-  return CellPencils<dim, n_lanes>(K).largest_eigenvalue(n_lanes, n_steps_stored);
+  return CellPencils<dim, n_lanes>(K).max_eigenvalue(n_lanes, n_steps_stored);
 }
 #ifdef __x86_64__
 template <int dim>
-SIGNORINI_AVX2 double of_batch_avx2(const float *const K)
+SIGNORINI_AVX2 double batch_eigenvalue_avx2(const float *const K)
 {
-  return CellPencils<dim, n_lanes>(K).largest_eigenvalue(n_lanes, n_steps_stored);
+  return CellPencils<dim, n_lanes>(K).max_eigenvalue(n_lanes, n_steps_stored);
 }
 template <int dim>
-SIGNORINI_AVX512 double of_batch_avx512(const float *const K)
+SIGNORINI_AVX512 double batch_eigenvalue_avx512(const float *const K)
 {
-  return CellPencils<dim, n_lanes>(K).largest_eigenvalue(n_lanes, n_steps_stored);
+  return CellPencils<dim, n_lanes>(K).max_eigenvalue(n_lanes, n_steps_stored);
 }
 #endif
 
@@ -332,20 +332,19 @@ double (*best_of_batch())(const float *)
   switch (instructions_of_this_machine())
   {
   case Instructions::avx512:
-    return &of_batch_avx512<dim>;
+    return &batch_eigenvalue_avx512<dim>;
   case Instructions::avx2:
-    return &of_batch_avx2<dim>;
+    return &batch_eigenvalue_avx2<dim>;
   case Instructions::basic:
     break;
   }
 #endif
-  return &of_batch_basic<dim>;
+  return &batch_eigenvalue_basic<dim>;
 }
 } // namespace
 
 template <int dim>
-double largest_eigenvalue_of_cells(const CellMatrices<dim, float> &matrices,
-                                   const BlockGrid<dim> &grid)
+double max_cell_eigenvalue(const CellMatrices<dim, float> &matrices, const BlockGrid<dim> &grid)
 {
   using Matrices = CellMatrices<dim, float>;
   constexpr unsigned int n_dofs = Matrices::n_dofs;
@@ -357,17 +356,17 @@ double largest_eigenvalue_of_cells(const CellMatrices<dim, float> &matrices,
       for (unsigned int j = 0; j <= i; ++j)
         lower[Matrices::entry(i, j)] = matrices.shared[k + i * n_dofs + j];
     largest =
-      std::max(largest, CellPencils<dim, 1>(lower.data()).largest_eigenvalue(1, n_steps_shared));
+      std::max(largest, CellPencils<dim, 1>(lower.data()).max_eigenvalue(1, n_steps_shared));
   }
-  const auto of_batch = best_of_batch<dim>();
+  const auto batch_storage = best_of_batch<dim>();
   std::vector<float> buffer;
   for (std::size_t batch = 0; batch < grid.n_batches(); ++batch)
     if (!matrices.is_shared(batch))
-      largest = std::max(largest, of_batch(entries_of_batch(matrices, grid, batch, buffer)));
+      largest = std::max(largest, batch_storage(entries_of_batch(matrices, grid, batch, buffer)));
   // Of m blocks no eigenvalue is larger than m.
   return std::min(safety * largest, static_cast<double>(1U << dim));
 }
 
-template double largest_eigenvalue_of_cells(const CellMatrices<2, float> &, const BlockGrid<2> &);
-template double largest_eigenvalue_of_cells(const CellMatrices<3, float> &, const BlockGrid<3> &);
+template double max_cell_eigenvalue(const CellMatrices<2, float> &, const BlockGrid<2> &);
+template double max_cell_eigenvalue(const CellMatrices<3, float> &, const BlockGrid<3> &);
 } // namespace Signorini

@@ -36,10 +36,10 @@ void for_descendants(const Cell &cell, const Place<dim> &place, const Function &
   }
   for (unsigned int child = 0; child < cell->n_children(); ++child)
   {
-    Place<dim> of_child;
+    Place<dim> child_place;
     for (int d = 0; d < dim; ++d)
-      of_child[d] = 2 * place[d] + ((child >> d) & 1U);
-    for_descendants<dim>(cell->child(child), of_child, f);
+      child_place[d] = 2 * place[d] + ((child >> d) & 1U);
+    for_descendants<dim>(cell->child(child), child_place, f);
   }
 }
 
@@ -74,16 +74,16 @@ void for_nodes(const DisplacementSpace<dim> &space, const Function &f)
       for (unsigned int v = 0; v < (1U << dim); ++v)
       {
         // Every node once, from the cell behind it.
-        Place<dim> of_node = place;
+        Place<dim> node_data = place;
         bool is_seen_later = false;
         for (int d = 0; d < dim; ++d)
         {
-          of_node[d] += (v >> d) & 1U;
+          node_data[d] += (v >> d) & 1U;
           is_seen_later = is_seen_later || (((v >> d) & 1U) != 0 && place[d] + 1 < n);
         }
         if (is_seen_later)
           continue;
-        f(begin + number<dim>(of_node, n + 1), cell, v);
+        f(begin + number<dim>(node_data, n + 1), cell, v);
       }
     });
     begin += power<dim>(n + 1);
@@ -161,7 +161,7 @@ public:
   {
     for (unsigned int v = 0; v < (1U << dim); ++v)
       for (unsigned int c = 0; c < dim; ++c)
-        theirs_[v * dim + c] = space.element().component_to_system_index(c, v);
+        dof_index_[v * dim + c] = space.element().component_to_system_index(c, v);
   }
 
   /**
@@ -187,8 +187,8 @@ public:
     {
       matrices_.rule = make_point_rule<dim, double>(
         places, grid_.n_nodes(), integration.constant_moduli(), n_points_of_products);
-      for (int &of_batch : matrices_.of_batch)
-        of_batch = of_batch < 0 ? Matrices::integrated : of_batch;
+      for (int &batch_storage : matrices_.batch_storage)
+        batch_storage = batch_storage < 0 ? Matrices::integrated : batch_storage;
       return;
     }
     store_others();
@@ -236,8 +236,8 @@ private:
         if (same == known.end())
         {
           known.push_back(matrix);
-          for (const unsigned int i : theirs_)
-            for (const unsigned int j : theirs_)
+          for (const unsigned int i : dof_index_)
+            for (const unsigned int j : dof_index_)
               matrices_.shared.push_back(0.5 * ((*matrix)(i, j) + (*matrix)(j, i)));
         }
       }
@@ -260,7 +260,7 @@ private:
       for (std::size_t block = first; block <= last; ++block)
         if (shared_by_block_[block] != common)
           common = -1;
-      matrices_.of_batch[batch] = common;
+      matrices_.batch_storage[batch] = common;
       all_shared = all_shared && common >= 0;
     }
     return all_shared;
@@ -269,18 +269,19 @@ private:
   void store_others()
   {
     std::size_t n_stored = 0;
-    for (const int of_batch : matrices_.of_batch)
-      n_stored += of_batch < 0 ? 1 : 0;
+    for (const int batch_storage : matrices_.batch_storage)
+      n_stored += batch_storage < 0 ? 1 : 0;
     matrices_.stored.reserve(n_stored * Matrices::batch_size);
     for (std::size_t batch = 0; batch < grid_.n_batches(); ++batch)
-      if (matrices_.of_batch[batch] < 0)
+      if (matrices_.batch_storage[batch] < 0)
         matrices_.store(batch);
   }
   /** Writes a shared matrix where a batch mixes blocks. */
   void copy_shared(const std::size_t begin, const std::size_t end)
   {
     const double *const matrix =
-      &matrices_.shared[shared_by_block_[begin / (end - begin)] * theirs_.size() * theirs_.size()];
+      &matrices_
+         .shared[shared_by_block_[begin / (end - begin)] * dof_index_.size() * dof_index_.size()];
     for (std::size_t cell = begin; cell < end; ++cell)
     {
       const std::size_t batch = cell / n_lanes;
@@ -290,17 +291,17 @@ private:
         continue;
       }
       double *const target = matrices_.stored_matrices(batch) + cell % n_lanes;
-      for (unsigned int i = 0; i < theirs_.size(); ++i)
+      for (unsigned int i = 0; i < dof_index_.size(); ++i)
         for (unsigned int j = 0; j <= i; ++j)
-          target[Matrices::entry(i, j) * n_lanes] = matrix[i * theirs_.size() + j];
+          target[Matrices::entry(i, j) * n_lanes] = matrix[i * dof_index_.size() + j];
     }
   }
   void store(const std::size_t cell, const dealii::FullMatrix<double> &matrix)
   {
     double *const target = matrices_.stored_matrices(cell / n_lanes) + cell % n_lanes;
-    for (unsigned int i = 0; i < theirs_.size(); ++i)
+    for (unsigned int i = 0; i < dof_index_.size(); ++i)
       for (unsigned int j = 0; j <= i; ++j)
-        target[Matrices::entry(i, j) * n_lanes] = matrix(theirs_[i], theirs_[j]);
+        target[Matrices::entry(i, j) * n_lanes] = matrix(dof_index_[i], dof_index_[j]);
   }
 
   const DisplacementSpace<dim> &space_;
@@ -309,7 +310,7 @@ private:
   Matrices &matrices_;
   CellStiffness<dim> stiffness_;
   /** The number of each unknown in deal.II's order. */
-  std::array<unsigned int, Matrices::n_dofs> theirs_;
+  std::array<unsigned int, Matrices::n_dofs> dof_index_;
   /** The number of the matrix that the cells of a block share, or -1. */
   std::vector<int> shared_by_block_;
 };
@@ -317,11 +318,11 @@ private:
 /** Returns the constraints of the space, which never join two nodes on a mesh without hanging
  * nodes. */
 template <int dim>
-NodeConditions<dim> conditions_of(const DisplacementSpace<dim> &space,
-                                  const std::vector<NodeNumber> &identities)
+ConstrainedNodes<dim> conditions_of(const DisplacementSpace<dim> &space,
+                                    const std::vector<NodeNumber> &identities)
 {
   const auto &constraints = space.constraints();
-  NodeConditions<dim> conditions;
+  ConstrainedNodes<dim> conditions;
   for (NodeNumber node = 0; node < identities.size(); ++node)
   {
     const auto first = static_cast<dealii::types::global_dof_index>(identities[node]) * dim;

@@ -18,7 +18,7 @@ namespace Signorini
 {
 /** The essential conditions of the displacement of a node. */
 template <int dim>
-struct NodeCondition
+struct ConstrainedNode
 {
   NodeNumber node;
   /** The matrix in u = T u_free: columns of constrained components are zero. */
@@ -29,7 +29,7 @@ struct NodeCondition
 
 /** The conditions of the nodes that are not free. */
 template <int dim>
-using NodeConditions = std::vector<NodeCondition<dim>>;
+using ConstrainedNodes = std::vector<ConstrainedNode<dim>>;
 
 /** Returns the projection onto the range of T. */
 template <int dim>
@@ -37,20 +37,19 @@ dealii::Tensor<2, dim> projection_onto_range(const dealii::Tensor<2, dim> &T);
 
 /** Computes x = projection x at all nodes that are not free. */
 template <int dim>
-void project(LevelVector<dim, float> &x, const NodeConditions<dim> &conditions);
+void project(LevelVector<dim, float> &x, const ConstrainedNodes<dim> &conditions);
 
 /** Returns the conditions of the next coarser level: its nodes keep those of the finer one. */
 template <int dim>
-NodeConditions<dim> coarsen(const NodeConditions<dim> &fine,
-                            unsigned int n_fine_nodes,
-                            const BlockGrid<dim> &coarse);
+ConstrainedNodes<dim> coarsen(const ConstrainedNodes<dim> &fine,
+                              unsigned int n_fine_nodes,
+                              const BlockGrid<dim> &coarse);
 
 /** Returns a bound of the eigenvalues of B A, with the inverse B of the diagonal blocks of nodes:
  * the largest eigenvalue of all cells. With the diagonal blocks D_K of the matrix A_K of a cell,
  * x.A x = sum x.A_K x ≤ λ sum x.D_K x = λ x.D x, whatever conditions hold. */
 template <int dim>
-double largest_eigenvalue_of_cells(const CellMatrices<dim, float> &matrices,
-                                   const BlockGrid<dim> &grid);
+double max_cell_eigenvalue(const CellMatrices<dim, float> &matrices, const BlockGrid<dim> &grid);
 
 /** The finest level: the mesh's cells as blocks, with the matrices that would be assembled. */
 template <int dim>
@@ -67,7 +66,7 @@ struct FineLevel
   /** The grid. Its identities are degrees of freedom divided by dim. */
   std::shared_ptr<const BlockGrid<dim>> grid;
   CellMatrices<dim, double> matrices;
-  NodeConditions<dim> conditions;
+  ConstrainedNodes<dim> conditions;
 };
 
 /** One level of the V-cycle: matrices, conditions, and the smoother. */
@@ -77,7 +76,7 @@ class MultigridLevel
 public:
   MultigridLevel(std::shared_ptr<const BlockGrid<dim>> grid,
                  CellMatrices<dim, float> matrices,
-                 NodeConditions<dim> conditions,
+                 ConstrainedNodes<dim> conditions,
                  Instructions instructions);
 
   const BlockGrid<dim> &grid() const
@@ -88,14 +87,14 @@ public:
   {
     return matrices_;
   }
-  const NodeConditions<dim> &conditions() const
+  const ConstrainedNodes<dim> &conditions() const
   {
     return conditions_;
   }
   /** Returns an upper bound of the eigenvalues of B A. */
-  double largest_eigenvalue() const
+  double max_eigenvalue() const
   {
-    return largest_eigenvalue_;
+    return max_eigenvalue_;
   }
 
   /**
@@ -110,7 +109,7 @@ public:
   std::size_t memory() const
   {
     return grid_->memory() + matrices_.memory() +
-           conditions_.capacity() * sizeof(NodeCondition<dim>) + x.memory() + b.memory() +
+           conditions_.capacity() * sizeof(ConstrainedNode<dim>) + x.memory() + b.memory() +
            y.memory() + d_.memory() + B_.memory();
   }
 
@@ -122,13 +121,13 @@ private:
 
   std::shared_ptr<const BlockGrid<dim>> grid_;
   CellMatrices<dim, float> matrices_;
-  NodeConditions<dim> conditions_;
+  ConstrainedNodes<dim> conditions_;
   Instructions instructions_;
   /** The last change of x. */
   LevelVector<dim, float> d_;
   /** The inverses of the diagonal blocks on the displacements that the conditions allow. */
   NodeBlocks<dim> B_;
-  double largest_eigenvalue_ = 1.;
+  double max_eigenvalue_ = 1.;
 };
 
 /** The inverse of A on the displacements that the conditions allow, on one level: a matrix if the
@@ -143,14 +142,14 @@ public:
    */
   CoarsestInverse(const BlockGrid<dim> &grid,
                   const CellMatrices<dim, double> &matrices,
-                  const NodeConditions<dim> &conditions);
+                  const ConstrainedNodes<dim> &conditions);
 
   /** Computes x = A⁻¹ b, with the projections of both. */
   void apply(LevelVector<dim, float> &x, LevelVector<dim, float> &b) const;
 
 private:
   unsigned int n_nodes_;
-  const NodeConditions<dim> &conditions_;
+  const ConstrainedNodes<dim> &conditions_;
   /** The inverse of a small level, row by row. */
   std::vector<double> inverse_;
   dealii::TrilinosWrappers::SparseMatrix matrix_;

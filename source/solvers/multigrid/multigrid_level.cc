@@ -29,7 +29,7 @@ unsigned int place_of(const unsigned int c, const unsigned int d)
 template <int dim>
 MultigridLevel<dim>::MultigridLevel(std::shared_ptr<const BlockGrid<dim>> grid,
                                     CellMatrices<dim, float> matrices,
-                                    NodeConditions<dim> conditions,
+                                    ConstrainedNodes<dim> conditions,
                                     const Instructions instructions)
   : x(grid->n_nodes())
   , b(grid->n_nodes())
@@ -42,7 +42,7 @@ MultigridLevel<dim>::MultigridLevel(std::shared_ptr<const BlockGrid<dim>> grid,
   , B_(grid_->n_nodes())
 {
   make_blocks();
-  largest_eigenvalue_ = largest_eigenvalue_of_cells(matrices_, *grid_);
+  max_eigenvalue_ = max_cell_eigenvalue(matrices_, *grid_);
 }
 
 template <int dim>
@@ -89,7 +89,7 @@ void MultigridLevel<dim>::smooth(const bool from_zero)
       multiply();
     const double k = step;
     const auto alpha = static_cast<float>(step == 1 ? 0. : (2. * k - 3.) / (2. * k + 1.)),
-               gamma = static_cast<float>((8. * k - 4.) / ((2. * k + 1.) * largest_eigenvalue_));
+               gamma = static_cast<float>((8. * k - 4.) / ((2. * k + 1.) * max_eigenvalue_));
     Signorini::smooth<dim>({x, d_, b, y, B_, grid_->n_nodes(), alpha, gamma, is_first},
                            instructions_);
   }
@@ -103,18 +103,18 @@ template class MultigridLevel<3>;
 namespace
 {
 /** The number of unknowns above which a level is factorised. */
-constexpr unsigned int most_unknowns_of_matrix = 1200;
+constexpr unsigned int max_dense_unknowns = 1200;
 
 /** Calls f(row, column, value) for the entries of all cells, projected onto the displacements that
  * the conditions allow, and with a diagonal for the others. */
 template <int dim, typename Function>
 void for_entries(const BlockGrid<dim> &grid,
                  const CellMatrices<dim, double> &matrices,
-                 const NodeConditions<dim> &conditions,
+                 const ConstrainedNodes<dim> &conditions,
                  const Function &f)
 {
-  std::vector<const NodeCondition<dim> *> condition_of(grid.n_nodes(), nullptr);
-  for (const NodeCondition<dim> &condition : conditions)
+  std::vector<const ConstrainedNode<dim> *> condition_of(grid.n_nodes(), nullptr);
+  for (const ConstrainedNode<dim> &condition : conditions)
     condition_of[condition.node] = &condition;
   const auto projected = [&](const NodeNumber node) {
     return condition_of[node] == nullptr
@@ -142,7 +142,7 @@ void for_entries(const BlockGrid<dim> &grid,
             f(nodes[v] * dim + c, nodes[w] * dim + d, block[c][d]);
       }
   }
-  for (const NodeCondition<dim> &condition : conditions)
+  for (const ConstrainedNode<dim> &condition : conditions)
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)
         f(condition.node * dim + c,
@@ -154,12 +154,12 @@ void for_entries(const BlockGrid<dim> &grid,
 template <int dim>
 CoarsestInverse<dim>::CoarsestInverse(const BlockGrid<dim> &grid,
                                       const CellMatrices<dim, double> &matrices,
-                                      const NodeConditions<dim> &conditions)
+                                      const ConstrainedNodes<dim> &conditions)
   : n_nodes_(grid.n_nodes())
   , conditions_(conditions)
 {
   const unsigned int n = dim * n_nodes_;
-  if (n <= most_unknowns_of_matrix)
+  if (n <= max_dense_unknowns)
   {
     dealii::LAPACKFullMatrix<double> A(n, n);
     for_entries(
@@ -376,7 +376,7 @@ void restrict_residual(LevelVector<dim, float> &b_H,
                        const BlockGrid<dim> &coarse)
 {
   const unsigned int N = coarse.n();
-  std::vector<float> of_b(2 * N + 1), of_y(2 * N + 1), sum(N + 1);
+  std::vector<float> b_row(2 * N + 1), y_row(2 * N + 1), sum(N + 1);
   b_H.set_zero();
   for (unsigned int block = 0; block < fine.n_blocks(); ++block)
     for (unsigned int place = 0; place < fine.rows_per_block(); ++place)
@@ -387,14 +387,14 @@ void restrict_residual(LevelVector<dim, float> &b_H,
       const CoarseRows<dim> rows(fine, coarse, block, place);
       for (int c = 0; c < dim; ++c)
       {
-        read(of_b, b[c], fine, row, true);
-        read(of_y, y[c], fine, row, true);
+        read(b_row, b[c], fine, row, true);
+        read(y_row, y[c], fine, row, true);
         for (unsigned int i = 0; i <= 2 * N; ++i)
-          of_b[i] -= of_y[i];
-        sum[0] = of_b[0] + 0.5F * of_b[1];
+          b_row[i] -= y_row[i];
+        sum[0] = b_row[0] + 0.5F * b_row[1];
         for (unsigned int i = 1; i < N; ++i)
-          sum[i] = of_b[2 * i] + 0.5F * (of_b[2 * i - 1] + of_b[2 * i + 1]);
-        sum[N] = of_b[2 * N] + 0.5F * of_b[2 * N - 1];
+          sum[i] = b_row[2 * i] + 0.5F * (b_row[2 * i - 1] + b_row[2 * i + 1]);
+        sum[N] = b_row[2 * N] + 0.5F * b_row[2 * N - 1];
         for (unsigned int r = 0; r < rows.n; ++r)
           add(b_H[c], sum, rows.weight, coarse, *rows.rows[r], false);
       }

@@ -18,7 +18,7 @@ namespace Signorini
 namespace
 {
 /** The maximal number of nodes of the coarsest level, unless it is the coarse mesh. */
-constexpr unsigned int most_coarsest_nodes = 200;
+constexpr unsigned int max_coarsest_nodes = 200;
 } // namespace
 
 template <int dim>
@@ -36,7 +36,7 @@ public:
     levels_.push_back(std::make_unique<MultigridLevel<dim>>(
       grid_, fine_.matrices_in_single_precision(), fine_.conditions, instructions_));
     std::optional<CellMatrices<dim, double>> coarse;
-    while (levels_.back()->grid().n_nodes() > most_coarsest_nodes && levels_.back()->grid().n() > 1)
+    while (levels_.back()->grid().n_nodes() > max_coarsest_nodes && levels_.back()->grid().n() > 1)
       coarse = add_coarser_level(coarse ? *coarse : fine_.matrices);
     fine_.places = {};
     const MultigridLevel<dim> &coarsest = *levels_.back();
@@ -68,7 +68,7 @@ public:
     for (unsigned int node = 0; node < grid_->n_nodes(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         result[grid_->identities()[node] * dim + c] = unit_ * blocks[c * dim + c][node];
-    for (const NodeCondition<dim> &condition : fine_.conditions)
+    for (const ConstrainedNode<dim> &condition : fine_.conditions)
     {
       dealii::Tensor<2, dim> block;
       for (unsigned int c = 0; c < dim; ++c)
@@ -86,10 +86,10 @@ public:
   void apply(Vector &y, const Vector &x)
   {
     copy_free_values(x_, x, 1.);
-    for (const NodeCondition<dim> &condition : fine_.conditions)
+    for (const ConstrainedNode<dim> &condition : fine_.conditions)
       transform(x_, condition.node, condition.T);
     multiply(y_, x_, *grid_, fine_.matrices, instructions_);
-    for (const NodeCondition<dim> &condition : fine_.conditions)
+    for (const ConstrainedNode<dim> &condition : fine_.conditions)
       transform(y_, condition.node, transpose(condition.T));
     copy_free_values(y, y_, unit_);
   }
@@ -108,7 +108,7 @@ public:
     const double scale = std::ldexp(1., -std::ilogb(size));
     MultigridLevel<dim> &finest = *levels_.front();
     copy_free_values(finest.b, r, scale);
-    for (const NodeCondition<dim> &condition : fine_.conditions)
+    for (const ConstrainedNode<dim> &condition : fine_.conditions)
       transform(finest.b, condition.node, condition.projection);
     cycle(0);
     copy_free_values(z, finest.x, 1. / (scale * unit_));
@@ -149,7 +149,7 @@ private:
     level.smooth(true);
     level.multiply();
     // Residuals at constrained components exert no force: y becomes b there.
-    for (const NodeCondition<dim> &condition : level.conditions())
+    for (const ConstrainedNode<dim> &condition : level.conditions())
       for_node_residual(level, condition);
     restrict_residual(coarser.b, level.b, level.y, level.grid(), coarser.grid());
     cycle(l + 1);
@@ -158,7 +158,7 @@ private:
     level.smooth(false);
   }
 
-  static void for_node_residual(MultigridLevel<dim> &level, const NodeCondition<dim> &condition)
+  static void for_node_residual(MultigridLevel<dim> &level, const ConstrainedNode<dim> &condition)
   {
     dealii::Tensor<1, dim> r;
     for (unsigned int c = 0; c < dim; ++c)
@@ -190,7 +190,7 @@ private:
     for (unsigned int node = 0; node < identities.size(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         to[c][node] = static_cast<Number>(factor * from[identities[node] * dim + c]);
-    for (const NodeCondition<dim> &condition : fine_.conditions)
+    for (const ConstrainedNode<dim> &condition : fine_.conditions)
       for (unsigned int c = 0; c < dim; ++c)
         if (is_constrained(condition, c))
           to[c][condition.node] = Number();
@@ -202,12 +202,12 @@ private:
     for (unsigned int node = 0; node < identities.size(); ++node)
       for (unsigned int c = 0; c < dim; ++c)
         to[identities[node] * dim + c] = factor * static_cast<double>(from[c][node]);
-    for (const NodeCondition<dim> &condition : fine_.conditions)
+    for (const ConstrainedNode<dim> &condition : fine_.conditions)
       for (unsigned int c = 0; c < dim; ++c)
         if (is_constrained(condition, c))
           to[identities[condition.node] * dim + c] = 0.;
   }
-  static bool is_constrained(const NodeCondition<dim> &condition, const unsigned int c)
+  static bool is_constrained(const ConstrainedNode<dim> &condition, const unsigned int c)
   {
     for (unsigned int d = 0; d < dim; ++d)
       if (condition.T[d][c] != 0.)
@@ -279,7 +279,7 @@ template class StiffnessMultigrid<3>;
 
 namespace
 {
-constexpr unsigned int most_cycles = 500;
+constexpr unsigned int max_cycles = 500;
 /** The rounding error of products with A, relative to a smooth load: 1e-16 / h². */
 constexpr double refine_solves_above = 1e-8;
 /** The tolerance above which solves are not refined. */
@@ -301,7 +301,7 @@ void copy_to(StiffnessInverse::Vector &to, const dealii::Vector<double> &from)
 {
   std::ostringstream message;
   message << "Multigrid reduced the residual of a linear system only to " << std::sqrt(reduction)
-          << " of what it was, in at most " << most_cycles
+          << " of what it was, in at most " << max_cycles
           << " V-cycles; Solver/Linear solver = condensed factorises instead.";
   throw ComputationError(message.str());
 }
@@ -316,7 +316,7 @@ MultigridInverse::MultigridInverse(std::shared_ptr<const StiffnessOperator> A,
                                                      : refine_solves_above,
                                    refuse_solves_above})
   , A_(std::move(A))
-  , goal_(goal)
+  , tolerance_(goal)
 {
 }
 
@@ -343,13 +343,13 @@ void MultigridInverse::solve_one(Vector &x, const Vector &b) const
   A_->precondition(z, r);
   dealii::Vector<double> p = z;
   double rz = r * z;
-  const double start = rz, goal = goal_ * goal_ * start;
+  const double start = rz, goal = tolerance_ * tolerance_ * start;
   unsigned int n_cycles = 1;
   for (; rz > goal; ++n_cycles)
   {
     A_->apply(q, p);
     const double curvature = p * q;
-    if (n_cycles >= most_cycles || !(curvature > 0.))
+    if (n_cycles >= max_cycles || !(curvature > 0.))
       refuse_to_go_on(rz / start);
     const double alpha = rz / curvature;
     u.add(alpha, p);
@@ -362,7 +362,7 @@ void MultigridInverse::solve_one(Vector &x, const Vector &b) const
   if (!(rz >= 0.))
     refuse_to_go_on(-rz / start);
   copy_to(x, u);
-  largest_number_of_cycles_ = std::max(largest_number_of_cycles_, n_cycles);
+  max_cycles_of_a_solve_ = std::max(max_cycles_of_a_solve_, n_cycles);
 }
 
 template <int dim>

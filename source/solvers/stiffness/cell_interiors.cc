@@ -16,7 +16,7 @@ namespace Signorini
 namespace
 {
 /** The size below which groups are left to the sparse factorisation. */
-constexpr int smallest_group = 8;
+constexpr int min_group_size = 8;
 
 constexpr int one = 1;
 constexpr double plus = 1., minus = -1., nothing = 0.;
@@ -62,13 +62,13 @@ std::vector<std::pair<int, int>> CellInteriors::find_groups(const Rows &A,
   for (int first = 0, next = 0; first < A.n; first = next)
   {
     next = first + 1;
-    if (kept[first] || A.start[next] - A.start[first] < smallest_group)
+    if (kept[first] || A.start[next] - A.start[first] < min_group_size)
       continue;
     while (next < A.n && !kept[next] && A.same_pattern(first, next))
       ++next;
     // A cell alone is the whole body: something is left for the sparse factorisation.
     const bool has_others = A.start[first + 1] - A.start[first] > next - first;
-    if (next - first < smallest_group || !has_others || !is_inside_a_cell(first, next - first))
+    if (next - first < min_group_size || !has_others || !is_inside_a_cell(first, next - first))
       continue;
     groups.emplace_back(first, next - first);
     std::fill(eliminated.begin() + first, eliminated.begin() + next, true);
@@ -138,7 +138,7 @@ void CellInteriors::eliminate(const Rows &A, const int first, const int size)
   for (int i = 0; i < size; ++i)
   {
     const double L_ii = group.L[i * (size + 1)];
-    smallest_pivot_ = std::min(smallest_pivot_, L_ii * L_ii / diagonal[i]);
+    min_pivot_ = std::min(min_pivot_, L_ii * L_ii / diagonal[i]);
   }
   const int n_others = static_cast<int>(group.others.size());
   dealii::trtrs(

@@ -56,9 +56,9 @@ public:
     return unknowns_;
   }
   /** Returns the smallest L_jj² / A_jj of the eliminated unknowns, at most 1. */
-  double smallest_pivot() const
+  double min_pivot() const
   {
-    return smallest_pivot_;
+    return min_pivot_;
   }
   /** Computes the right-hand side of rest() from that of A; @p b keeps L⁻¹ b_G in its place. */
   void reduce(double *b, double *rest) const;
@@ -90,6 +90,6 @@ private:
   std::vector<int> numbers_;
   std::vector<int> start_, column_;
   std::vector<double> value_;
-  double smallest_pivot_ = 1.;
+  double min_pivot_ = 1.;
 };
 } // namespace Signorini

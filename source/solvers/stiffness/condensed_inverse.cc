@@ -118,7 +118,7 @@ void fill(const Rows &A, const UpperTriangle &matrix)
 /** The number of couplings per node above which a graph is that of a 3-D body, where a node of a
  * brick has 26 neighbours: nested dissection (METIS) there needs a third of the operations of
  * minimum degree. In 2-D, where a node has 8 neighbours, it costs more than it saves. */
-constexpr double couplings_in_space = 20.;
+constexpr double couplings_in_3d = 20.;
 
 /** Returns an ordering of A with little fill: approximate minimum degree, in 3-D METIS. Unknowns
  * that follow each other with the same couplings (those of one node) are ordered as one: this takes
@@ -153,7 +153,7 @@ std::vector<Long> fill_reducing_order(Workspace &workspace, const Rows &A)
   }
   std::vector<Long> order_of_nodes(n_nodes), order;
   // k counts the upper triangle.
-  if (2. * static_cast<double>(k) > couplings_in_space * static_cast<double>(n_nodes))
+  if (2. * static_cast<double>(k) > couplings_in_3d * static_cast<double>(n_nodes))
     cholmod_l_metis(graph.get(), nullptr, 0, 1, order_of_nodes.data(), &workspace.common);
   else
     cholmod_l_amd(graph.get(), nullptr, 0, order_of_nodes.data(), &workspace.common);
@@ -233,13 +233,13 @@ public:
 
   /** Returns the smallest L_jj² / A_jj: the part of a diagonal entry that is left when it is
    * eliminated. */
-  double smallest_pivot(const dealii::TrilinosWrappers::SparseMatrix &A) const
+  double min_pivot(const dealii::TrilinosWrappers::SparseMatrix &A) const
   {
     const Long *const super = static_cast<Long *>(L_->super);
     const Long *const row_start = static_cast<Long *>(L_->pi);
     const Long *const value_start = static_cast<Long *>(L_->px);
     const double *const values = static_cast<double *>(L_->x);
-    double smallest = interiors_.smallest_pivot();
+    double smallest = interiors_.min_pivot();
     for (Long s = 0; s < static_cast<Long>(L_->nsuper); ++s)
       for (Long c = 0; c < super[s + 1] - super[s]; ++c)
       {
@@ -328,7 +328,7 @@ CondensedInverse::CondensedInverse(const dealii::TrilinosWrappers::SparseMatrix 
   const Long first = factor_->first_of_last();
   for (unsigned int row = 0; row < last.size(); ++row)
     rows_[factor_->unknown_at(first + row)] = row;
-  if (!(factor_->smallest_pivot(matrix) > doubtful_pivot))
+  if (!(factor_->min_pivot(matrix) > doubtful_pivot))
     refuse_singular_matrix();
 }
 

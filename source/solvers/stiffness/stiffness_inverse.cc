@@ -257,7 +257,7 @@ void StiffnessInverse::solve(std::vector<Vector> &x, const std::vector<Vector> &
     const Check check = improve(x[k], b[k]);
     x[k] /= unit_;
     ++n_solves_;
-    largest_residual_ = std::max(largest_residual_, check.residual);
+    max_residual_ = std::max(max_residual_, check.residual);
     rounding_error_ = std::max(rounding_error_, check.rounding_error);
   }
 }
@@ -305,7 +305,7 @@ factorise(const dealii::TrilinosWrappers::SparseMatrix &matrix,
     return std::make_unique<AmesosInverse>(matrix, unit, "Amesos_Klu", 1);
   default:
     return std::make_unique<AmesosInverse>(
-      matrix, unit, "Amesos_Mumps", number_of_threads(communicator));
+      matrix, unit, "Amesos_Mumps", n_available_threads(communicator));
   }
 }
 } // namespace Signorini

@@ -251,7 +251,7 @@ void test_many_ends(Checks &checks)
     return std::pow(1. + x[0] - 2. * x[1], 4) + x[0] * x[1] * x[1];
   };
   double off = 0., smallest = 0.;
-  std::size_t most_points = 0;
+  std::size_t max_points = 0;
   for (const double position : positions)
   {
     Kinks<2> kinks(lines({position}, {0.3}));
@@ -263,7 +263,7 @@ void test_many_ends(Checks &checks)
       area += integrate(cell, rule, [](const Point &) { return 1.; });
       integral += integrate(cell, rule, polynomial);
       exact += integrate(cell, gauss, polynomial);
-      most_points = std::max<std::size_t>(most_points, rule.size());
+      max_points = std::max<std::size_t>(max_points, rule.size());
       for (const double weight : rule.get_weights())
         smallest = std::min(smallest, weight);
     }
@@ -271,7 +271,7 @@ void test_many_ends(Checks &checks)
   }
   checks.near("many ends: area and polynomials", off, 0., 1e-12);
   checks.that("many ends: no negative weights", smallest >= 0.);
-  checks.between("many ends: points in a cell", static_cast<double>(most_points), 16., 1e5);
+  checks.between("many ends: points in a cell", static_cast<double>(max_points), 16., 1e5);
 }
 
 double distance(const std::vector<double> &found, const std::vector<double> &expected)

@@ -101,9 +101,9 @@ void check_answers(Checks &checks, const std::string &scene, const StudyResult<2
   const unsigned int limit = scene == "C3" || scene == "C4" ? 4 : 3;
   // Large levels take V-cycles; more on arcs, where the model of the compliance is the kernel of
   // the half space.
-  const unsigned int most_cycles = scene.front() == 'E' ? 40 : 20;
+  const unsigned int max_cycles = scene.front() == 'E' ? 40 : 20;
   const auto is_quick = [&](const LevelRecord &level) {
-    return level.dual.iterations <= (level.sizes.dofs > 100000 ? most_cycles : limit);
+    return level.dual.iterations <= (level.sizes.dofs > 100000 ? max_cycles : limit);
   };
   checks.that(scene + ", few active sets per level",
               std::all_of(std::next(result.levels.begin()), result.levels.end(), is_quick));

@@ -39,7 +39,7 @@ void test_digits(Checks &checks)
 {
   struct Pair
   {
-    std::string name, expression, thing;
+    std::string name, expression, obstacle;
   };
   const std::vector<Pair> pairs = {{"parabola", "x^2/4", "parabola 0,0 normal 0,2 curvature -0.5"},
                                    {"plane", "-0.0625", "plane -7,0.0625 normal 0,1"},
@@ -50,7 +50,7 @@ void test_digits(Checks &checks)
     for (const auto &overrides : {levels(2, 4), graded("1e-3")})
       checks.that(pair.name + ", strategy " + (overrides.size() > 2 ? "hp" : "nested"),
                   same_digits(solve(block + contact("Gap", pair.expression), overrides),
-                              solve(block + contact("Foundation", pair.thing), overrides)));
+                              solve(block + contact("Foundation", pair.obstacle), overrides)));
 }
 
 double force_of(const StudyResult<2> &result)
@@ -118,7 +118,7 @@ void test_groove(Checks &checks)
 /** The half disc of scene E3 (R = 1, lambda = mu = 1, clamped at its diameter), pressed on the
  * plane y = travel - 1. */
 StudyResult<2> press_half_disc(const double travel,
-                               const std::string &thing,
+                               const std::string &obstacle,
                                const std::vector<std::string> &overrides)
 {
   const Parameters parameters = parse_parameters(named_scene("E3"), "test", overrides);
@@ -131,8 +131,8 @@ StudyResult<2> press_half_disc(const double travel,
   condition.exact_pressure = nullptr;
   const dealii::Tensor<1, 2> up({0., 1.});
   condition.foundation = std::make_shared<Foundation>(
-    std::vector<RigidThing>{thing == "plane" ? RigidThing::plane({0., -1.}, up)
-                                             : RigidThing::circle({0., 1.}, 2., Body::inside)},
+    std::vector<Obstacle>{obstacle == "plane" ? Obstacle::plane({0., -1.}, up)
+                                              : Obstacle::circle({0., 1.}, 2., Body::inside)},
     20.);
   condition.data = foundation_gap(scene.geometry.sides[arc], condition.foundation, travel * up);
   std::ostream silence(nullptr);

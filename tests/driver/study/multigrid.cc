@@ -93,9 +93,9 @@ void reports(Checks &checks)
     if (!space.constraints().is_constrained(i))
       b(i) = 1.;
   inverse->solve(x, b);
-  checks.between("V-cycles of a solve", inverse->largest_number_of_cycles(), 5, 14);
+  checks.between("V-cycles of a solve", inverse->max_cycles_of_a_solve(), 5, 14);
   checks.that("solves are counted", inverse->n_solves() == 1);
-  checks.between("residual", inverse->largest_residual(), 1e-18, 1e-9);
+  checks.between("residual", inverse->max_residual(), 1e-18, 1e-9);
 }
 } // namespace
 

@@ -38,7 +38,7 @@ void missed_contact(Checks &checks)
     const std::string name = "missed contact, level " + std::to_string(number);
     checks.that(name + ": P = 0", s.P.linfty_norm() == 0.);
     checks.between(name + ": c²", lift.bound()->square() / first, 0.3, 1.01);
-    checks.near(name + ": penetration", lift.trace().largest_penetration(), 0.003, 1e-4);
+    checks.near(name + ": penetration", lift.trace().max_penetration(), 0.003, 1e-4);
     checks.near(
       name + ": place", lift.trace().place_of_largest().arc_length, 1.0313, std::pow(0.5, number));
   }

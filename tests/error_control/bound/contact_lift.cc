@@ -225,7 +225,7 @@ void admissible(Checks &checks,
     if (!lift.bound())
       continue;
     const ContactBound &bound = *lift.bound();
-    const double size = lift.trace().largest_penetration();
+    const double size = lift.trace().max_penetration();
     checks.between(
       which + ": w_n >= d", largest_violation(s, lift, 10000), -1e300, accuracy.violation * size);
     checks.near(which + ": w belongs to V", largest_defect(s, lift), 0., 1e-11 * size);

@@ -22,7 +22,7 @@ namespace
 /** |||u - u_h||| and, where cells have parents, |||u - pi^{2h} u_h|||. */
 struct Errors
 {
-  double of_u_h = 0., of_patches = 0.;
+  double strain_of_u_h = 0., interpolated_part = 0.;
 };
 
 /** With six Gauss points per direction on cells that are cut at kinks. */
@@ -72,7 +72,7 @@ struct Case
   std::string name;
   std::string text;
   unsigned int coarsest;
-  double effectivity, of_patches;
+  double effectivity, interpolated_part;
   unsigned int finest = effectivity > 0. ? 5 : 4;
 };
 
@@ -107,15 +107,15 @@ private:
 /** Tables of bound / error. */
 struct Tables
 {
-  Effectivities of_u_h{"effectivities.md"}, of_patches{"effectivities_of_patches.md"};
+  Effectivities strain_of_u_h{"effectivities.md"}, interpolated_part{"effectivities_of_patches.md"};
 };
 
 void check(Checks &checks, Tables &tables, const Case &given)
 {
   const std::string text = given.text + entry("Discretization", "Target error", "1e-9") +
                            entry("Output", "Inf-sup constant", "false");
-  tables.of_u_h.start(given);
-  tables.of_patches.start(given);
+  tables.strain_of_u_h.start(given);
+  tables.interpolated_part.start(given);
   double lower = -1e300, upper = 1e300, coarser_geometry = 0.;
   for (unsigned int number = given.coarsest; number <= given.finest; ++number)
   {
@@ -137,12 +137,13 @@ void check(Checks &checks, Tables &tables, const Case &given)
       // 1e-6: the quadrature of singular solutions.
       checks.between(name + field, ratio, 1. - 1e-6, number >= 4 && largest > 0. ? largest : 1e10);
     };
-    compare(", bound / error", *bound->absolute / errors.of_u_h, given.effectivity);
-    tables.of_u_h.add(*bound->absolute / errors.of_u_h);
+    compare(", bound / error", *bound->absolute / errors.strain_of_u_h, given.effectivity);
+    tables.strain_of_u_h.add(*bound->absolute / errors.strain_of_u_h);
     if (bound->post_absolute)
     {
-      compare(", patches", *bound->post_absolute / errors.of_patches, given.of_patches);
-      tables.of_patches.add(*bound->post_absolute / errors.of_patches);
+      compare(
+        ", patches", *bound->post_absolute / errors.interpolated_part, given.interpolated_part);
+      tables.interpolated_part.add(*bound->post_absolute / errors.interpolated_part);
     }
     // Zero on straight sides.
     if (coarser_geometry > 0.)
@@ -157,8 +158,8 @@ void check(Checks &checks, Tables &tables, const Case &given)
   // J(u) is in all of the brackets; there are none on curved sides.
   if (coarser_geometry == 0.)
     checks.that(given.name + ", energies", lower <= upper + 1e-14 * std::abs(upper));
-  tables.of_u_h.end_row();
-  tables.of_patches.end_row();
+  tables.strain_of_u_h.end_row();
+  tables.interpolated_part.end_row();
 }
 
 /** Scene A1, see prm/described_a1.prm, on a mesh of general quadrilaterals. */

@@ -158,7 +158,7 @@ dealii::FullMatrix<double> series(const MultiplierSpace<2> &space, const unsigne
   return gram;
 }
 
-double largest_entry(const dealii::FullMatrix<double> &matrix)
+double max_entry(const dealii::FullMatrix<double> &matrix)
 {
   double largest = 0.;
   for (unsigned int i = 0; i < matrix.m(); ++i)
@@ -183,10 +183,9 @@ void gram_matrices(Checks &checks)
     const GradedLevel level(text, plan);
     const auto gram = dual_gram_matrix(level.multipliers());
     auto difference = series(level.multipliers(), 8192);
-    const double size = largest_entry(gram);
+    const double size = max_entry(gram);
     difference.add(-1., gram);
-    checks.near(
-      name + ": polynomials against a series", largest_entry(difference) / size, 0., 1e-6);
+    checks.near(name + ": polynomials against a series", max_entry(difference) / size, 0., 1e-6);
   }
 }
 
@@ -240,7 +239,7 @@ void constants(Checks &checks)
   const auto by_series = dual_gram_matrix(equal.discretization.surface);
   auto difference = dual_gram_matrix(equal.multipliers());
   difference.add(-1., by_series);
-  checks.near("constants on equal patches", largest_entry(difference), 0., 0.);
+  checks.near("constants on equal patches", max_entry(difference), 0., 0.);
   for (const double layers : {3., 5.})
   {
     MeshPlan plan = uniform_plan(2, 2);
@@ -249,11 +248,11 @@ void constants(Checks &checks)
     checks.that("constants on graded patches: constants",
                 graded.multipliers().is_piecewise_constant());
     auto by_kernel = dual_gram_matrix(graded.multipliers());
-    const double size = largest_entry(by_kernel);
+    const double size = max_entry(by_kernel);
     by_kernel.add(-1., dual_gram_matrix(graded.discretization.surface));
     checks.near("constants on graded patches, " + std::to_string(static_cast<int>(layers)) +
                   " layers",
-                largest_entry(by_kernel) / size,
+                max_entry(by_kernel) / size,
                 0.,
                 1e-6);
   }

@@ -128,7 +128,7 @@ void demands(Checks &checks)
   checks.near("a child is split", smallest(finer), 0.0625, 1e-15);
   // The fourteen others have the degrees that their neighbours ask for.
   plan.demands[at_x].degree = 12;
-  plan.largest_degree = 6;
+  plan.max_element_degree = 6;
   const auto limited = degrees_of(GradedLevel(square, plan).space());
   checks.that("the largest degree", *std::max_element(limited.begin(), limited.end()) == 6);
 }

@@ -79,7 +79,7 @@ MeshPlan towards(const Point<2> &vertex, const Singularity &on_contact, const do
   plan.base_size = 0.25;
   plan.singularities = {corner(vertex, layers), on_contact};
   plan.rise = 3.;
-  plan.largest_degree = 5;
+  plan.max_element_degree = 5;
   return plan;
 }
 

@@ -29,7 +29,7 @@ struct Level : public GradedLevel
   std::vector<double> found() const
   {
     std::vector<double> middles;
-    for (const unsigned int index : unseen_contact(space(), multipliers(), U, P))
+    for (const unsigned int index : missed_contact_cells(space(), multipliers(), U, P))
       for (const auto &cell : mesh().triangulation().active_cell_iterators())
         if (cell->active_cell_index() == index && cell->at_boundary())
           middles.push_back(cell->center()[0]);

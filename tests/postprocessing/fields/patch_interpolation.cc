@@ -63,12 +63,12 @@ using Gradient = std::function<Tensor<2, 2>(const Point<2> &)>;
 
 /** Largest distance of the interpolation of U and its gradient from a function at points of all
  * cells. */
-double largest_distance(const DisplacementSpace<2> &space,
-                        const Displacement &U,
-                        const dealii::Quadrature<2> &points,
-                        const Field &value,
-                        const Gradient &gradient,
-                        const unsigned int n_generations)
+double max_distance(const DisplacementSpace<2> &space,
+                    const Displacement &U,
+                    const dealii::Quadrature<2> &points,
+                    const Field &value,
+                    const Gradient &gradient,
+                    const unsigned int n_generations)
 {
   PatchInterpolation<2> interpolation(space, dealii::QGauss<2>(2), n_generations);
   dealii::FEValues<2> values(space.mesh().mapping(),
@@ -100,11 +100,11 @@ void reproduces(Checks &checks,
 {
   const Displacement U = nodal_values(level.space(), value);
   for (const unsigned int n_points : {2U, 4U})
-    checks.near(name + ", " + std::to_string(n_points) + " points",
-                largest_distance(
-                  level.space(), U, dealii::QGauss<2>(n_points), value, gradient, n_generations),
-                0.,
-                1e-12);
+    checks.near(
+      name + ", " + std::to_string(n_points) + " points",
+      max_distance(level.space(), U, dealii::QGauss<2>(n_points), value, gradient, n_generations),
+      0.,
+      1e-12);
 }
 
 void polynomials(Checks &checks)
@@ -212,12 +212,12 @@ void generations(Checks &checks)
       return Point<2>(std::pow(x[0], degree), std::pow(x[1], degree));
     };
     checks.that(name + ": one degree more is too much",
-                largest_distance(squares.space(),
-                                 nodal_values(squares.space(), power),
-                                 dealii::QGauss<2>(3),
-                                 power,
-                                 Gradient(),
-                                 k) > 1e-6);
+                max_distance(squares.space(),
+                             nodal_values(squares.space(), power),
+                             dealii::QGauss<2>(3),
+                             power,
+                             Gradient(),
+                             k) > 1e-6);
   }
   const auto n_ancestors = [](const OneLevel &level) {
     return level.discretization.mesh.n_nested_ancestors();

@@ -9,9 +9,9 @@ using namespace Signorini;
 
 namespace
 {
-SpatialStress stress(const double xx, const double yy, const double zz, const double xy)
+Stress3D stress(const double xx, const double yy, const double zz, const double xy)
 {
-  SpatialStress result;
+  Stress3D result;
   result[0][0] = xx;
   result[1][1] = yy;
   result[2][2] = zz;
@@ -21,7 +21,7 @@ SpatialStress stress(const double xx, const double yy, const double zz, const do
 
 void principal(Checks &checks,
                const std::string &name,
-               const SpatialStress &state,
+               const Stress3D &state,
                const std::array<double, 3> &expected)
 {
   for (unsigned int i = 0; i < 3; ++i)
@@ -39,7 +39,7 @@ int main()
   checks.near("stress across the plane", von_mises(stress(1., 0., 1., 0.)), 1., 1e-15);
   // Uniaxial in plane strain, nu = 0.3: sqrt(1 - nu + nu^2) of the stress.
   checks.near("plane strain", von_mises(stress(0., -1., -0.3, 0.)), std::sqrt(0.79), 1e-15);
-  SpatialStress out_of_plane;
+  Stress3D out_of_plane;
   out_of_plane[0][2] = out_of_plane[1][2] = 1.;
   checks.near("shear out of the plane", von_mises(out_of_plane), std::sqrt(6.), 1e-15);
 

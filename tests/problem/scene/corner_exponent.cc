@@ -196,7 +196,7 @@ void test_completeness(Checks &checks)
         const double start = std::min(0.02, 0.5 * exponent);
         before =
           std::max(before, std::abs(problem.n_roots(start, exponent - margin, height) - integers));
-        if (exponent < largest_corner_exponent)
+        if (exponent < max_corner_exponent)
           at = std::max(at, 1. - problem.n_roots(exponent - margin, exponent + margin, height));
         order = std::max(
           order,

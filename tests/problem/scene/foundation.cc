@@ -50,7 +50,7 @@ std::optional<double> first(const std::function<bool(double)> &found)
   return {};
 }
 
-/** The distance as RigidThing defines it. */
+/** The distance as Obstacle defines it. */
 std::optional<double> search(const Contains &contains, const Point &x, const Vector &n)
 {
   if (!contains(x))
@@ -66,13 +66,13 @@ struct Agreement
   double largest_difference = 0.;
   bool wrong = false;
 
-  void add(const RigidThing &thing,
+  void add(const Obstacle &obstacle,
            const Contains &contains,
            const Beside &beside,
            const Point &x,
            const Vector &n)
   {
-    const std::optional<double> t = thing.distance(x, n), found = search(contains, x, n);
+    const std::optional<double> t = obstacle.distance(x, n), found = search(contains, x, n);
     if (beside && t && !found && !contains(x) && std::abs(*t - beside(x, n)) < 1e-9 * *t)
     {
       ++n_misses;
@@ -118,19 +118,19 @@ void test_search(Checks &checks)
     const Vector nu = at_angle(PI * random()), n = at_angle(PI * random());
     const double length = std::exp(3. * random()), r = 1. + 0.9 * random(), k = 1. + 0.9 * random();
     planes.add(
-      RigidThing::plane(p, length * nu),
+      Obstacle::plane(p, length * nu),
       [&](const Point &y) { return (y - p) * nu <= 0.; },
       {},
       x,
       n);
     discs.add(
-      RigidThing::circle(p, r, Body::outside),
+      Obstacle::circle(p, r, Body::outside),
       [&](const Point &y) { return y.distance(p) <= r; },
       [&](const Point &y, const Vector &) { return std::sqrt((y - p).norm_square() - r * r); },
       x,
       n);
     holes.add(
-      RigidThing::circle(p, r, Body::inside),
+      Obstacle::circle(p, r, Body::inside),
       [&](const Point &y) { return y.distance(p) >= r; },
       {},
       x,
@@ -146,7 +146,7 @@ void test_search(Checks &checks)
       };
       (curvature < 0. ? bumps : cups)
         .add(
-          RigidThing::parabola(p, length * nu, curvature),
+          Obstacle::parabola(p, length * nu, curvature),
           [&](const Point &y) { return height(y) <= 0.; },
           curvature < 0. ? beside : Beside(),
           x,
@@ -160,9 +160,9 @@ void test_search(Checks &checks)
   cups.check(checks, "parabolas that bend towards the body");
 }
 
-double entry(const RigidThing &thing, const Point &x, const Vector &n)
+double entry(const Obstacle &obstacle, const Point &x, const Vector &n)
 {
-  return thing.distance(x, n).value_or(std::numeric_limits<double>::quiet_NaN());
+  return obstacle.distance(x, n).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 /** Where a formula with cancellation would lose digits. */
@@ -173,7 +173,7 @@ void test_digits(Checks &checks)
   // parallel to the parabola there.
   const double slope = 1. + 1e-9, norm = std::hypot(1., slope);
   checks.near("a chord of a parabola",
-              entry(RigidThing::parabola(Point(0., 0.), up, 1.),
+              entry(Obstacle::parabola(Point(0., 0.), up, 1.),
                     Point(1., slope),
                     Vector({1. / norm, slope / norm})),
               norm * (2. * slope - 1.),
@@ -184,18 +184,18 @@ void test_digits(Checks &checks)
     const double angle = 0.7, h = 0.3, s = std::sin(angle);
     // h - s t = k/2 (cos t)²: t = h/s - k/2 (cos h/s)²/s + O(k²).
     checks.near("nearly a plane, curvature " + std::to_string(std::log10(std::abs(k))),
-                entry(RigidThing::parabola(Point(0., 0.), up, k), Point(0., h), at_angle(-angle)),
+                entry(Obstacle::parabola(Point(0., 0.), up, k), Point(0., h), at_angle(-angle)),
                 h / s - 0.5 * k * std::pow(std::cos(angle) * h / s, 2) / s,
                 1e-15);
   }
   // A large disc is a parabola up to x⁴/(8 R³).
   const double R = 1e4, x = 0.5;
   checks.near("a large disc",
-              entry(RigidThing::circle(Point(0., -R), R, Body::outside), Point(x, 0.), down),
+              entry(Obstacle::circle(Point(0., -R), R, Body::outside), Point(x, 0.), down),
               x * x / (2. * R),
               4e-12);
   checks.near("touching a small disc",
-              entry(RigidThing::circle(Point(0., -1e-9), 1e-9, Body::outside), Point(0., 0.), down),
+              entry(Obstacle::circle(Point(0., -1e-9), 1e-9, Body::outside), Point(0., 0.), down),
               0.,
               0.);
 }
@@ -204,11 +204,11 @@ void test_misses(Checks &checks)
 {
   const Vector up({0., 1.}), down({0., -1.}), right({1., 0.});
   const Point x(0., 1.);
-  const RigidThing ground = RigidThing::plane(Point(3., 0.), up);
+  const Obstacle ground = Obstacle::plane(Point(3., 0.), up);
   checks.that("along a plane", !ground.distance(x, right));
-  const RigidThing slope = RigidThing::plane(Point(1., 1.), Vector({1., 3.}));
+  const Obstacle slope = Obstacle::plane(Point(1., 1.), Vector({1., 3.}));
   const Vector along({3. / std::sqrt(10.), -1. / std::sqrt(10.)});
-  bool is_parallel = !slope.can_stop(along);
+  bool is_parallel = !slope.can_be_hit_along(along);
   for (const double height : {-1e-16, 0., 1e-16})
     is_parallel = is_parallel && !slope.distance(Point(1., 1. + height), along) &&
                   !slope.distance(Point(1., 1. + height), -along);
@@ -216,18 +216,22 @@ void test_misses(Checks &checks)
   checks.that("away from a plane", !ground.distance(x, up));
   checks.that("out of a plane", !ground.distance(Point(0., -1.), up));
   checks.near("into a plane from inside", entry(ground, Point(0., -1.), down), -1., 0.);
-  checks.that("can_stop", ground.can_stop(down) && !ground.can_stop(right) && !ground.can_stop(up));
-  const RigidThing disc = RigidThing::circle(Point(0., 0.), 0.5, Body::outside);
+  checks.that("can_stop",
+              ground.can_be_hit_along(down) && !ground.can_be_hit_along(right) &&
+                !ground.can_be_hit_along(up));
+  const Obstacle disc = Obstacle::circle(Point(0., 0.), 0.5, Body::outside);
   const double tangent = std::sqrt(0.75);
   checks.near("a disc behind", entry(disc, x, up), tangent, 1e-15);
   checks.that("is_met: what is ahead, near enough, or around the point",
-              disc.is_met(x, down, 1.) && !disc.is_met(x, down, 0.4) && !disc.is_met(x, up, 1.) &&
-                !disc.is_met(Point(0.6, 0.8), down, 1.) && disc.is_met(Point(), right, 1.) &&
-                ground.is_met(x, down, 2.) && !ground.is_met(x, up, 2.));
+              disc.is_hit_by_line(x, down, 1.) && !disc.is_hit_by_line(x, down, 0.4) &&
+                !disc.is_hit_by_line(x, up, 1.) &&
+                !disc.is_hit_by_line(Point(0.6, 0.8), down, 1.) &&
+                disc.is_hit_by_line(Point(), right, 1.) && ground.is_hit_by_line(x, down, 2.) &&
+                !ground.is_hit_by_line(x, up, 2.));
   checks.near("beside a disc", entry(disc, Point(0.6, 0.8), down), tangent, 1e-15);
   checks.near("touching a disc", entry(disc, Point(0.5, tangent), down), tangent, 1e-7);
   checks.near("the back of a disc", entry(disc, Point(0., -0.4), down), -0.9, 1e-15);
-  const RigidThing hole = RigidThing::circle(Point(0., 0.), 2., Body::inside);
+  const Obstacle hole = Obstacle::circle(Point(0., 0.), 2., Body::inside);
   checks.near("in a hole", entry(hole, x, up), 1., 1e-15);
   checks.near("a hole that is too small", entry(hole, Point(0., 2.25), up), -0.25, 1e-15);
   checks.that("outside of a hole", !hole.distance(Point(0., 3.), down));
@@ -239,7 +243,7 @@ void test_gaps(Checks &checks)
   const double R = 2., h = 0.125, largest = 40.;
   const Side<2> arc = make_half_disc(R).sides[1], flat = make_half_disc(R).sides[0];
   const auto ground = std::make_shared<Foundation>(
-    std::vector<RigidThing>{RigidThing::plane(Point(0., -R), Vector({0., 5.}))}, largest);
+    std::vector<Obstacle>{Obstacle::plane(Point(0., -R), Vector({0., 5.}))}, largest);
   const auto gap = foundation_gap(arc, ground, Vector({7., -h}));
   double difference = 0.;
   for (double angle = 0.2; angle < 3.; angle += 0.1)
@@ -257,7 +261,7 @@ void test_gaps(Checks &checks)
   // e cos(theta) + sqrt(r² - e² sin²(theta)) - R.
   const Side<2> outer = make_ring(1., R).sides[1];
   const auto hole = std::make_shared<Foundation>(
-    std::vector<RigidThing>{RigidThing::circle(Point(0., 0.), R + h, Body::inside)}, largest);
+    std::vector<Obstacle>{Obstacle::circle(Point(0., 0.), R + h, Body::inside)}, largest);
   const double e = 0.1;
   const auto moved = foundation_gap(outer, hole, Vector({e, 0.}));
   double eccentric = 0.;
@@ -304,7 +308,7 @@ void test_scenes(Checks &checks)
               condition(two, "left").foundation->things().size() == 2 &&
                 condition(two, "bottom").foundation->things().size() == 2 &&
                 condition(two, "right").foundation == nullptr);
-  checks.near("ten diameters", condition(two, "left").foundation->largest_gap(), far, 1e-14);
+  checks.near("ten diameters", condition(two, "left").foundation->max_gap(), far, 1e-14);
   const Scene<2> mixed =
     scene({"Contact/Gap=left: y^2",
            "Contact/Foundation=bottom:circle 0.5, -1 radius 1 | bottom: circle "

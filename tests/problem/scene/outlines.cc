@@ -63,7 +63,7 @@ void check_body(Checks &checks,
 {
   dealii::Triangulation<2> mesh;
   geometry.make_coarse_mesh(mesh);
-  double smallest_ratio = 1.;
+  double min_ratio = 1.;
   const dealii::FE_Nothing<2> no_functions;
   const dealii::QGaussLobatto<2> nodes(5);
   for (unsigned int level = 0; level < 4; ++level)
@@ -82,10 +82,10 @@ void check_body(Checks &checks,
         smallest = std::min(smallest, determinant);
         largest = std::max(largest, determinant);
       }
-      smallest_ratio = std::min(smallest_ratio, smallest / largest);
+      min_ratio = std::min(min_ratio, smallest / largest);
     }
   }
-  checks.that(name + ": cells are not folded", smallest_ratio > 0.05);
+  checks.that(name + ": cells are not folded", min_ratio > 0.05);
   const dealii::MappingQ<2> mapping(5);
   const dealii::QGauss<2> gauss(6);
   const dealii::QGauss<1> face_gauss(6);

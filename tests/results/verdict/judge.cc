@@ -35,15 +35,15 @@ void residuals(Checks &checks)
   {
     Certificate certificate;
     certificate.*member = std::nan("");
-    noticed = noticed && std::isnan(largest_residual(certificate).value);
+    noticed = noticed && std::isnan(max_residual(certificate).value);
     certificate.*member = 0.5;
-    noticed = noticed && largest_residual(certificate).value == 0.5;
+    noticed = noticed && max_residual(certificate).value == 0.5;
   }
   checks.that("the largest residual, and what is not a number", noticed);
   Certificate curved;
   curved.moment_balance = 0.5;
   curved.moments_are_exact = false;
-  checks.near("moments of curved cells do not count", largest_residual(curved).value, 0., 0.);
+  checks.near("moments of curved cells do not count", max_residual(curved).value, 0., 0.);
 }
 
 void bounds(Checks &checks)
@@ -178,7 +178,7 @@ void errors(Checks &checks)
   bound.oscillation = 0.01;
   bound.contact = 0.05;
   bound.largest_cell = "the cell at (1, 2)";
-  bound.largest_face = "bottom at (3, 0)";
+  bound.worst_face = "bottom at (3, 0)";
   levels[2].bound = bound;
   checks.that("a bound that is tolerated", judge.verdict(levels).outcome == Outcome::certified);
   checks.that("what is guaranteed",

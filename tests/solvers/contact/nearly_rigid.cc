@@ -104,7 +104,7 @@ int main()
                                ", direction " + std::to_string(direction).substr(0, 5);
       checks.that(name + ": there is a solution", exact.l2_norm() > 0.);
       const auto C = std::make_shared<const DenseCompliance>(disc.C);
-      const SeenMotions seen(disc.motions, disc.F.size(), 1. / softness);
+      const ReducedMotions seen(disc.motions, disc.F.size(), 1. / softness);
       unsigned int n_solves = 0;
       const auto state = descend(*C, disc.F, seen, 1000, n_solves);
       checks.that(name + ": descent ends", state && n_solves < 60);

@@ -28,12 +28,12 @@ double relative(const First &a, const Second &b)
   return distance(a, b) / std::max(1e-30, b.linfty_norm());
 }
 
-/** @param most_cycles from zero to 1e-10. */
+/** @param max_cycles from zero to 1e-10. */
 void compare(Checks &checks,
              const std::string &name,
              const std::string &text,
              const unsigned int level,
-             const unsigned int most_cycles,
+             const unsigned int max_cycles,
              const double scale = 0.,
              const bool stalls = false)
 {
@@ -48,7 +48,7 @@ void compare(Checks &checks,
   checks.that(name + ": by MINRES or not", result.stalled.has_value() == stalls);
   checks.near(name + ": U", relative(iterated.complete(result.U), exact.U), 0., 1e-8);
   checks.near(name + ": P", relative(result.P, exact.P), 0., 1e-8);
-  checks.between(name + ": V-cycles", result.cycles, 0., most_cycles);
+  checks.between(name + ": V-cycles", result.cycles, 0., max_cycles);
 }
 
 void in_the_plane(Checks &checks)

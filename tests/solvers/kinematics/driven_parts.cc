@@ -172,7 +172,7 @@ void test_escapes(Checks &checks)
 /** Lengths times 1e3 and moduli times 1e9: the same answer in other units. */
 void test_units(Checks &checks)
 {
-  const auto in_units = [](const std::string &L, const std::string &E) {
+  const auto in_matrix_units = [](const std::string &L, const std::string &E) {
     return solve(
       "subsection Geometry\nset Upper right = " + L + ", " + L + "\nend\n" +
         entry("Constants", "Values", "L=" + L) + entry("Material", "Young's modulus", E) +
@@ -180,8 +180,8 @@ void test_units(Checks &checks)
         load("set Plate force = top: 1\nset Plate moment = top: 0\n") + gap("0.5*L*(x/L-0.4)^2"),
       {"Load/Plate force=top: " + std::to_string(0.05 * std::stod(L) * std::stod(E))});
   };
-  const LevelRecord a = in_units("1", "1").levels.back();
-  const LevelRecord b = in_units("1e3", "1e9").levels.back();
+  const LevelRecord a = in_matrix_units("1", "1").levels.back();
+  const LevelRecord b = in_matrix_units("1e3", "1e9").levels.back();
   checks.that("units: iterations", a.dual.iterations == b.dual.iterations);
   checks.near("units: travel",
               b.motions.plates.at(0).motion.travel / a.motions.plates.at(0).motion.travel,

@@ -83,7 +83,7 @@ CellMatrices<dim, Number> random_matrices(const BlockGrid<dim> &grid, RandomNumb
     modulus = random();
   matrices.rule =
     make_point_rule<dim, Number>(random_places<dim>(grid.n(), random), grid.n_nodes(), moduli, 2);
-  matrices.of_batch.back() = Matrices::integrated;
+  matrices.batch_storage.back() = Matrices::integrated;
   return matrices;
 }
 
@@ -185,12 +185,13 @@ void print_seconds(const std::string &name, const unsigned int n, const unsigned
       {
         const bool shared = kind == std::string("shared"), stored = kind == std::string("stored");
         if (!stored)
-          std::fill(matrices.of_batch.begin(),
-                    matrices.of_batch.end(),
+          std::fill(matrices.batch_storage.begin(),
+                    matrices.batch_storage.end(),
                     shared ? 0 : CellMatrices<dim, Number>::integrated);
         else
           for (std::size_t batch = 0; batch < grid.n_batches(); ++batch)
-            matrices.of_batch[batch] = -1 - static_cast<int>(std::min(batch, grid.n_batches() - 2));
+            matrices.batch_storage[batch] =
+              -1 - static_cast<int>(std::min(batch, grid.n_batches() - 2));
         double best = 1e9;
         for (unsigned int i = 0; i < 10; ++i)
         {

@@ -59,6 +59,7 @@ public:
   Displacement(Displacement &&) = default;
   Displacement &operator=(const Displacement &) = default;
   Displacement &operator=(Displacement &&) = default;
+  using Base::operator=;
   /** Returns the values as a vector of deal.II, whose functions are compiled for these only. */
   const Base &entries() const
   {
@@ -151,7 +152,7 @@ public:
     return elements()[0];
   }
   /** Returns the highest degree of an element. */
-  unsigned int largest_degree() const
+  unsigned int max_element_degree() const
   {
     return elements().max_degree();
   }
@@ -204,7 +205,7 @@ public:
   Displacement displacement(const DistributedVector &rows) const;
   /** Returns the functional with the rows of a vector that is distributed like A. */
   DualVector dual(const DistributedVector &rows) const;
-  /** Returns all nodal values on every rank, the constrained ones computed from the others. */
+  /** Returns U with the values of the unconstrained rows, and the others computed from them. */
   Displacement complete(const DistributedVector &free_values) const;
   /** Sets the constrained values of a difference of two displacements: T w_free, zero where
    * displacements are prescribed. */

@@ -49,7 +49,7 @@ void integrate_by_chunks(const DisplacementSpace<dim> &space,
 {
   const std::vector<Cells<dim>> chunks = chunks_of_owned_cells(space);
   produce_in_parallel<Result>(
-    number_of_threads(space.mesh().communicator()),
+    n_available_threads(space.mesh().communicator()),
     chunks.size(),
     [&](const std::size_t i) { return integrate(chunks[i]); },
     consume);

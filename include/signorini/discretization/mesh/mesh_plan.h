@@ -75,7 +75,7 @@ struct MeshPlan
   double rise = 0.;
   /** The part of the error of the mesh before that should be left. */
   double aim = 1.;
-  unsigned int largest_degree = 9;
+  unsigned int max_element_degree = 9;
 
   /** Returns whether a cell must be split. */
   bool must_split(const Scene<2> &scene,

@@ -27,6 +27,7 @@ public:
     : dealii::Vector<double>(values)
   {
   }
+  using dealii::Vector<double>::operator=;
 };
 
 /**

@@ -58,16 +58,16 @@ struct ErrorBound
   /** The penetration max (u_{h,n} - g)_+ (length), and its place in words. */
   double penetration = 0.;
   std::string place_of_penetration;
-  /** The parts of the bound; largest_part() returns the largest one. */
+  /** The parts of the bound; dominant_part() returns the largest one. */
   enum class Part
   {
     mesh,
     oscillation,
     contact
   };
-  Part largest_part() const;
+  Part dominant_part() const;
   /** The cell with the largest part and the contact face with the largest part, in words. */
-  std::string largest_cell, largest_face;
+  std::string largest_cell, worst_face;
 
   static Columns<ErrorBound> columns();
 };

@@ -37,7 +37,7 @@ struct ContactBound
   dealii::Vector<double> cell_energies;
   /** The middle of the contact face where the face's term and the energy of its cell are largest.
    */
-  SidePlace largest_part;
+  SidePlace dominant_part;
 
   /** Returns c² = |||w|||² + 2 ∫ τ_n (ũ_n - g - w_n). */
   double square() const

@@ -157,9 +157,9 @@ public:
   /** Returns ∫ τ_n d over Γ_c, by the same points. */
   double work_of_penetration() const;
   /** Returns max (d)_+ over all samples; place_of_largest() returns its place. */
-  double largest_penetration() const
+  double max_penetration() const
   {
-    return largest_;
+    return max_;
   }
   const SidePlace &place_of_largest() const
   {
@@ -190,7 +190,7 @@ private:
   std::vector<PenetrationFace> faces_;
   std::vector<NodeCondition> conditions_;
   Coupling normals_;
-  double largest_ = 0.;
+  double max_ = 0.;
   SidePlace place_of_largest_;
   std::optional<std::pair<std::string, SidePlace>> obstacle_;
 };

@@ -104,7 +104,7 @@ Displacement dual_lift(const DisplacementSpace<2> &space,
 
 /** Returns a z in V^h of small energy that is zero on essential boundaries and has z_n = 1 on
  * Γ_c; none where a contact node is held. Collective. */
-std::optional<Displacement> lift_of_one(const DisplacementSpace<2> &space,
-                                        const ContactTrace &trace,
-                                        const StiffnessInverse &inverse);
+std::optional<Displacement> unit_normal_lift(const DisplacementSpace<2> &space,
+                                             const ContactTrace &trace,
+                                             const StiffnessInverse &inverse);
 } // namespace Signorini

@@ -105,10 +105,10 @@ void add_contact_misfit(const DisplacementSpace<2> &space,
  * although no multiplier there or on a neighbouring face presses: the nodes of the multipliers have
  * missed the contact. Where nothing presses at all, every penetration counts, else those deeper
  * than a thousandth of the largest |u_n - g|. @throws InputError where g has no value. */
-std::vector<unsigned int> unseen_contact(const DisplacementSpace<2> &space,
-                                         const MultiplierSpace<2> &multipliers,
-                                         const Displacement &U,
-                                         const Pressure &P);
+std::vector<unsigned int> missed_contact_cells(const DisplacementSpace<2> &space,
+                                               const MultiplierSpace<2> &multipliers,
+                                               const Displacement &U,
+                                               const Pressure &P);
 
 /** Returns the values of p_H at the nodes of other multipliers on the same sides, cut off at zero,
  * as a start for an active set. */

@@ -14,7 +14,7 @@ struct StepFindings
   std::vector<CellIndicator> indicators;
   std::vector<ContactBracket> brackets;
   /** The numbers of the cells with a face on which the body penetrates though nothing presses. */
-  std::vector<unsigned int> unseen_contact;
+  std::vector<unsigned int> missed_contact_cells;
   /** The estimated error, where there is an estimate, and the one that is aimed at, (force
    * length)^{1/2}. */
   double error = 0.;
@@ -25,13 +25,15 @@ struct StepFindings
   /** Without it the next mesh will see another problem. */
   bool has_estimate() const
   {
-    return unseen_contact.empty();
+    return missed_contact_cells.empty();
   }
 };
 
 /** Returns the plan of the first step: a uniform mesh of degree 2, and the places that are singular
  * by the data. */
-MeshPlan first_plan(const Scene<2> &scene, unsigned int base_level, unsigned int largest_degree);
+MeshPlan first_plan(const Scene<2> &scene,
+                    unsigned int base_level,
+                    unsigned int max_element_degree);
 
 /** Returns the plan of the next step. Its error should be smaller by a factor of about twelve, or
  * reach the target where that is near. Ends of contact are those of this step and get three more

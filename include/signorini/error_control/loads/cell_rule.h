@@ -19,7 +19,7 @@ struct Law
 
   std::array<Components, 3> stiffness, compliance;
   /** The smallest c with e:E:e ≥ c e:e. */
-  double smallest_eigenvalue;
+  double min_eigenvalue;
 };
 
 /** A quadrature point of a cell. Its data do not depend on the position of the cell. */
@@ -66,7 +66,7 @@ public:
       close();
     part_ = point.unresolved_part;
     area_ += point.weight;
-    largest_ = std::max(largest_, value);
+    max_ = std::max(max_, value);
   }
   double value()
   {
@@ -77,11 +77,11 @@ public:
 private:
   void close()
   {
-    sum_ += area_ * largest_;
-    area_ = largest_ = 0.;
+    sum_ += area_ * max_;
+    area_ = max_ = 0.;
   }
   bool from_above_;
-  double sum_ = 0., area_ = 0., largest_ = 0.;
+  double sum_ = 0., area_ = 0., max_ = 0.;
   unsigned int part_ = StressPoint::resolved;
 };
 

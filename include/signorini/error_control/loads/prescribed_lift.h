@@ -30,9 +30,9 @@ public:
   }
   /** Returns the largest difference between r and its interpolation, relative to the largest |r| on
    * the edge. */
-  double largest_misfit() const
+  double max_misfit() const
   {
-    return largest_misfit_;
+    return max_misfit_;
   }
   /** Returns the lines through the ends of the pieces of edges: z is smooth between them. */
   std::vector<KinkLine<2>> lines(unsigned int cell, const EdgeCell &place) const;
@@ -65,6 +65,6 @@ private:
   double scale_;
   std::vector<bool> cells_;
   std::map<unsigned int, std::vector<EdgeRest>> rests_;
-  double largest_misfit_ = 0.;
+  double max_misfit_ = 0.;
 };
 } // namespace Signorini

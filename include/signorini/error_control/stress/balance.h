@@ -37,7 +37,7 @@ bool balance_cells(const EdgeMesh &mesh,
  *
  * Returns nothing if the factorisation fails, or leaves more than rounding.
  */
-std::vector<double> best_change(const EdgeMesh &mesh,
-                                const CellEnergies &energies,
-                                const std::vector<double> &r);
+std::vector<double> optimal_change(const EdgeMesh &mesh,
+                                   const CellEnergies &energies,
+                                   const std::vector<double> &r);
 } // namespace Signorini

@@ -34,7 +34,7 @@ struct CellData
 };
 
 /** Scratch data for cells that share CellData with no other; every thread needs its own. */
-struct CellRoom
+struct CellScratch
 {
   std::unique_ptr<CellData> data;
   std::vector<Law> laws;
@@ -59,16 +59,16 @@ public:
             const PrescribedLift &lift);
 
   /** Returns the data of cell number @p cell; valid until the next call with the same @p room. */
-  const CellData &data(unsigned int cell, CellRoom &room) const;
+  const CellData &data(unsigned int cell, CellScratch &room) const;
   /** Returns two Gauss points on every edge of a cell. */
   std::array<std::array<EdgePoint, 2>, 4> on_edges(const unsigned int cell) const
   {
-    return shape_of_[cell] < most_shapes ? shared_[shape_of_[cell]]->on_edges
-                                         : edge_points(CellShape(mesh_.cells()[cell].corners));
+    return shape_of_[cell] < max_shapes ? shared_[shape_of_[cell]]->on_edges
+                                        : edge_points(CellShape(mesh_.cells()[cell].corners));
   }
   /** Returns the laws at the points of a cell, valid until the next call with the same @p room.
    * Where Hooke's tensor is constant, one law holds at all points. */
-  const std::vector<Law> &laws(unsigned int cell, const CellData &data, CellRoom &room) const;
+  const std::vector<Law> &laws(unsigned int cell, const CellData &data, CellScratch &room) const;
 
   /** Returns the law at a point. */
   Law law(const dealii::Point<2> &x) const
@@ -97,11 +97,11 @@ public:
 
 private:
   /** Returns the number of the cell's shape among the shared ones; a new one as long as there are
-   * fewer than most_shapes. */
+   * fewer than max_shapes. */
   unsigned int classify(unsigned int cell);
 
   /** The number of shapes beyond which cells are computed one by one. */
-  static constexpr std::size_t most_shapes = 64;
+  static constexpr std::size_t max_shapes = 64;
 
   const EdgeMesh &mesh_;
   const Material<2> &material_;

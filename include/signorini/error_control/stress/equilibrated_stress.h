@@ -100,13 +100,13 @@ struct StressBound
    * by |||z|||. */
   double lift = 0.;
   /** The same sums for π^{2h} u_h. */
-  struct OfPatches
+  struct Interpolated
   {
     /** The sum over K of (‖σ(π^{2h} u_h + z') - τ‖_{E⁻¹,K} + osc_K)², and |||z'|||; z'
      * makes up for u_D - π^{2h} u_h. */
     double square, lift;
   };
-  std::optional<OfPatches> of_patches;
+  std::optional<Interpolated> interpolated_part;
   /** Bounds of 1/2 ‖τ‖² - ∫_{Γ_D} τ n.(u_D - c) for the stress that balances the loads
    * themselves, with c the translation below. The bounds are 1/2 Σ_K (‖τ‖_{E⁻¹,K} ± osc_K)²
    * minus that work. This is the part of J*(τ) that no large translation enters. */
@@ -128,14 +128,14 @@ struct StressBound
 /** The limits of the improvement of the stress. */
 struct ImprovementOptions
 {
-  unsigned int most_steps = 50;
+  unsigned int max_steps = 50;
   /** The improvement stops when a step takes less than this share of the square of the misfit of
    * u_h, and of π^{2h} u_h where there is one. */
-  double least_share = 0.01, least_share_of_patches = 0.03;
-  /** The number of cells up to which the best stress is computed (best_change()), and the number up
-   * to which it is computed if the steps did not end. */
-  std::size_t few_cells = 1024;
-  std::size_t most_cells_exactly = 4096;
+  double min_share = 0.01, min_interpolated_share = 0.03;
+  /** The number of cells up to which the best stress is computed (optimal_change()), and the number
+   * up to which it is computed if the steps did not end. */
+  std::size_t max_cells_always_direct = 1024;
+  std::size_t max_cells_direct = 4096;
 };
 
 /** The data of a bound of the stress; everything must outlive it. */
@@ -207,7 +207,7 @@ public:
    * free linear function, none where it is p_h. */
   std::vector<std::optional<std::array<double, 2>>> free_tractions() const;
   /** Returns the normal component of π^{2h} u_h - u_h in the middle of a face of the contact
-   * surface. Needs StressBound::of_patches. */
+   * surface. Needs StressBound::interpolated_part. */
   double normal_bubble(unsigned int contact_face) const;
 
 private:
@@ -229,15 +229,15 @@ private:
    * square of τ, and the energies of z and z'. */
   struct CellSquares
   {
-    double misfit = 0., of_patches = 0., stress = 0., lift = 0., lift_of_patches = 0.;
-    double smallest_eigenvalue = 0.;
+    double misfit = 0., interpolated_part = 0., stress = 0., lift = 0., interpolated_lift = 0.;
+    double min_eigenvalue = 0.;
   };
-  /** The integrals as functions of a change b of the moments: misfit - 2 of_misfit.b + bᵀ S b, the
-   * same for patches, and stress + 2 of_stress.b + bᵀ S b. */
+  /** The integrals as functions of a change b of the moments: misfit - 2 misfit_data.b + bᵀ S b,
+   * the same for patches, and stress + 2 stress_data.b + bᵀ S b. */
   struct CellIntegrals
   {
     CellSquares squares;
-    CellMoments of_misfit{}, of_patches{}, of_stress{};
+    CellMoments misfit_data{}, interpolated_part{}, stress_data{};
     /** Whether the law is resolved. If it is not, squares are taken from above and are no such
      * functions. */
     bool is_resolved = true;
@@ -259,7 +259,7 @@ private:
    * @param energies receives S, unless it is null.
    */
   CellIntegrals integrate(unsigned int cell,
-                          CellRoom &room,
+                          CellScratch &room,
                           bool from_above,
                           CellEnergies *energies = nullptr) const;
   /** Adds the integrals for π^{2h} u_h; needs those for u_h. */
@@ -275,9 +275,9 @@ private:
   void balance_couples(const std::vector<EdgeMoments::CornerForces> &R);
   /** Returns the part that the polygon adds to osc_K: that of the couple, and that of the tractions
    * on an edge which is no chord. */
-  double geometry(unsigned int cell, double smallest_eigenvalue) const;
+  double geometry(unsigned int cell, double min_eigenvalue) const;
   /** Returns osc_K. */
-  double oscillation(unsigned int cell, double smallest_eigenvalue, OscillationTable &table) const;
+  double oscillation(unsigned int cell, double min_eigenvalue, OscillationTable &table) const;
   /** Returns ∫_{Γ_D} τ n.(u_D - c) on the edges of a cell; adds ∫_{Γ_D} τ n to @p
    * force. */
   double support_work(unsigned int cell,
@@ -296,7 +296,7 @@ private:
     std::vector<double> r;
     /** The squares of the misfits of u_h and of π^{2h} u_h; the last one is infinite where there
      * is none. */
-    double square = 0., square_of_patches = 0.;
+    double square = 0., interpolated_square = 0.;
     /** The square of the norm of τ. */
     double energy = 0.;
   };

@@ -65,7 +65,7 @@ private:
 
 /** The stress with all its components, also those of a 2-D body that point out of the plane
  * (force/area). */
-using SpatialStress = dealii::SymmetricTensor<2, 3>;
+using Stress3D = dealii::SymmetricTensor<2, 3>;
 
 /**
  * Returns σ = E : ε at @p x. In 2-D σ_xz = σ_yz = 0, and σ_zz is
@@ -73,13 +73,13 @@ using SpatialStress = dealii::SymmetricTensor<2, 3>;
  * @throws InputError where the material's data has no value.
  */
 template <int dim>
-SpatialStress stress_in_space(const Material<dim> &material,
-                              const dealii::Point<dim> &x,
-                              const dealii::SymmetricTensor<2, dim> &strain);
+Stress3D stress_in_3d(const Material<dim> &material,
+                      const dealii::Point<dim> &x,
+                      const dealii::SymmetricTensor<2, dim> &strain);
 
 /** Returns the von Mises stress sqrt(3/2 s:s), s = σ - tr σ/3 I. */
-double von_mises(const SpatialStress &stress);
+double von_mises(const Stress3D &stress);
 
 /** Returns the three eigenvalues of σ, the largest (the most tensile) first. */
-std::array<double, 3> principal_stresses(const SpatialStress &stress);
+std::array<double, 3> principal_stresses(const Stress3D &stress);
 } // namespace Signorini

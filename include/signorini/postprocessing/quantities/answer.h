@@ -46,9 +46,9 @@ struct Answer
  * @throws InputError where g has no value.
  */
 template <int dim>
-std::optional<Penetration> largest_penetration(const DisplacementSpace<dim> &space,
-                                               const MultiplierSpace<dim> &multipliers,
-                                               const Displacement &U);
+std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
+                                           const MultiplierSpace<dim> &multipliers,
+                                           const Displacement &U);
 
 /** Computes the answer. Collective. */
 template <int dim>

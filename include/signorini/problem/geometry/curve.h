@@ -47,7 +47,7 @@ public:
 
   /** The smallest angle (radians) by which two pieces of a chain turn in a corner. Pieces that turn
    * less are parts of a smooth side, which a polygon may approximate. */
-  static constexpr double smallest_turn = 0.1;
+  static constexpr double min_corner_turn = 0.1;
 
   const dealii::Point<2> &start() const
   {
@@ -180,8 +180,8 @@ public:
   push_forward_gradient(const dealii::Point<2> &chart_point) const override;
 
   /** Returns whether at (n + 1) x (n + 1) points the determinant of the map is positive, and larger
-   * than @p smallest_ratio times the largest one. */
-  bool is_valid(unsigned int n, double smallest_ratio) const;
+   * than @p min_ratio times the largest one. */
+  bool is_valid(unsigned int n, double min_ratio) const;
 
 private:
   struct Edge

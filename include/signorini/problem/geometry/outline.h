@@ -18,11 +18,11 @@ namespace Signorini
  * @param mesh_size the longest edge of the triangles (length); 0: as long as their angles allow.
  * @param where the beginning of messages.
  * @throws InputError if the sides are no such loops, cross or touch, or if no mesh of at most
- * most_coarse_cells cells was found.
+ * max_coarse_cells cells was found.
  */
 Geometry<2> make_outlined_body(const std::vector<Side<2>> &sides,
                                double mesh_size,
                                const std::string &where);
 
-constexpr unsigned int most_coarse_cells = 300000;
+constexpr unsigned int max_coarse_cells = 300000;
 } // namespace Signorini

@@ -101,7 +101,7 @@ struct FileMesh
 };
 
 /** The name of edges that have none in the file. */
-extern const std::string name_of_the_rest;
+extern const std::string unnamed_side_name;
 
 /**
  * Checks the nodes and elements of a file and returns them in order. Cells that are clockwise are

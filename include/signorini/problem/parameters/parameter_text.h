@@ -39,12 +39,12 @@ std::vector<Assignment> scan_parameter_text(const std::string &text,
 Assignment scan_override(const std::string &argument);
 
 /** Reads a whole file. @throws InputError if it cannot be read, is not a file (devices and pipes
- * may never end) or has more than @p largest_size bytes. Messages begin with @p where and call the
+ * may never end) or has more than @p max_size bytes. Messages begin with @p where and call the
  * file a @p kind. */
 std::string read_whole_file(const std::string &file_name,
                             const std::string &where,
                             const std::string &kind,
-                            std::size_t largest_size);
+                            std::size_t max_size);
 
 /** Reads a parameter file of at most a million bytes; throws InputError if it contains characters
  * 0. */

@@ -23,10 +23,10 @@ enum class EdgeSupport
 };
 
 /** The largest value that corner_exponent() returns. */
-constexpr double largest_corner_exponent = 3.;
+constexpr double max_corner_exponent = 3.;
 
 /**
- * Returns the smallest Re lambda > 0, at most largest_corner_exponent, of the solutions r^lambda
+ * Returns the smallest Re lambda > 0, at most max_corner_exponent, of the solutions r^lambda
  * v(theta) of -sigma_ij,j = 0 between two straight edges with homogeneous conditions that are not
  * polynomials. The equations are (W1) to (W6) of doc/formulas.md.
  *

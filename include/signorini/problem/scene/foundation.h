@@ -15,23 +15,23 @@
 namespace Signorini
 {
 /** A rigid obstacle in 2-D: the set of points that a body cannot enter. */
-class RigidThing
+class Obstacle
 {
 public:
   /** Returns the half-plane (x - point).normal <= 0; @p normal (not zero, of any length) points out
    * of it, towards the body. */
-  static RigidThing plane(const dealii::Point<2> &point, const dealii::Tensor<1, 2> &normal);
+  static Obstacle plane(const dealii::Point<2> &point, const dealii::Tensor<1, 2> &normal);
 
   /** Returns the region behind the curve x(t) = point + t tau + (curvature/2) t² nu, where nu is
    * normal/|normal| and tau is perpendicular to it (t: length, curvature: 1/length). It bends away
    * from the body where curvature < 0. */
-  static RigidThing parabola(const dealii::Point<2> &point,
-                             const dealii::Tensor<1, 2> &normal,
-                             double curvature);
+  static Obstacle parabola(const dealii::Point<2> &point,
+                           const dealii::Tensor<1, 2> &normal,
+                           double curvature);
 
   /** Returns a disc if the body lies outside of it, or the complement of a disc if the body lies
    * inside. */
-  static RigidThing circle(const dealii::Point<2> &centre, double radius, Body body);
+  static Obstacle circle(const dealii::Point<2> &centre, double radius, Body body);
 
   /**
    * Returns the t (length) at which the line x + t n, |n| = 1, enters the obstacle: positive for a
@@ -47,11 +47,11 @@ public:
 
   /** Returns whether a line with the direction n, |n| = 1, can enter the obstacle, wherever that is
    * moved. */
-  bool can_stop(const dealii::Tensor<1, 2> &n) const;
+  bool can_be_hit_along(const dealii::Tensor<1, 2> &n) const;
 
   /** Returns whether the line x + t n, |n| = 1, enters the obstacle at t < @p reach (length), or x
    * lies in it. A line that misses does not count, although distance() has a value for it. */
-  bool is_met(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n, double reach) const;
+  bool is_hit_by_line(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n, double reach) const;
 
   /** Returns a point of a plane or a parabola, or the centre of a circle. */
   const dealii::Point<2> &anchor() const;
@@ -73,7 +73,7 @@ private:
 
   struct LinePolynomial;
 
-  explicit RigidThing(std::variant<Parabola, Circle> shape);
+  explicit Obstacle(std::variant<Parabola, Circle> shape);
 
   LinePolynomial along(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const;
 
@@ -84,26 +84,26 @@ private:
 class Foundation
 {
 public:
-  /** Stores the obstacles. @param largest_gap the gap (length) where the normal meets no obstacle,
+  /** Stores the obstacles. @param max_gap the gap (length) where the normal meets no obstacle,
    * or one that is farther away. */
-  Foundation(std::vector<RigidThing> things, double largest_gap);
+  Foundation(std::vector<Obstacle> things, double max_gap);
 
-  /** Returns the smallest distance of the obstacles from x along n, at most largest_gap() (length).
+  /** Returns the smallest distance of the obstacles from x along n, at most max_gap() (length).
    */
   double gap(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const;
 
-  double largest_gap() const
+  double max_gap() const
   {
-    return largest_gap_;
+    return max_gap_;
   }
-  const std::vector<RigidThing> &things() const
+  const std::vector<Obstacle> &things() const
   {
-    return things_;
+    return obstacles_;
   }
 
 private:
-  std::vector<RigidThing> things_;
-  double largest_gap_;
+  std::vector<Obstacle> obstacles_;
+  double max_gap_;
 };
 
 /**

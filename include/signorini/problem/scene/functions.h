@@ -41,7 +41,7 @@ private:
  * A deal.II function whose components are expressions. Its gradient is given by further expressions
  * (component by component, dim each) or by fourth-order differences with the step @p h (length).
  * Thread-safe; the functions for lists of points are the fast ones. Without gradients and step the
- * function is data of the problem: its values must be finite and not beyond largest_magnitude
+ * function is data of the problem: its values must be finite and not beyond max_magnitude
  * (scene.h), or InputError is thrown.
  */
 template <int dim>

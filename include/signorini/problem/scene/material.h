@@ -79,6 +79,6 @@ make_orthotropic(const std::vector<Expression<2>> &moduli,
  * with the upper triangle of C, row by row: C11, C12, ..., C16, C22, ..., C66; C must be positive
  * definite at every point. E_0 is C11 at the point @p reference. */
 std::shared_ptr<const Material<3>>
-make_general_in_space(const std::vector<Expression<3>> &entries,
-                      const dealii::Point<3> &reference = dealii::Point<3>());
+make_general_3d(const std::vector<Expression<3>> &entries,
+                const dealii::Point<3> &reference = dealii::Point<3>());
 } // namespace Signorini

@@ -19,14 +19,14 @@ namespace Signorini
  * upper one. They are far enough from the ends of double precision for products such as an energy
  * f² L⁴/E or a determinant of moduli. Other units bring every real body into this range.
  */
-constexpr double smallest_magnitude = 1e-30;
-constexpr double largest_magnitude = 1e30;
+constexpr double min_magnitude = 1e-30;
+constexpr double max_magnitude = 1e30;
 
 /** The largest distance of a body from the origin, in its own diameters: x - y loses that much. */
-constexpr double largest_distance = 1e6;
+constexpr double max_distance = 1e6;
 
 /** The largest ratio of a body's length to its thickness, and to its shortest side. */
-constexpr double largest_slenderness = 1e6;
+constexpr double max_slenderness = 1e6;
 
 /** A change of a scene's loads and of its foundation; the body and its supports stay the same, and
  * so does its stiffness. */

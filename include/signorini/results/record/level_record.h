@@ -88,7 +88,7 @@ struct CaseSummary
   /** The first case whose dual problem was not solved, from 1; 0: none. */
   unsigned int first_failure = 0;
   /** The largest KKT residual of a case with a solution. */
-  double largest_kkt = 0.;
+  double max_kkt = 0.;
   /** Wall seconds of all cases. */
   double seconds = 0.;
 };

@@ -27,7 +27,7 @@ struct Residual
 
 /** Returns the largest of the residuals that must vanish; one that is not a number is the largest.
  */
-Residual largest_residual(const Certificate &certificate);
+Residual max_residual(const Certificate &certificate);
 
 /** Returns the relative change of U or of its forces by rounding, the larger of both. */
 double rounding(const LevelRecord &level);
@@ -157,7 +157,7 @@ public:
   StudyVerdict failed(const std::vector<LevelRecord> &levels, const std::string &reason) const;
 
 private:
-  double largest_residual_bound(const std::vector<LevelRecord> &levels) const;
+  double max_residual_bound(const std::vector<LevelRecord> &levels) const;
 
   Demands demands_;
 };

@@ -39,15 +39,15 @@ public:
 protected:
   /**
    * Sets the limit.
-   * @param largest_factorised size of sets that are factorised.
+   * @param max_factorised_size size of sets that are factorised.
    */
-  explicit BoundaryModel(unsigned int largest_factorised);
+  explicit BoundaryModel(unsigned int max_factorised_size);
 
 private:
   Vector solve_by_factor(const Indices &set, const Vector &rhs) const;
   Vector solve_by_gradients(const Indices &set, const Vector &rhs) const;
 
-  unsigned int largest_factorised_;
+  unsigned int max_factorised_size_;
   // Cached results. They change no result of the functions.
   mutable Matrix dense_;
   mutable Indices factorised_set_;

@@ -89,9 +89,9 @@ public:
   /**
    * Makes the model from its blocks.
    * @param scaling the diagonal of S.
-   * @param largest_factorised see BoundaryModel.
+   * @param max_factorised_size see BoundaryModel.
    */
-  CosineModel(std::vector<GridBlock> blocks, Vector scaling, unsigned int largest_factorised);
+  CosineModel(std::vector<GridBlock> blocks, Vector scaling, unsigned int max_factorised_size);
 
   unsigned int size() const override;
   Vector apply(const Vector &P) const override;

@@ -19,7 +19,7 @@ namespace Signorini
  * (Winkler's bedding), by Newton's method with a line search. The solution is a start for the true
  * compliance. It carries the load b, so its pressing patches can carry b, too.
  */
-MotionState solve_on_bedding(const SeenMotions &motions,
+MotionState solve_on_bedding(const ReducedMotions &motions,
                              const dealii::Vector<double> &F,
                              const dealii::Vector<double> &c);
 
@@ -61,13 +61,13 @@ private:
  * with the largest penetration joins. The energy 1/2 Pᵀ C P - Pᵀ F falls in every step, so no set
  * comes back (J. Nocedal, S. Wright: Numerical Optimization, 2006, section 16.5).
  *
- * @param most_solves the limit of the number of solves.
+ * @param max_solves the limit of the number of solves.
  * @param n_solves counts the solves.
  * @return nothing if there is no pressure in balance or the steps do not end.
  */
 std::optional<MotionState> descend(const ComplianceOperator &C,
                                    const dealii::Vector<double> &F,
-                                   const SeenMotions &motions,
-                                   unsigned int most_solves,
+                                   const ReducedMotions &motions,
+                                   unsigned int max_solves,
                                    unsigned int &n_solves);
 } // namespace Signorini

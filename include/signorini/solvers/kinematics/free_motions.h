@@ -54,8 +54,8 @@ struct MotionResult
  *
  * W = C P + B q - F ≤ 0,   P ≤ 0,   P.W = 0,   K q - Bᵀ P = b.
  *
- * Existence is decided first (SeenMotions::escape). Then follows proximal iteration: with a small
- * matrix E,
+ * Existence is decided first (ReducedMotions::escape). Then follows proximal iteration: with a
+ * small matrix E,
  *
  * (K + E) q_new = b + Bᵀ P + E q_old,
  *

@@ -39,7 +39,7 @@ struct MotionModes
   dealii::FullMatrix<double> K;
   /** The rigid motions that no contact resists, and their nodal values. They stay zero. */
   std::vector<FreeMotion> unseen;
-  std::vector<Displacement> unseen_Z;
+  std::vector<Displacement> unseen_modes;
 
   /** The tolerance of the work of balanced loads on an unseen motion, relative to its terms: the
    * force on cells that approximate a curved body is not exactly that on the body. */
@@ -79,7 +79,7 @@ MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
 
 /** Returns "it slides", "it tips over" or "it lifts off": the motion of a body that nothing stops.
  */
-std::string word_for_escape(const RigidMotion &motion, bool opens);
+std::string text_of_escape(const RigidMotion &motion, bool opens);
 
 /** Returns the rigid motion of a body in a combination of modes. */
 RigidMotion rigid_part(const MotionModes<2> &modes, const dealii::Vector<double> &v);

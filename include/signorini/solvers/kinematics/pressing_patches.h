@@ -39,7 +39,7 @@ dealii::Vector<double> remainder_outside_cone(const dealii::FullMatrix<double> &
                                               const dealii::Vector<double> &b,
                                               double rounding);
 
-/** A pressure P and motions z, in the coordinates of SeenMotions. */
+/** A pressure P and motions z, in the coordinates of ReducedMotions. */
 struct MotionState
 {
   dealii::Vector<double> P;
@@ -74,6 +74,6 @@ struct PressingSolution
  */
 std::optional<PressingSolution> solve_on_pressing(const ComplianceOperator &C,
                                                   const dealii::Vector<double> &F,
-                                                  const SeenMotions &motions,
+                                                  const ReducedMotions &motions,
                                                   const MotionState &start);
 } // namespace Signorini

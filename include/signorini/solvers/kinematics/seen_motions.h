@@ -48,7 +48,7 @@ dealii::Vector<double> transpose_times(const dealii::FullMatrix<double> &M,
 /** The free motions in coordinates z without units: q = T z. Columns of B have norm one before they
  * are combined. Motions without any resistance (K v = 0, B v = 0) are left out. W = C P + B z - F
  * and K z - Bᵀ P = b hold with the matrices of this class; z has the unit of W, b that of P. */
-class SeenMotions
+class ReducedMotions
 {
 public:
   using Vector = dealii::Vector<double>;
@@ -60,7 +60,7 @@ public:
    * where it is below 1e-12 of it.
    * @throws std::invalid_argument if sizes do not fit or K is not symmetric.
    */
-  SeenMotions(const FreeMotions &motions, unsigned int m, double stiffness);
+  ReducedMotions(const FreeMotions &motions, unsigned int m, double stiffness);
 
   /** Returns the number n ≤ k of the reduced motions. */
   unsigned int size() const

@@ -46,14 +46,14 @@ public:
   static constexpr std::size_t batch_size = static_cast<std::size_t>(n_entries) * n_lanes;
 
   explicit CellMatrices(const std::size_t n_batches)
-    : of_batch(n_batches)
+    : batch_storage(n_batches)
   {
   }
   /** Copies the matrices to another precision; @p new_rule replaces the rule of the other. */
   template <typename Other>
   CellMatrices(const CellMatrices<dim, Other> &other,
                std::shared_ptr<const PointRule<dim, Number>> new_rule)
-    : of_batch(other.of_batch)
+    : batch_storage(other.batch_storage)
     , shared(other.shared.begin(), other.shared.end())
     , stored(other.stored.begin(), other.stored.end())
     , rule(std::move(new_rule))
@@ -66,35 +66,35 @@ public:
   }
   bool is_shared(const std::size_t batch) const
   {
-    return of_batch[batch] >= 0;
+    return batch_storage[batch] >= 0;
   }
   bool is_integrated(const std::size_t batch) const
   {
-    return of_batch[batch] == integrated;
+    return batch_storage[batch] == integrated;
   }
   /** Returns the full matrix that a batch shares, n_dofs by n_dofs. */
   const Number *shared_matrix(const std::size_t batch) const
   {
-    return &shared[static_cast<std::size_t>(of_batch[batch]) * n_dofs * n_dofs];
+    return &shared[static_cast<std::size_t>(batch_storage[batch]) * n_dofs * n_dofs];
   }
   /** Returns the matrices of a batch, [entry][lane]. */
   const Number *stored_matrices(const std::size_t batch) const
   {
-    return &stored[static_cast<std::size_t>(-1 - of_batch[batch]) * batch_size];
+    return &stored[static_cast<std::size_t>(-1 - batch_storage[batch]) * batch_size];
   }
   Number *stored_matrices(const std::size_t batch)
   {
-    return &stored[static_cast<std::size_t>(-1 - of_batch[batch]) * batch_size];
+    return &stored[static_cast<std::size_t>(-1 - batch_storage[batch]) * batch_size];
   }
   /** Allocates matrices of its own for a batch. */
   void store(const std::size_t batch)
   {
-    of_batch[batch] = -1 - static_cast<int>(stored.size() / batch_size);
+    batch_storage[batch] = -1 - static_cast<int>(stored.size() / batch_size);
     stored.resize(stored.size() + batch_size);
   }
   std::size_t memory() const
   {
-    return of_batch.capacity() * sizeof(int) +
+    return batch_storage.capacity() * sizeof(int) +
            (shared.capacity() + stored.capacity()) * sizeof(Number) +
            (rule == nullptr ? 0 : rule->places.memory());
   }
@@ -102,7 +102,7 @@ public:
   static constexpr int integrated = std::numeric_limits<int>::min();
   /** The storage of each batch: the number of a shared matrix, -1 - the number of n_lanes stored
    * ones, or integrated. */
-  std::vector<int> of_batch;
+  std::vector<int> batch_storage;
   std::vector<Number> shared, stored;
   /** The rule for batches whose products are integrated. */
   std::shared_ptr<const PointRule<dim, Number>> rule;

@@ -49,7 +49,7 @@ private:
 };
 
 /** The tolerance of solves whose error must be negligible. */
-constexpr double goal_of_solves = 1e-12;
+constexpr double solve_tolerance = 1e-12;
 
 /** The inverse A⁻¹ by conjugate gradients, each step with one V-cycle and one product with A.
  * They end when the energy norm of the error, as the V-cycle measures it, has fallen to a given
@@ -64,7 +64,7 @@ public:
    */
   MultigridInverse(std::shared_ptr<const StiffnessOperator> A,
                    const Vector &diagonal,
-                   double goal = goal_of_solves);
+                   double goal = solve_tolerance);
 
   bool has_factors() const override
   {
@@ -76,9 +76,9 @@ public:
     return *A_;
   }
   /** Returns the largest number of V-cycles that a solve took so far. */
-  unsigned int largest_number_of_cycles() const
+  unsigned int max_cycles_of_a_solve() const
   {
-    return largest_number_of_cycles_;
+    return max_cycles_of_a_solve_;
   }
 
 private:
@@ -91,8 +91,8 @@ private:
   void solve_one(Vector &x, const Vector &b) const;
 
   std::shared_ptr<const StiffnessOperator> A_;
-  double goal_;
-  mutable unsigned int largest_number_of_cycles_ = 0;
+  double tolerance_;
+  mutable unsigned int max_cycles_of_a_solve_ = 0;
 };
 
 /**
@@ -102,5 +102,5 @@ private:
 template <int dim>
 std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace<dim> &space,
                                                          const Scene<dim> &scene,
-                                                         double goal = goal_of_solves);
+                                                         double goal = solve_tolerance);
 } // namespace Signorini

@@ -117,9 +117,9 @@ public:
     return n_solves_;
   }
   /** Returns the largest |b - A x| / |b| so far, in the norm |r|² = sum r_i² / A_ii. */
-  double largest_residual() const
+  double max_residual() const
   {
-    return largest_residual_;
+    return max_residual_;
   }
   /** Returns the largest relative error of an x so far that is due to rounding, as far as it was
    * estimated: 0 where residuals were small. */
@@ -182,7 +182,7 @@ private:
   Vector scaling_;
   // Statistics. They change no result of the functions.
   mutable unsigned int n_solves_ = 0;
-  mutable double largest_residual_ = 0.;
+  mutable double max_residual_ = 0.;
   mutable double rounding_error_ = 0.;
 };
 
