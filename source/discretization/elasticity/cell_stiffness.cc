@@ -165,7 +165,7 @@ typename CellStiffness<dim>::Matrix CellStiffness<dim>::share(const CellIterator
   const Sample *const sample = find_sample(element_number, shape, tolerance);
   if (sample != nullptr && (dim == 2 || std::abs(sample->size - size) < 1e-12 * size))
     return sample->matrix;
-  const Matrix matrix = integrate(affine_values_.reinit(cell));
+  Matrix matrix = integrate(affine_values_.reinit(cell));
   constexpr std::size_t max_samples = 64;
   if (sample != nullptr || samples_.size() == max_samples)
     return matrix;
