@@ -206,13 +206,11 @@ void Declarations::declare_data(Parameters &parameters)
 void Declarations::declare_discretization(DiscretizationParameters &discretization)
 {
   enter("Discretization");
-  add(
-    "Strategy",
-    discretization.strategy,
-    "nested: every cell is split from level to level, degree one, patches of length H. hp: the "
-    "mesh of every step is graded to the ends of contact and to other singularities that the step "
-    "before has shown, and the degree rises away from them; Finest level, Element, Patch ratio "
-    "and Patches have no meaning then. One process.");
+  add("Strategy",
+      discretization.strategy,
+      "nested: every cell is split from level to level, with patches of length H. hp: meshes are "
+      "graded to ends of contact and other singularities, and the degree rises away from them; "
+      "Finest level, Element, Patch ratio and Patches have no meaning then. One process.");
   add("Coarsest level",
       discretization.coarsest_level,
       "Refinements of the coarse mesh on the first level.",
