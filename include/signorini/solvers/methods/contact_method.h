@@ -40,7 +40,8 @@ struct DualSolve
   std::optional<std::string> active_set_failure;
   /** Why MINRES answered instead of V-cycles with boundary problems. */
   std::optional<std::string> stalled;
-  /** The level on which V-cycles failed, and why; later levels are solved with factors. */
+  /** The level on which V-cycles failed, and why; this level and later ones are solved with
+   * factors. */
   std::optional<std::string> failure_of_cycles;
   /** The algebraic error, relative to the energy norm of U, at which V-cycles ended because the
    * error of the discretisation is larger; 0 where the tolerance counts. */
