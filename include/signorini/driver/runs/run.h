@@ -51,7 +51,8 @@ struct RunInput
 /** The end of a run. */
 struct RunSummary
 {
-  /** 0: certified, 1: wrong input, 2: not certified, 3: results could not be written. */
+  /** The exit code. 0: certified, 1: wrong input, 2: not certified, 3: results could not be
+   * written. */
   int exit_code = 0;
   /** The verdict in one or two words. */
   std::string verdict;

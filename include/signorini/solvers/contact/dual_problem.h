@@ -114,7 +114,8 @@ struct BoundConstrainedQP
 struct QPResult
 {
   dealii::Vector<double> P;
-  /** Sweeps of projected SOR, linear solves of an active set method, or products of MPRGP. */
+  /** The number of sweeps of projected SOR, linear solves of an active set method, or products of
+   * MPRGP. */
   unsigned int iterations = 0;
   double kkt_residual = 0.;
   bool converged = false;
@@ -124,7 +125,7 @@ struct QPResult
   bool cycled = false;
   /** Whether P is the only solution; true if that was not examined. */
   bool unique = true;
-  /** Why the active set method failed where projected SOR answered instead. */
+  /** The reason why the active set method failed and projected SOR took its place. */
   std::optional<std::string> active_set_failure;
 };
 } // namespace Signorini

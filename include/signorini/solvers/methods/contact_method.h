@@ -20,13 +20,13 @@
 
 namespace Signorini
 {
-/** How contact on one level was found; the defaults hold where nothing touches. */
+/** The summary of the contact solver on one level. The defaults hold where nothing touches. */
 struct DualSolve
 {
   /** The method that solved the problem, never automatic. */
   ContactSolver method = ContactSolver::active_set;
-  /** Sweeps of projected SOR, linear solves of the active set method, products of MPRGP, or
-   * V-cycles.
+  /** The number of sweeps of projected SOR, linear solves of the active set method, products of
+   * MPRGP, or V-cycles.
    */
   unsigned int iterations = 0;
   /** The sweep of projected SOR at which the increment alone was small enough. */
@@ -35,10 +35,10 @@ struct DualSolve
   bool converged = true;
   /** Whether the pressure is the only one that solves the dual problem. */
   bool unique = true;
-  /** Why the active set method failed where projected SOR answered instead; empty if the solver
-   * that the user chose has answered. */
+  /** The reason why the active set method failed and projected SOR took its place; empty if the
+   * chosen solver was used. */
   std::optional<std::string> active_set_failure;
-  /** Why MINRES answered instead of V-cycles with boundary problems. */
+  /** The reason why MINRES took the place of V-cycles with boundary problems. */
   std::optional<std::string> stalled;
   /** The level on which V-cycles failed, and why; this level and later ones are solved with
    * factors. */
@@ -60,7 +60,7 @@ struct LinearSolves
   double rounding_error = 0.;
 };
 
-/** What a method starts from; all of it may be missing. */
+/** The start of a method. Each part may be missing. */
 struct ContactStart
 {
   /** Stores the start. @param P a pressure on the patches of the level; empty: none. */
