@@ -49,7 +49,7 @@ struct OneLevel
   Signorini::Discretization<2> discretization;
 };
 
-/** "subsection SECTION / set NAME = VALUE / end" for short parameter texts. */
+/** Returns "subsection SECTION / set NAME = VALUE / end" for short parameter texts. */
 inline std::string entry(const std::string &section,
                          const std::string &name,
                          const std::string &value)
@@ -60,14 +60,14 @@ inline std::string entry(const std::string &section,
 /** A displacement as a function of x. */
 using Field = Signorini::FieldFunction::Field;
 
-/** The field's values at all nodes, on every rank. */
+/** Returns the field's values at all nodes, on every rank. */
 inline Signorini::Displacement nodal_values(const Signorini::DisplacementSpace<2> &space,
                                             const Field &field)
 {
   return interpolate_at_nodes(space, Signorini::FieldFunction(field));
 }
 
-/** Random numbers in the rows of A, the same ones on any number of ranks. */
+/** Returns random numbers in the rows of A, the same ones on any number of ranks. */
 inline Signorini::DistributedVector random_rows(const Signorini::DisplacementSpace<2> &space,
                                                 RandomNumbers &random)
 {
@@ -79,7 +79,7 @@ inline Signorini::DistributedVector random_rows(const Signorini::DisplacementSpa
   return rows;
 }
 
-/** max |a_i - b_i|. */
+/** Returns max |a_i - b_i|. */
 template <typename First, typename Second>
 double distance(const First &a, const Second &b)
 {

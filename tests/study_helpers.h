@@ -26,20 +26,20 @@ Signorini::StudyResult<dim> solve(const std::string &text,
                               {silence, "", [](const std::string &) {}});
 }
 
-/** The parameter file of a scene of the catalogue. */
+/** Returns the parameter file of a scene of the catalogue. */
 inline std::string named_scene(const std::string &name)
 {
   return "subsection Scene\n set Name = " + name + "\n end\n";
 }
 
-/** Overrides for a study from one level to another. */
+/** Returns the overrides for a study from one level to another. */
 inline std::vector<std::string> levels(const unsigned int coarsest, const unsigned int finest)
 {
   return {"Discretization/Coarsest level=" + std::to_string(coarsest),
           "Discretization/Finest level=" + std::to_string(finest)};
 }
 
-/** Least-squares slope of log(quantity) against log(h). */
+/** Returns the least-squares slope of log(quantity) against log(h). */
 inline double slope(const std::vector<Signorini::LevelRecord> &levels,
                     const std::function<double(const Signorini::LevelRecord &)> &quantity)
 {
@@ -56,7 +56,7 @@ inline double slope(const std::vector<Signorini::LevelRecord> &levels,
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
-/** The slope of a column. */
+/** Returns the slope of a column. */
 inline double slope(const std::vector<Signorini::LevelRecord> &levels, const std::string &column)
 {
   return slope(levels, [&column](const Signorini::LevelRecord &level) {
@@ -64,7 +64,7 @@ inline double slope(const std::vector<Signorini::LevelRecord> &levels, const std
   });
 }
 
-/** |a - b| / |b|. */
+/** Returns |a - b| / |b|. */
 template <typename First, typename Second>
 double relative_distance(const First &a, const Second &b)
 {

@@ -13,7 +13,8 @@
 class Checks
 {
 public:
-  /** @param speak false on ranks other than the first, whose lines would repeat. */
+  /** Starts without failures. @param speak false on ranks other than the first, whose lines would
+   * repeat. */
   explicit Checks(const bool speak = true)
     : speak_(speak)
   {
@@ -24,7 +25,7 @@ public:
     report(name, condition, "the condition does not hold");
   }
 
-  /** |value - expected| <= tolerance. */
+  /** Checks that |value - expected| ≤ tolerance. */
   void
   near(const std::string &name, const double value, const double expected, const double tolerance)
   {
@@ -34,7 +35,7 @@ public:
              ", difference " + std::to_string((value - expected) / tolerance) + " tolerances");
   }
 
-  /** low <= value <= high. */
+  /** Checks that low ≤ value ≤ high. */
   void between(const std::string &name, const double value, const double low, const double high)
   {
     report(name,
@@ -43,7 +44,7 @@ public:
              std::to_string(high));
   }
 
-  /** The call throws an Exception whose message contains @p fragment. */
+  /** Checks that the call throws an Exception whose message contains @p fragment. */
   template <typename Exception, typename Call>
   void throws(const std::string &name, const std::string &fragment, const Call &call)
   {

@@ -14,17 +14,17 @@
 
 namespace Signorini
 {
-/** What is known about a level, and the parts of its bound by cell. */
+/** The record of a level, and the parts of its bound by cell. */
 struct Examination
 {
   LevelRecord record;
-  /** Empty where record.bound is. */
+  /** The parts of the bound; empty if record.bound is empty. */
   BoundFields bound_fields;
 };
 
-/** What follows from U and P: beta, the certificate, the answer, and the estimate and the bound of
- * the error, as far as they are asked for. @param scene with plates where they have moved to.
- * Collective. */
+/** Computes what follows from U and P: β, the certificate, the answer, and the estimate and the
+ * bound of the error, as far as they are wanted. Collective.
+ * @param scene the scene after the motion of its plates. */
 template <int dim>
 Examination examine(const Parameters &parameters,
                     const Discretization<dim> &discretization,
@@ -32,19 +32,19 @@ Examination examine(const Parameters &parameters,
                     const ContactState<dim> &contact,
                     const Progress &progress);
 
-// What is known about the solution of one level.
+// The examination of the solution of one level.
 
 namespace
 {
-/** The limit of Inf-sup constant = automatic: it needs a factorisation of its own, which in space
- * costs more than the rest of the level from some thousand unknowns on. */
+/** Returns the limit of Inf-sup constant = automatic. The constant needs a factorisation of its
+ * own, which in 3-D costs more than the rest of the level from some thousand unknowns on. */
 constexpr unsigned int max_unknowns_of_automatic_inf_sup(const unsigned int dim)
 {
   return dim == 2 ? 100000 : 5000;
 }
 
-/** Whether the constant of Lemma 1 is asked for on a level of this size; on graded meshes only if
- * the user wants it. */
+/** Returns whether the constant of Lemma 1 is computed on a level of this size; on graded meshes
+ * only if the user sets it. */
 template <int dim>
 bool wants_inf_sup(const Parameters &parameters, const ContactState<dim> &contact)
 {
@@ -54,7 +54,7 @@ bool wants_inf_sup(const Parameters &parameters, const ContactState<dim> &contac
                                    contact.U.size() <= max_unknowns_of_automatic_inf_sup(dim));
 }
 
-/** The bound is asked for where the study may stop. */
+/** Returns whether the bound is computed: on levels where the study may stop. */
 bool wants_bound(const DiscretizationParameters &given, const unsigned int level)
 {
   if (given.strategy == Strategy::hp)
@@ -62,8 +62,8 @@ bool wants_bound(const DiscretizationParameters &given, const unsigned int level
   return level == given.finest_level || given.target_error > 0.;
 }
 
-/** Unknowns beyond which there is no bound: it takes more memory than V-cycles do, 0.6 kB for each
- * unknown, and more time than all the rest. */
+/** The largest number of unknowns for which the bound is computed: it takes more memory than
+ * V-cycles do, 0.6 kB for each unknown, and more time than all the rest. */
 constexpr unsigned long long max_bounded_unknowns = 10000000;
 
 template <int dim>
@@ -81,7 +81,7 @@ LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy st
           strategy};
 }
 
-/** Where plates are and what holds them there. */
+/** Returns the records of all plates: their motions, and the forces that hold them there. */
 template <int dim>
 std::vector<PlateRecord> plates_of(const DisplacementSpace<dim> &space,
                                    const Scene<dim> &scene,
@@ -103,8 +103,8 @@ std::vector<PlateRecord> plates_of(const DisplacementSpace<dim> &space,
   return plates;
 }
 
-/** The largest part of a force or moment on a free motion that nothing balances: the residual's
- * work on z_j against that of what drives the plates. */
+/** Returns the largest relative imbalance of a free motion: the work of the residual on z_j minus
+ * that of the forces on the plates. */
 template <int dim>
 double motion_balance(const std::vector<Plate> &plates,
                       const MotionModes<dim> &modes,
@@ -121,7 +121,8 @@ double motion_balance(const std::vector<Plate> &plates,
   return largest;
 }
 
-/** The energy is that of the problem with given forces: they lose what they do. */
+/** Subtracts the work of the forces on plates from the energy, which then is that of the problem
+ * with given forces. */
 void subtract_work_of_plates(LevelRecord &record)
 {
   double work = 0.;
@@ -135,13 +136,14 @@ void subtract_work_of_plates(LevelRecord &record)
   }
 }
 
-/** The estimate of the error. */
+/** Computes the estimate of the error. */
 template <int dim>
 ErrorEstimate estimate_of(const Discretization<dim> &discretization,
                           const Scene<dim> &scene,
                           const ContactState<dim> &contact)
 {
-  // None after V-cycles: each column of C would be a linear solve, and F is not known.
+  // After V-cycles there is no such problem: each column of C would be a linear solve, and F is not
+  // computed.
   DualProblem on_other_patches;
   if (contact.dual)
     on_other_patches = [&contact](const Coupling &D,
@@ -168,7 +170,7 @@ ErrorEstimate estimate_of(const Discretization<dim> &discretization,
   return estimate_error(discretization.space, scene, contact.U, correction, others);
 }
 
-/** The bound of the error of U and P, and where it comes from. */
+/** Computes the bound of the error of U and P, and its parts by cell. */
 LocatedBound bound_of(const Discretization<2> &discretization,
                       const Scene<2> &scene,
                       const ContactState<2> &contact,
@@ -193,7 +195,7 @@ LocatedBound bound_of(const Discretization<2> &discretization,
                                 energy});
 }
 
-/** Sizes, and how contact was found. */
+/** Returns a record with the sizes of the level and the summary of the contact solver. */
 template <int dim>
 LevelRecord begin_record(const Discretization<dim> &discretization,
                          const ContactState<dim> &contact,
@@ -211,7 +213,7 @@ LevelRecord begin_record(const Discretization<dim> &discretization,
   return record;
 }
 
-/** The certificate, and the answer, which needs the same nodal forces. */
+/** Adds the certificate, and the answer, which needs the same nodal forces. */
 template <int dim>
 void add_certificate_and_answer(const Discretization<dim> &discretization,
                                 const Scene<dim> &scene,
@@ -279,7 +281,7 @@ template Examination examine(const Parameters &,
                              const ContactState<3> &,
                              const Progress &);
 
-// What is known about a level when the exact solution is.
+// The errors against the exact solution.
 
 template <int dim>
 void add_errors(const Parameters &parameters,
@@ -332,7 +334,8 @@ template void add_errors(const Parameters &,
 
 namespace
 {
-/** Factors, C and the system matrix take most of the memory: what nobody asks for later goes. */
+/** Releases factors, C and the system matrix, which take most of the memory, where nothing needs
+ * them later. */
 template <int dim>
 void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &solution)
 {

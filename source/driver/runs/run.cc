@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One rank speaks.
+// The screen, to which only the first rank writes.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
@@ -46,7 +46,7 @@ Progress Screen::progress() const
     return [](const std::string &) {};
   const bool on_terminal = isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
   return [on_terminal](const std::string &text) {
-    // Files appear complete or not at all, level by level, which is what the sentence says.
+    // Each level writes its files completely or not at all, as the sentence states.
     if (!text.empty())
       describe_interruption("on " + text + "; the results of finished levels are complete.");
     if (on_terminal)
@@ -54,18 +54,19 @@ Progress Screen::progress() const
   };
 }
 
-// One scene, from its parameter file to an exit code.
+// The run of one scene, from its parameter file to an exit code.
 
 namespace
 {
-/** What goes wrong at a quadrature point knows its parameter, but not the file. */
+/** Returns the message with the name of the file in front, if it lacks that: errors at a quadrature
+ * point name the parameter only. */
 std::string name_file(const std::string &message, const std::string &file_name)
 {
   const bool named = message.rfind(file_name, 0) == 0 || message.rfind("--", 0) == 0;
   return named ? message : file_name + ": " + message;
 }
 
-/** Whether a file can be read here, and has another content than on the first rank. */
+/** Returns whether a file can be read here, and has another content than on the first rank. */
 bool differs(const std::string &file_name, const std::string &text)
 {
   try
@@ -78,7 +79,7 @@ bool differs(const std::string &file_name, const std::string &text)
   }
 }
 
-/** Without the comments in front, in which a run describes its scene. */
+/** Returns the text without the comments in front, in which a run describes its scene. */
 std::string without_description(const std::string &text)
 {
   std::size_t start = 0;
@@ -87,7 +88,8 @@ std::string without_description(const std::string &text)
   return start < text.size() ? text.substr(start) : "";
 }
 
-/** The files that results must not replace. The parameters of the same run may be. */
+/** Returns the files that results must not replace. The parameters of the same run may be replaced.
+ */
 std::vector<std::filesystem::path> inputs_of(const RunInput &input, const Parameters &parameters)
 {
   std::vector<std::filesystem::path> inputs = input.others;
@@ -119,7 +121,8 @@ RunSummary study_scene(const Parameters &parameters,
   return summary;
 }
 
-/** Ranks on several machines may see several files of one name, or none, which is refused later. */
+/** Refuses mesh files that differ between ranks on several machines. A missing file is refused
+ * later. @throws InputError */
 void refuse_other_mesh_files(const Given<std::string> &file, MPI_Comm communicator)
 {
   if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
@@ -140,7 +143,7 @@ void refuse_other_mesh_files(const Given<std::string> &file, MPI_Comm communicat
                      " than on the first rank, allowed: the same file for all ranks.");
 }
 
-/** As far as no InputError ends it. */
+/** Runs a scene. @throws InputError for wrong input. */
 RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &screen)
 {
   const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
@@ -175,7 +178,7 @@ RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &scre
   }
   catch (const InputError &error)
   {
-    // Wrong input leaves nothing behind.
+    // After wrong input no results remain.
     if (results)
       results->remove_if_empty();
     throw InputError(name_file(error.what(), parameters.file_name));
@@ -231,18 +234,18 @@ RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &scree
 {
   if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
     describe_interruption("before the first level.");
-  // Every rank has the same input and meets the same errors; see agree() for the rest.
+  // Every rank has the same input and throws the same errors; agree() ensures the rest.
   return tell_errors(screen, [&]() { return try_to_run(input, communicator, screen); });
 }
 
-// One scene for several values of its parameters.
+// The runs of one scene for several values of its parameters.
 
 namespace
 {
 constexpr std::size_t max_runs = 1000;
 constexpr const char *table_name = "sweep.csv";
 
-/** A value as the name of a directory: what could mislead a shell becomes '_'. */
+/** Returns a value as the name of a directory: characters that a shell interprets become '_'. */
 std::string as_file_name(const std::string &value)
 {
   constexpr std::size_t longest = 80;
@@ -260,7 +263,8 @@ std::string as_file_name(const std::string &value)
   return name;
 }
 
-/** A column of the table: its name in sweep.csv, its title on the screen, its column of a level. */
+/** A column of the table: its name in sweep.csv, its title on the screen, and its column of a
+ * level. */
 struct SweepColumn
 {
   const char *name;
@@ -282,7 +286,7 @@ std::optional<double> number(const RunSummary &run, const SweepColumn &column)
   return run.finest ? value(*run.finest, column.level_column) : std::nullopt;
 }
 
-/** A field of a CSV file: in quotation marks where it holds a comma. */
+/** Returns a field of a CSV file: in quotation marks if it contains a comma. */
 std::string csv_field(const std::string &text)
 {
   return text.find(',') == std::string::npos ? text : '"' + text + '"';
@@ -350,7 +354,7 @@ void print_sweep(std::ostream &screen,
   screen << std::flush;
 }
 
-/** The input of one run. */
+/** Returns the input of one run. */
 RunInput input_at(const RunInput &input, const std::vector<Sweep> &sweeps, const SweepPoint &point)
 {
   RunInput one = input;
@@ -443,7 +447,7 @@ RunSummary run_sweep(const RunInput &input,
     runs.push_back(run_scene(input_at(input, sweeps, point), communicator, screen));
     if (runs.size() == 1 || runs.back().exit_code > worst.exit_code)
       worst = runs.back();
-    // After every run: the table of a sweep that is interrupted holds what was finished.
+    // The table is written after every run: that of an interrupted sweep has all finished runs.
     const bool solved = std::any_of(
       runs.begin(), runs.end(), [](const RunSummary &run) { return run.finest.has_value(); });
     agree(communicator, [&]() {

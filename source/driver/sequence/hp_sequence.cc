@@ -24,7 +24,8 @@ struct HpStep
   Pressure P;
 };
 
-/** The mesh is graded to the places where data is singular, so that rules need not be. */
+/** Returns the scene with quadrature rules that are not graded: the mesh itself is graded to the
+ * places where data is singular. */
 Scene<2> without_graded_rules(Scene<2> scene)
 {
   scene.kinks = scene.kinks.without_ends();
@@ -42,8 +43,8 @@ void require_few(const DiscretizationParameters &given,
                      " unknowns, allowed: that many, or a smaller Coarsest level.");
 }
 
-/** The plan of the first mesh. @throws InputError where it is much too fine, which is found out
- * before it is made, and where the material hides between all points. */
+/** Returns the plan of the first mesh. @throws InputError if the mesh has too many unknowns, which
+ * is checked before it is made, or if the material changes between all points. */
 MeshPlan make_first_plan(const Scene<2> &scene, const DiscretizationParameters &given)
 {
   MeshPlan plan = first_plan(scene, given.coarsest_level, given.maximum_degree);
@@ -106,7 +107,7 @@ public:
     progress("errors");
     add_errors<2>(parameters, context_.scene, discretization, nullptr, solution);
     last_ = {next_, solution.U, solution.P};
-    // Where the contact solver did not end, there is no solution to plan a mesh from.
+    // Where the contact solver did not converge, there is no solution to plan a mesh from.
     result.is_last = !record.dual.converged || examination_.stagnates() ||
                      (context_.judge.reaches_target(record) && examination_.is_checked(findings)) ||
                      !plan_next(findings);
@@ -120,7 +121,7 @@ private:
     return std::make_shared<const Discretization<2>>(context_.parameters, scene_, plan_);
   }
 
-  /** @throws InputError if the first mesh has too many unknowns. */
+  /** Makes the first discretization. @throws InputError if it has too many unknowns. */
   std::shared_ptr<const Discretization<2>> make_first_discretization() const
   {
     auto first = make_discretization();
@@ -160,7 +161,7 @@ private:
   }
 
   StudyContext<2> context_;
-  /** For everything but the errors against an exact solution. */
+  /** The scene for everything but the errors against an exact solution. */
   Scene<2> scene_;
   StepExamination examination_;
   MeshPlan plan_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Nested levels, coarsest to finest, each started from the one before.
+// Nested levels from the coarsest to the finest. Each starts from the solution on the one before.
 
 #include <signorini/base/errors.h>
 #include <signorini/driver/sequence/sequence.h>
@@ -70,8 +70,9 @@ private:
                           dealii::Utilities::MPI::n_mpi_processes(context_.communicator));
   }
 
-  /** By V-cycles or by factors. Where V-cycles were chosen automatically and do not end, factors
-   * answer, on this level and on all that follow, and the records of these levels say so. */
+  /** Solves the level by V-cycles or by factors. Where V-cycles were chosen automatically and do
+   * not converge, factors are used on this level and on all that follow, and their records state
+   * the failure. */
   LevelSolution<dim> solve(const Discretization<dim> &discretization,
                            const ContactStart &start,
                            const Progress &progress)
@@ -95,14 +96,14 @@ private:
     }
     catch (const ComputationError &error)
     {
-      // The linear systems of the estimate do not end, either.
+      // The linear systems of the estimate may fail to converge, too.
       failure_of_cycles_ = name_of_next() + ": " + error.what();
     }
     problem.solvers = solvers_of(next_level_);
     return solve_with_choice();
   }
 
-  /** What the levels before leave to start from. */
+  /** Returns the start from the solution on the level before. */
   ContactStart start_for(const Discretization<dim> &discretization)
   {
     ContactStart start;
@@ -132,16 +133,16 @@ private:
   }
 
   StudyContext<dim> context_;
-  /** Before all that solvers_of() is asked for. */
+  /** The failure of V-cycles on an earlier level. It stands first because solvers_of() reads it. */
   std::optional<std::string> failure_of_cycles_;
   MemoryLimit<dim> memory_;
-  /** Null if it is not known. */
+  /** The exact pressure; null if it is not known. */
   std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
   unsigned int next_level_;
   PatchPressure<dim> pressure_;
-  /** Of the last level, where V-cycles find contact; else null. */
+  /** The displacement of the last level, if V-cycles find contact; else null. */
   std::unique_ptr<const CoarseDisplacement<dim>> displacement_;
-  /** Of the last level, see ContactStart. */
+  /** The scale and the estimated error of the last level, see ContactStart. */
   double scale_ = 0.;
   std::optional<double> relative_error_;
 };

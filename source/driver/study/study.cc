@@ -20,7 +20,7 @@
 
 namespace Signorini
 {
-/** Whether Strategy = hp solves such scenes: bodies in the plane, on one process. */
+/** Returns whether Strategy = hp solves such scenes: 2-D bodies, serial runs. */
 template <int dim>
 bool can_be_graded(const unsigned int n_ranks)
 {
@@ -28,18 +28,18 @@ bool can_be_graded(const unsigned int n_ranks)
 }
 
 /**
- * Refuses settings that contradict the scene or the number of ranks: a linear solver that does not
- * work on several, and a coarsest level with sides that end inside faces.
+ * Refuses settings that contradict the scene or the number of ranks: a linear solver that needs a
+ * serial run, and a coarsest level with sides that end inside faces.
  * @throws InputError
  */
 template <int dim>
 void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator);
 
-// What parameters, scene and ranks can contradict each other in, found before the first level.
+// Contradictions between parameters, scene and number of ranks, found before the first level.
 
 namespace
 {
-/** Both solvers know other names for several processes. */
+/** Refuses serial options of a solver on several ranks. @throws InputError */
 template <typename Option>
 void require_one_rank(const Given<Option> &solver,
                       const std::vector<Option> &serial_options,
@@ -67,7 +67,8 @@ void check_strategy(const Given<Strategy> &strategy, const unsigned int n_ranks)
                      " processes, allowed on several: " + to_text(Strategy::nested) + ".");
 }
 
-/** V-cycles for contact come with a linear solver of V-cycles, and know one load only. */
+/** Refuses V-cycles for contact with another linear solver, or with several loads.
+ * @throws InputError */
 template <int dim>
 void check_contact_solver(const Parameters &parameters, const Scene<dim> &scene)
 {
@@ -84,7 +85,8 @@ void check_contact_solver(const Parameters &parameters, const Scene<dim> &scene)
                      "' with load cases, allowed with them: psor, active set.");
 }
 
-/** Multigrid needs nested meshes, and has no matrix to write. */
+/** Refuses multigrid for meshes that are not nested, for Q2, and where a matrix is to be written.
+ * @throws InputError */
 template <typename Option>
 void check_multigrid(const Given<Option> &solver,
                      const std::string &name,
@@ -107,7 +109,8 @@ void check_multigrid(const Given<Option> &solver,
                      "', which assembles no matrix, allowed with it: false.");
 }
 
-/** Other scenes number their boundary on level 0. */
+/** Refuses a coarsest level on which sides end inside faces. Most scenes number their boundary on
+ * level 0. @throws InputError */
 void check_coarsest_level(const Given<unsigned int> &coarsest_level, const Geometry<2> &geometry)
 {
   if (!geometry.number_after_refinement)
@@ -142,11 +145,11 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_C
 template void check_settings(const Parameters &, const Scene<2> &, MPI_Comm);
 template void check_settings(const Parameters &, const Scene<3> &, MPI_Comm);
 
-// Level after level, until the sequence ends.
+// The loop over the levels, until the sequence ends.
 
 namespace
 {
-/** What a user reads after the last level, before the verdict. */
+/** Prints the tables after the last level, before the verdict. */
 void print_end(const std::vector<LevelRecord> &levels, const StudyReport &report)
 {
   if (levels.empty())
@@ -157,7 +160,7 @@ void print_end(const std::vector<LevelRecord> &levels, const StudyReport &report
   report.screen << "\n";
 }
 
-/** What refinement aims at: Target error, with hp 1e-3 where none is given. */
+/** Returns the target of refinement: Target error; with hp 1e-3 if none is given. */
 double target_error(const DiscretizationParameters &given)
 {
   constexpr double usual = 1e-3;
@@ -226,8 +229,8 @@ public:
   }
 
 private:
-  /** Solves one level and writes it, whose large objects live no longer than this call. @return
-   * whether it is the last. */
+  /** Solves one level and writes it. Its large objects are released at the end of this call.
+   * @return whether it is the last. */
   bool solve_next()
   {
     const Progress progress = [this, name = sequence_->name_of_next()](const std::string &stage) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The system (5) checked with integrals over the cells: nothing here uses A or its factors.
+// The check of the system (5) with integrals over the cells, without A or its factors.
 
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/estimate/certificate.h>
@@ -22,14 +22,14 @@ double relative(const double value, const double scale)
   return scale > 0. ? std::abs(value) / scale : std::abs(value);
 }
 
-/** |T^T r|_2 relative to the largest term of r. */
+/** Returns |Tᵀ r|₂ relative to the largest term of r. */
 template <int dim>
 double stationarity(const DisplacementSpace<dim> &space, const NodalForces &forces)
 {
   return relative(space.condense(forces.residual).l2_norm(), forces.scale());
 }
 
-/** The nodes whose degrees of freedom hold the body: number, position, component. */
+/** Returns the degrees of freedom that hold the body: number, position, component. */
 template <int dim>
 std::map<dealii::types::global_dof_index, std::pair<dealii::Point<dim>, unsigned int>>
 support_points(const DisplacementSpace<dim> &space)
@@ -54,7 +54,7 @@ support_points(const DisplacementSpace<dim> &space)
   return points;
 }
 
-/** Balance of forces and moments between reactions, loads and contact. */
+/** Computes the balance of forces and moments between reactions, loads and contact. */
 template <int dim>
 void balance(const DisplacementSpace<dim> &space,
              const Scene<dim> &scene,
@@ -88,7 +88,7 @@ void balance(const DisplacementSpace<dim> &space,
     relative(sum.moment_about(centre).norm(), scale * (scene.geometry.diameter() + centre.norm()));
 }
 
-/** The vertices of sides that hold the body, with how far U misses what is prescribed there. */
+/** Returns the largest error of U at the vertices of sides that hold the body. */
 template <int dim>
 double support_error(const DisplacementSpace<dim> &space,
                      const Scene<dim> &scene,
@@ -150,7 +150,7 @@ double support_error(const DisplacementSpace<dim> &space,
                   dealii::Utilities::MPI::max(scale, communicator));
 }
 
-/** U without the translation of the whole body, and how much that is. */
+/** The displacement V = U without the translation of the whole body, and the size of that. */
 struct Deformation
 {
   Displacement V;
@@ -158,7 +158,7 @@ struct Deformation
   double translation = 1.;
 };
 
-/** The component to which every degree of freedom belongs. */
+/** Returns the component of every degree of freedom. */
 template <int dim>
 std::vector<unsigned int> components_of(const DisplacementSpace<dim> &space)
 {
@@ -175,7 +175,7 @@ std::vector<unsigned int> components_of(const DisplacementSpace<dim> &space)
   return component;
 }
 
-/** The translation is the middle of the range of each component. */
+/** Computes U without the translation, which is the middle of the range of each component. */
 template <int dim>
 Deformation deformation(const DisplacementSpace<dim> &space, const Displacement &U)
 {
@@ -209,11 +209,11 @@ Deformation deformation(const DisplacementSpace<dim> &space, const Displacement 
   return result;
 }
 
-/** Contact may leave less of the displacement without contact than rounding does. A residual of
- * 1e-8 of this share of it is 50 times the unit roundoff. */
+/** The least share of the displacement without contact that counts as a scale: contact may leave
+ * less of it than rounding does. 1e-8 of this share is 50 times the unit roundoff. */
 constexpr double min_share_of_free_state = 1e-6;
 
-/** Signs, penetration and complementarity of P and W = D^T U - G. */
+/** Checks signs, penetration and complementarity of P and W = Dᵀ U - G. */
 template <int dim>
 void check_contact(const MultiplierSpace<dim> &multipliers,
                    const SolvedContact<dim> &solved,
@@ -243,7 +243,7 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
   certificate.complementarity = relative(solution.P * W, energy_scale);
   for (unsigned int tau = 0; tau < m; ++tau)
   {
-    // Measured as lengths, so that they are known to be small where all pressures vanish.
+    // Measured as lengths, so that they are small where all pressures vanish.
     const double pressed = solution.diagonal_P.size() == m ? solution.diagonal_P[tau] : 0.;
     const double small = 1e-6 * length_scale * measures[tau];
     if (std::abs(pressed) < small && std::abs(W[tau]) < small)
@@ -252,8 +252,9 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
 }
 
 /**
- * Without contact the body has the energy Pi(U_0). With V = U - U_0, primal: Pi(U) - Pi(U_0) =
- * a(V,V)/2 and a(V,V) = a(U,V) - f(V); dual: P^T F - P^T C P/2.
+ * Returns the relative duality gap. Energies are differences to Π(U_0) of the body without contact.
+ * With V = U - U_0 the primal one is Π(U) - Π(U_0) = a(V,V)/2, where a(V,V) = a(U,V) - f(V); the
+ * dual one is Pᵀ F - Pᵀ C P/2.
  */
 template <int dim>
 double duality_gap(const ContactState<dim> &contact,
@@ -268,8 +269,8 @@ double duality_gap(const ContactState<dim> &contact,
   return relative(primal - dual, std::max(energy_scale, std::abs(dual)));
 }
 
-/** Where nobody knows the body without contact: with r = f + D P - A U the gap is P.W + r.A^{-1}
- * r/2. */
+/** Returns the relative duality gap where the body without contact is not computed: with r = f + D
+ * P - A U it is Pᵀ W + ½ rᵀ A⁻¹ r. */
 template <int dim>
 double duality_gap(const SolvedContact<dim> &solved,
                    const CycleData &cycles,
@@ -325,7 +326,7 @@ Certificate certify(const DisplacementSpace<dim> &space,
     energy_scale = std::max(energy_scale,
                             min_share_of_free_state * std::abs(solution.P * solution.dual->free.F));
   check_contact(multipliers, solved, W, energy_scale, certificate);
-  // J of (22); [p, Bu - g] is P^T W.
+  // The energy J of (22); [p, Bu - g] is Pᵀ W.
   certificate.energy = strain_energy - work_of_loads - solution.P * W;
 
   if (solution.cycles)

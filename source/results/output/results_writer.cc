@@ -22,7 +22,7 @@ namespace Signorini
 {
 namespace
 {
-/** Every line behind "# ". */
+/** Returns the text with "# " before every line. */
 std::string commented(const std::string &text)
 {
   std::istringstream lines(text);
@@ -32,7 +32,7 @@ std::string commented(const std::string &text)
   return result;
 }
 
-/** The load cases with a solution as curves. */
+/** Returns the load cases with a solution as curves. */
 TravelCurve travel_curve(const std::vector<CaseResult> &cases)
 {
   TravelCurve curve;
@@ -86,7 +86,7 @@ void ResultsWriter::start_directory()
   write_on_first_rank([&]() { set_results_aside(directory_); });
   started_ = true;
   write_on_first_rank([&]() {
-    // What is left of attempts to write.
+    // Remove the rest of failed attempts to write.
     remove_files(directory_, is_name_of_result);
     write_certificate_of({}, judge_.unfinished({}));
     write_file(directory_ / parameters_name, [&](std::ostream &stream) {
@@ -231,7 +231,7 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   const std::vector<std::string> A =
     gather_texts(lower_triangle(system.matrix, system.unit), communicator_);
   const dealii::Vector<double> f(system.f);
-  // F = G - D^T A^{-1} f for unconstrained unknowns: prescribed displacements count as gap.
+  // F = G - Dᵀ A⁻¹ f for unconstrained unknowns: prescribed displacements count as gap.
   dealii::Vector<double> G = discretization.G;
   G -= discretization.D.transpose_product(space.complete(space.make_vector()));
   const dealii::FullMatrix<double> C =
@@ -273,8 +273,8 @@ void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,
     return;
   start_directory();
   write_on_first_rank([&]() {
-    // The disk may fill up in between. Then the certificate must not promise more than the table
-    // holds; the reason why a study is not certified must not get lost.
+    // The disk may fill up in between. Then the certificate must not claim more than the table
+    // contains; the reason why a study is not certified must not get lost.
     if (verdict.reason.empty())
       write_convergence_of(levels);
     write_certificate_of(levels, verdict);
@@ -326,8 +326,8 @@ void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,
   }
   catch (const WritingError &)
   {
-    // The first failure is the one to be told. A full disk may not even take the certificate: then
-    // it still says "unfinished".
+    // The first failure is reported. On a full disk even the certificate may fail: then its outcome
+    // remains "unfinished".
   }
 }
 
@@ -343,7 +343,7 @@ void ResultsWriter::abandon()
   }
   catch (const WritingError &)
   {
-    // The InputError is what the user has to hear of.
+    // The InputError is reported instead.
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What a user reads before and after the table.
+// The texts on the screen before and after the table.
 
 #include <signorini/base/text.h>
 #include <signorini/results/output/screen.h>
@@ -12,7 +12,7 @@ namespace Signorini
 {
 namespace
 {
-/** "clamped top; contact bottom; ..." in the order of the roles. */
+/** Returns "clamped top; contact bottom; ..." in the order of the roles. */
 template <int dim>
 std::string describe_boundary(const Scene<dim> &scene)
 {
@@ -51,10 +51,11 @@ std::string describe_partition(const DiscretizationParameters &given)
   return "H = " + std::to_string(given.patch_ratio) + " h";
 }
 
-/** Less is where stresses are singular, or under a contact zone that is small. */
+/** The largest share of strongly strained material without a warning. Near singular stresses, or
+ * under a small contact zone, the share is smaller. */
 constexpr double tolerated_strained_share = 0.01;
 
-/** Which meshes follow one another. */
+/** Returns a description of the sequence of meshes. */
 std::string describe_meshes(const Parameters &parameters, const Judge &judge)
 {
   const DiscretizationParameters &given = parameters.discretization;
@@ -126,7 +127,7 @@ void print_verdict(const std::vector<LevelRecord> &levels,
              << ".\n";
   }
   const double strained = levels.empty() ? 0. : levels.back().answer.von_mises.strained_share;
-  // Who knows the exact solution asks about the linear equations.
+  // A scene with an exact solution is a test of the linear equations.
   if (strained > tolerated_strained_share && !levels.back().displacement_errors &&
       !levels.back().pressure_errors)
     screen << "Warning: " << std::round(100. * strained)

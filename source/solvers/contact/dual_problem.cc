@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// C as a matrix, and parts of C.
+// The compliance C as a matrix, and parts of C.
 
 #include <signorini/solvers/contact/dual_problem.h>
 
@@ -85,7 +85,7 @@ Matrix submatrix(const ComplianceOperator &C, const Indices &numbers)
   return part;
 }
 
-// min 1/2 P^T C P - P^T F over P in K: the problem, and the residual that judges every solver.
+// The problem min ½ Pᵀ C P - Pᵀ F over P in K, and the residual by which every solver is judged.
 
 BoundConstrainedQP::BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C_,
                                        Vector F_,
@@ -171,7 +171,7 @@ bool BoundConstrainedQP::has_unique_solution(const Vector &P) const
   {
     return false;
   }
-  // What is left of a diagonal entry when all before it are eliminated.
+  // The pivots: L_ii² is what elimination leaves of a diagonal entry.
   constexpr double rounding = 1e-12;
   for (unsigned int i = 0; i < n; ++i)
     if (!(L(i, i) * L(i, i) > rounding * C_TT(i, i)))

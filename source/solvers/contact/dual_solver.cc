@@ -76,7 +76,7 @@ QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
   return solve(BoundConstrainedQP(C, F, AdmissibleSet::nonpositive(F.size())), start);
 }
 
-// The dual problem on the patches that can touch.
+// The dual problem on a growing set of patches.
 
 namespace
 {
@@ -91,7 +91,7 @@ Vector restrict_to(const Indices &K, const Vector &v)
   return part;
 }
 
-/** The indices outside of K that @p is_wanted chooses. */
+/** Returns the indices outside of K that satisfy @p is_wanted. */
 template <typename Predicate>
 Indices find_outside(const Indices &K, const unsigned int m, const Predicate &is_wanted)
 {
@@ -141,11 +141,11 @@ QPResult solve_on_growing_set(const ComplianceOperator &C,
   return whole;
 }
 
-// Primal-dual active set with a finite fallback.
+// The primal-dual active set method with a finite fallback.
 
 namespace
 {
-/** Where an unknown stands: at the lower end of its interval, inside, or at the upper end. */
+/** The state of an unknown: at the lower end of its interval, inside, or at the upper end. */
 enum class State : char
 {
   lower,
@@ -168,7 +168,8 @@ States states_of(const AdmissibleSet &K, const Vector &P)
   return states;
 }
 
-/** C_AA P_A = F_A - C_AI e_I, P_I = e_I. @throws if C_AA is not positive definite. */
+/** Solves C_AA P_A = F_A - C_AI e_I, P_I = e_I. @throws dealii::ExceptionBase if C_AA is not
+ * positive definite. */
 Vector solve_on_set(const BoundConstrainedQP &qp, const States &states)
 {
   std::vector<unsigned int> A;
@@ -194,8 +195,8 @@ Vector solve_on_set(const BoundConstrainedQP &qp, const States &states)
   return P;
 }
 
-/** The states predicted by the solution for @p states: inside, W vanishes, elsewhere P is an end.
- */
+/** Returns the states that the solution P for @p states predicts. In P, W vanishes inside of the
+ * intervals. */
 States improve(const BoundConstrainedQP &qp, const States &states, const Vector &P)
 {
   const Vector W = qp.gradient(P);
@@ -208,7 +209,7 @@ States improve(const BoundConstrainedQP &qp, const States &states, const Vector 
   return next;
 }
 
-/** Moves the lowest unknown on which the states differ. */
+/** Changes the state of the first unknown for which the states differ. */
 States exchange_lowest(const States &states, const States &wanted)
 {
   States next = states;
@@ -221,7 +222,7 @@ States exchange_lowest(const States &states, const States &wanted)
   return next;
 }
 
-/** A residual that a solve with C_AA leaves. */
+/** Returns the residual that rounding leaves after a solve with C_AA. */
 double rounding_level(const BoundConstrainedQP &qp)
 {
   return (qp.size() + 10) * std::numeric_limits<double>::epsilon();
@@ -242,8 +243,8 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp,
     visited.insert(states);
     result.P = solve_on_set(qp, states);
     const States wanted = improve(qp, states, result.P);
-    // Where P and W vanish together, rounding chooses the set anew each time: the answer is found
-    // all the same.
+    // Where P and W vanish together, rounding changes the set each time, although P is the
+    // solution.
     Vector projected = result.P;
     qp.K.project(projected);
     const double residual = qp.kkt_residual(projected);

@@ -49,7 +49,7 @@ QPResult solve_by_psor(const BoundConstrainedQP &qp,
     {
       if (result.increment_iterations == 0)
         result.increment_iterations = result.iterations;
-      // The increments fall like rho^k: what is left is about increment rho/(1 - rho).
+      // The increments fall like ρ^k: the error is about increment ρ/(1 - ρ).
       const double rho = last_increment > 0. ? increment / last_increment : 0.;
       const bool crawling = rho < 1. && increment * rho > 50. * (1. - rho) * small;
       result.kkt_residual = qp.kkt_residual(result.P);
@@ -62,13 +62,14 @@ QPResult solve_by_psor(const BoundConstrainedQP &qp,
   return result;
 }
 
-// Modified proportioning with reduced gradient projections.
+// MPRGP: modified proportioning with reduced gradient projections.
 
 namespace
 {
 using Vector = dealii::Vector<double>;
 
-/** 1.05 times what the power method finds; the iteration is allowed up to 2/|C|. */
+/** Returns 1.05 times the norm |C| that the power method finds. Steps of a length below 2/|C| are
+ * allowed. */
 double norm_of(const ComplianceOperator &C, unsigned int &products)
 {
   constexpr unsigned int steps = 10;
@@ -86,7 +87,7 @@ double norm_of(const ComplianceOperator &C, unsigned int &products)
   return 1.05 * norm;
 }
 
-/** P with its gradient, and how the next step is taken. */
+/** The iteration: P with its gradient, and the next step. */
 class Mprgp
 {
 public:
@@ -126,7 +127,7 @@ private:
     return qp_.C->apply(v);
   }
 
-  /** The gradient anew, and the first direction. */
+  /** Computes the gradient anew, and the first direction. */
   void restart()
   {
     W_ = times_C(P_);
@@ -134,7 +135,7 @@ private:
     direction_ = preconditioned();
   }
 
-  /** BoundConstrainedQP::kkt_residual with the gradient that is known. */
+  /** Returns BoundConstrainedQP::kkt_residual from the stored gradient. */
   double residual() const
   {
     double sum = 0., size_of_P = 0., size_of_F = 0.;
@@ -149,7 +150,7 @@ private:
     return std::sqrt(scale > 0. ? sum / scale : sum);
   }
 
-  /** W_i, as far as a step of the fixed length along it stays in K. */
+  /** Returns W_i, reduced so that a step of the fixed length along it stays in K. */
   double reduced(const unsigned int i) const
   {
     return std::max((P_[i] - qp_.K[i].upper) / length_,
@@ -168,7 +169,8 @@ private:
     return feasible;
   }
 
-  /** |beta|² <= reduced phi . phi: what bounds hold back is no more than what is free. */
+  /** Returns whether |β|² is at most φ̃·φ, with the chopped gradient β of the active set and the
+   * free gradient φ, reduced φ̃. */
   bool is_proportional() const
   {
     double held = 0., free = 0.;
@@ -180,7 +182,7 @@ private:
     return held <= free;
   }
 
-  /** z = M^{-1} W on the free set, zero elsewhere. */
+  /** Returns z = M⁻¹ W on the free set, zero elsewhere. */
   Vector preconditioned() const
   {
     std::vector<unsigned int> set;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Which method finds contact.
+// The choice of the method that finds contact, and the memory that it needs.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
@@ -20,13 +20,13 @@ namespace Signorini
 {
 namespace
 {
-/** Unknowns from which V-cycles are faster than a factorisation. */
+/** Returns the number of unknowns from which V-cycles are faster than a factorisation. */
 constexpr double min_unknowns_of_cycles(const unsigned int dim)
 {
   return dim == 2 ? 1e5 : 5e3;
 }
 
-/** Whether nothing but the size speaks against V-cycles. */
+/** Returns whether V-cycles can find contact, whatever the number of unknowns. */
 template <int dim>
 bool may_iterate(const Parameters &parameters, const Scene<dim> &scene, const unsigned int n_ranks)
 {
@@ -100,13 +100,14 @@ template std::unique_ptr<ContactMethod<3>> make_contact_method(const Parameters 
                                                                const Scene<3> &,
                                                                const SolverChoice &);
 
-// What fits into memory.
+// The memory that a level needs.
 
 namespace
 {
-/** Mesh, matrix and factor took 3.5 kB per cell for 2^16 cells of a square, 4.1 kB for 2^18 and
- * 4.4 kB for 2^20 (condensed; Amesos MUMPS takes more): the factor grows like n log n. In space it
- * grows like n^{4/3}: 50 kB per cell for 2^15 cells of a cube. */
+/** Returns a low estimate of the bytes of mesh, matrix and factor. They took 3.5 kB per cell for
+ * 2^16 cells of a square, 4.1 kB for 2^18 and 4.4 kB for 2^20 (condensed; Amesos MUMPS takes more):
+ * the factor grows like n log n. In 3-D it grows like n^{4/3}: 50 kB per cell for 2^15 cells of a
+ * cube. */
 template <int dim>
 double sparse_bytes(const double cells)
 {
@@ -115,28 +116,29 @@ double sparse_bytes(const double cells)
   return cells * (4e3 + 900. * std::cbrt(cells));
 }
 
-/** Without a factor, mesh, unknowns and vectors took 0.75 kB per cell of a square (4096²) and
- * 1.2 kB per cell of a cube (64³). */
+/** Returns a low estimate of the bytes of mesh, unknowns and vectors. They took 0.75 kB per cell of
+ * a square (4096²) and 1.2 kB per cell of a cube (64³). */
 template <int dim>
 double bytes_without_factor(const double cells)
 {
   return cells * (dim == 2 ? 700. : 1000.);
 }
 
-/** C, its copy and its factor; condensed also the factor of S, of order @p unknowns, and W. */
+/** Returns the bytes of C, its copy and its factor; with the condensed solver also those of the
+ * factor of S, of order @p unknowns, and of W. */
 double dense_bytes(const double patches, const double unknowns, const bool condensed)
 {
   return sizeof(double) *
          (3. * patches * patches + (condensed ? unknowns * (unknowns + patches) : 0.));
 }
 
-/** The finest level, or with a target error, that may be reached before, the coarsest. */
+/** Returns the finest level; with a target error, which may be reached earlier, the coarsest. */
 unsigned int judged_level(const DiscretizationParameters &given)
 {
   return given.target_error > 0. ? given.coarsest_level : given.finest_level;
 }
 
-/** The number in a file, or infinity: "max" stands for no limit. */
+/** Returns the number in a file, or infinity: "max" stands for no limit. */
 double read_limit(const char *file_name)
 {
   std::ifstream file(file_name);
@@ -151,14 +153,14 @@ double available_bytes()
   rlimit address_space = {};
   if (getrlimit(RLIMIT_AS, &address_space) == 0 && address_space.rlim_cur != RLIM_INFINITY)
     available = std::min(available, static_cast<double>(address_space.rlim_cur));
-  // As a container sees its own group, version 2 and 1.
+  // The files of the container's own control group, version 2 and 1.
   for (const char *file :
        {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"})
     available = std::min(available, read_limit(file));
   return available;
 }
 
-/** How much of the boundary may touch. */
+/** Returns the share of the boundary length that may touch. */
 double share_of_contact(const Scene<2> &scene)
 {
   double length = 0., contact_length = 0.;

@@ -14,26 +14,26 @@ namespace Signorini
 {
 namespace
 {
-/** t grows a little from level to level. */
+/** The factor by which the scale t is expected to grow from level to level. */
 constexpr double growth_of_scale = 1.05;
-/** Of the error of the discretisation. */
+/** The share of the error of the discretisation that the algebraic error may have. */
 constexpr double share_of_discretisation_error = 0.1;
-/** Where MINRES needs more than that, a factorisation is the better choice. */
+/** The largest number of cycles. Where MINRES needs more, a factorisation is the better choice. */
 constexpr unsigned int max_cycles = 1000;
-/** Between the tolerances of stationarity and of the KKT residual. */
+/** The ratio of the tolerance of stationarity to that of the KKT residual. */
 constexpr double stationarity_per_tolerance = 10.;
-/** How exactly the linear systems behind the estimate of the error are solved. */
+/** The tolerance of the linear systems that the estimate of the error needs. */
 constexpr double tolerance_of_estimates = 1e-4;
 
 using Vector = dealii::Vector<double>;
 
-/** Returns the entries as V-cycles take them: all are on this rank. */
+/** Returns a serial vector of the entries, as V-cycles need it. */
 Vector serial(const DualVector &entries)
 {
   return Vector(entries.begin(), entries.end());
 }
 
-/** Returns nodal values without those of constrained rows; zero where there are none. */
+/** Returns the nodal values with zero in constrained rows; the zero vector if U is empty. */
 template <int dim>
 Vector free_part(const DisplacementSpace<dim> &space, const Displacement &U)
 {
@@ -146,9 +146,9 @@ private:
   }
 
   /**
-   * The algebraic error that does not matter beside that of the discretisation, relative in the
-   * energy norm. u_h has about half the error of the level before, and pi^{2h} u_h, which gains an
-   * order where the solution is smooth, not less than the square of that.
+   * Returns the relative algebraic error in the energy norm that is negligible beside the error of
+   * the discretisation. u_h has about half the error of the level before, and π^{2h}u_h, which
+   * gains an order where the solution is smooth, not less than the square of that.
    */
   double energy_tolerance(const ContactStart &start) const
   {

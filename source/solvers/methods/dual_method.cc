@@ -18,9 +18,10 @@
 namespace Signorini
 {
 /**
- * Tells which motion of the body nothing stops. Constants of patches carry forces between the
- * middles of patches only: where pressures at points of the contact boundary would balance the
- * loads, the mesh is too coarse, and the message says that. @param v MotionResult::escape.
+ * Refuses a motion of the body that nothing stops. Piecewise constant pressures carry forces
+ * between the middles of patches only: where pressures at points of the contact boundary would
+ * balance the loads, the mesh is too coarse, and the message says that.
+ * @param v MotionResult::escape.
  * @throws InputError always.
  */
 [[noreturn]] void refuse_escape(const Parameters &parameters,
@@ -29,21 +30,21 @@ namespace Signorini
                                 const FreeMotions &motions,
                                 const dealii::Vector<double> &v);
 
-/** Tells that loads drive a motion along which contact sides slide. @throws InputError always. */
+/** Refuses loads that drive a motion along which contact sides slide. @throws InputError always. */
 [[noreturn]] void refuse_sliding(const Parameters &parameters, const RigidMotion &motion);
 
-/** Tells which motion of the body is left free by the patches that press, where no load decides it
- * and only a negative gap presses. @throws InputError if there is such a motion. */
+/** Refuses a motion of the body that the pressing patches leave free, where all loads are zero and
+ * only a negative gap presses. @throws InputError if there is such a motion. */
 void refuse_undetermined(const Parameters &parameters,
                          const MotionModes<2> &modes,
                          const FreeMotions &motions,
                          const dealii::Vector<double> &P);
 
-// Why contact cannot hold a body.
+// The reasons why contact cannot hold a body.
 
 namespace
 {
-/** z_j.n at the ends of all pieces of the contact boundary. */
+/** Returns z_j·n at the ends of all pieces of the contact boundary. */
 dealii::FullMatrix<double> closing_of_points(const Discretization<2> &discretization,
                                              const MotionModes<2> &modes)
 {
@@ -66,7 +67,7 @@ dealii::FullMatrix<double> closing_of_points(const Discretization<2> &discretiza
   return closing;
 }
 
-/** Of K; one without resistance. */
+/** Returns the largest diagonal entry of K; one if K has no positive entry. */
 double typical_stiffness(const FreeMotions &motions)
 {
   double stiffness = 0.;
@@ -75,7 +76,7 @@ double typical_stiffness(const FreeMotions &motions)
   return stiffness > 0. ? stiffness : 1.;
 }
 
-/** Whether forces at points of the contact boundary balance the loads. */
+/** Returns whether forces at points of the contact boundary can balance the loads. */
 bool points_balance(const Discretization<2> &discretization,
                     const MotionModes<2> &modes,
                     const FreeMotions &motions)
@@ -136,7 +137,7 @@ void refuse_escape(const Parameters &parameters,
                    "it.");
 }
 
-// Contact by the dual problem: A, its inverse, F and C = D^T A^{-1} D, P and q, then U.
+// Contact by the dual problem: A, its inverse, F and C = Dᵀ A⁻¹ D, P and q, then U.
 
 namespace
 {
@@ -156,7 +157,7 @@ DualSolve summary_of(const QPResult &result, const ContactSolver method)
   return summary;
 }
 
-/** Tells the user of every twentieth part of the columns of C. */
+/** Returns a callback that reports every twentieth part of the columns of C. */
 ColumnProgress column_progress(const Progress &progress, const unsigned int n_columns)
 {
   const unsigned int every = std::max(1U, n_columns / 20);
@@ -206,7 +207,7 @@ public:
   }
 
 private:
-  /** A, f and A^{-1}. */
+  /** Computes A, f and A⁻¹. */
   void factorise_stiffness(const Discretization<dim> &discretization,
                            const Progress &progress,
                            ContactState<dim> &state) const
@@ -229,8 +230,8 @@ private:
     });
   }
 
-  /** F, and what moves freely. @throws InputError if loads drive a motion that contact does not
-   * see. */
+  /** Computes F and the free motions. @throws InputError if loads drive a motion that no
+   * contact resists. */
   void find_free_state(const Discretization<dim> &discretization, ContactState<dim> &state) const
   {
     const StageTimer timer(state.times.compliance);
@@ -255,7 +256,7 @@ private:
       state.undetermined.push_back(motion.rigid->name());
   }
 
-  /** C, by products only where MPRGP meets a solver without factors. */
+  /** Makes C; only its products where MPRGP is used with a solver without factors. */
   void form_compliance(const Discretization<dim> &discretization,
                        const Progress &progress,
                        ContactState<dim> &state) const
@@ -270,7 +271,7 @@ private:
         *state.inverse, D, state.times.compliance, column_progress(progress, D.n_columns()));
   }
 
-  /** P, and q where motions are free. */
+  /** Computes P, and q where motions are free. */
   void find_pressure(const Discretization<dim> &discretization,
                      const Vector &start,
                      ContactState<dim> &state) const
@@ -301,7 +302,7 @@ private:
     state.diagonal_P = effect_on_itself(*dual.C, state.P);
   }
 
-  /** U = A^{-1}(f + D P) + Z q. */
+  /** Computes U = A⁻¹(f + D P) + Z q. */
   void recover(const Discretization<dim> &discretization, ContactState<dim> &state) const
   {
     const StageTimer timer(state.times.recovery);
@@ -312,9 +313,9 @@ private:
   }
 
   /**
-   * Openings by U and by C differ where rounding has spoilt C: D^T U - G is C P + B q - F + r. Then
-   * F - r takes the place of F, up to three times. Only what rounding has done is corrected:
-   * without it r is zero, however P was found.
+   * Corrects the effect of rounding on C, by which the openings from U and from C differ: Dᵀ U - G
+   * is C P + B q - F + r. F - r takes the place of F, up to three times. Without rounding r is
+   * zero, however P was found.
    */
   void correct_rounding(const Discretization<dim> &discretization, ContactState<dim> &state) const
   {
@@ -341,7 +342,7 @@ private:
     state.dual->F = F;
   }
 
-  /** What the tolerance leaves, in the energy norm. */
+  /** Returns the estimated algebraic error in the energy norm. */
   double algebraic_part(const Discretization<dim> &discretization,
                         const ContactState<dim> &state) const
   {
@@ -358,7 +359,7 @@ private:
     return algebraic_error(K, state.P, W, diagonal_times(C, counted));
   }
 
-  /** Makes q part of what is prescribed: U_0 + Z q is the body without contact then. */
+  /** Adds the free motions to the free state: U_0 + Z q is then the body without contact. */
   void prescribe_motions(ContactState<dim> &state) const
   {
     if (state.modes.size() == 0)
@@ -369,7 +370,7 @@ private:
     state.dual->free.F -= B_q;
   }
 
-  /** C^ for MPRGP; null for other methods, and for other multipliers than constants. */
+  /** Returns Ĉ for MPRGP; null for other methods, and for multipliers that are not constants. */
   std::shared_ptr<const BoundaryModel>
   boundary_model(const Discretization<dim> &discretization) const
   {
@@ -395,7 +396,7 @@ private:
     return options;
   }
 
-  /** C_kk P_k. */
+  /** Returns C_kk P_k for all k. */
   Vector effect_on_itself(const ComplianceOperator &C, const Vector &P) const
   {
     if (choice_.contact != ContactSolver::mprgp)

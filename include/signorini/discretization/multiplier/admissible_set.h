@@ -19,10 +19,10 @@ struct Interval
 /**
  * The closed convex set K of multipliers among which the dual problem seeks P: a product of
  * intervals, one per unknown. Each patch has c unknowns, which stand one after the other. Contact
- * without friction has c = 1 and K = {P <= 0}. A tangential unknown with a friction bound s has the
+ * without friction has c = 1 and K = {P ≤ 0}. A tangential unknown with a friction bound s has the
  * interval from -s to s.
  *
- * P in K solves the dual problem if W = C P - F lies in the dual cone of K at P: W.(Q - P) >= 0 for
+ * P in K solves the dual problem if W = C P - F lies in the dual cone of K at P: Wᵀ(Q - P) ≥ 0 for
  * all Q in K. That is P = projection of P - W/c onto K for any c > 0, which residual() measures.
  */
 class AdmissibleSet
@@ -30,18 +30,18 @@ class AdmissibleSet
 public:
   using Vector = dealii::Vector<double>;
 
-  /** The same c intervals for every patch. */
+  /** Makes the set with the same c intervals for every patch. */
   AdmissibleSet(const unsigned int n_patches, const std::vector<Interval> &components)
   {
     for (unsigned int k = 0; k < n_patches; ++k)
       intervals_.insert(intervals_.end(), components.begin(), components.end());
   }
-  /** One interval per unknown. */
+  /** Makes the set with one interval per unknown. */
   explicit AdmissibleSet(std::vector<Interval> intervals)
     : intervals_(std::move(intervals))
   {
   }
-  /** {P <= 0} for n unknowns. */
+  /** Returns {P ≤ 0} for n unknowns. */
   static AdmissibleSet nonpositive(const unsigned int n)
   {
     return AdmissibleSet(n, {Interval()});
@@ -55,7 +55,7 @@ public:
   {
     return intervals_[i];
   }
-  /** The admissible number that is closest to p, for unknown i. */
+  /** Returns the admissible number that is closest to p, for unknown i. */
   double project(const unsigned int i, const double p) const
   {
     return std::max(intervals_[i].lower, std::min(intervals_[i].upper, p));
@@ -65,26 +65,27 @@ public:
     for (unsigned int i = 0; i < size(); ++i)
       P[i] = project(i, P[i]);
   }
-  /** Whether p is no end of the interval, so that W_i must vanish: a pressing patch, a sticking
-   * one. */
+  /** Returns whether p lies inside of the interval, so that W_i must vanish: a pressing or a
+   * sticking patch. */
   bool is_inside(const unsigned int i, const double p) const
   {
     return intervals_[i].lower < p && p < intervals_[i].upper;
   }
-  /** p - projection of p - step; for step = W_i/c_i it vanishes at the solution and nowhere else.
-   */
+  /** Returns p - projection of p - step; for step = W_i/c_i it vanishes at the solution and nowhere
+   * else. */
   double residual(const unsigned int i, const double p, const double step) const
   {
     return p - project(i, p - step);
   }
-  /** What of W_i would move p into K: all of it inside, the part that points inside at an end. */
+  /** Returns the part of W_i that moves p within K: all of it inside; at an end the part whose step
+   * points inside. */
   double inward(const unsigned int i, const double p, const double w) const
   {
     if (is_inside(i, p))
       return w;
     return p >= intervals_[i].upper ? std::max(w, 0.) : std::min(w, 0.);
   }
-  /** The set for the unknowns with these numbers. */
+  /** Returns the set for the unknowns with these numbers. */
   AdmissibleSet restrict_to(const std::vector<unsigned int> &numbers) const
   {
     std::vector<Interval> part;

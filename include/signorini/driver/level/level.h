@@ -7,7 +7,7 @@
 
 namespace Signorini
 {
-/** A scene and how it is solved on a level. */
+/** A scene, and the solvers of a level. */
 template <int dim>
 struct LevelProblem
 {
@@ -17,7 +17,7 @@ struct LevelProblem
 };
 
 /**
- * Solves (5) on one level and examines the solution: contact by the method of the choice, the
+ * Solves (5) on one level and examines the solution: contact by the chosen method, the
  * certificate, the answer, the estimate and the bound of the error. Collective.
  */
 template <int dim>
@@ -27,7 +27,7 @@ LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
                                const Progress &progress);
 
 /**
- * Adds the errors against the exact solution, as far as it is known. Collective.
+ * Adds the errors against the exact solution, as far as the scene has one. Collective.
  * @param pressure the exact pressure for the dual norms; null if it is not known, or if they are
  * not wanted.
  */

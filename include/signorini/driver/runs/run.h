@@ -14,18 +14,18 @@
 
 namespace Signorini
 {
-/** What a user reads: printed by the first rank, swallowed on the others. */
+/** The output for the user: the first rank prints it, the others discard it. */
 class Screen
 {
 public:
   explicit Screen(MPI_Comm communicator);
 
-  /** The standard output. */
+  /** Returns the standard output; on other ranks a stream that discards everything. */
   std::ostream &out();
-  /** One line on stderr. */
+  /** Prints one line on stderr. */
   void complain(const std::string &sentence) const;
-  /** What is being done: one line on a terminal that is overwritten, nothing in a log; and what is
-   * said if the run is interrupted. */
+  /** Returns a callback that shows the current stage: in one line of a terminal that is
+   * overwritten, never in a log. It also sets the message of an interruption. */
   Progress progress() const;
 
 private:
@@ -36,22 +36,23 @@ private:
 /** A parameter file with what the command line adds to it. */
 struct RunInput
 {
-  /** As given, and as messages speak of it. */
+  /** The name of the file as given, and as messages show it. */
   std::string file_name, name;
   /** The content of the file. */
   std::string text;
-  /** "Subsection/Parameter=value". */
+  /** Assignments "Subsection/Parameter=value" that replace values of the file. */
   std::vector<std::string> overrides;
-  /** Where results go. */
+  /** The directory of the results. */
   std::filesystem::path directory;
-  /** Further files that will be read, after this run; its results must not replace them. */
+  /** Further files that are read after this run; its results must not replace them. */
   std::vector<std::filesystem::path> others;
 };
 
-/** How a run ended. */
+/** The end of a run. */
 struct RunSummary
 {
-  /** 0: certified, 1: wrong input, 2: not certified, 3: results could not be written. */
+  /** The exit code. 0: certified, 1: wrong input, 2: not certified, 3: results could not be
+   * written. */
   int exit_code = 0;
   /** The verdict in one or two words. */
   std::string verdict;
@@ -60,8 +61,8 @@ struct RunSummary
 };
 
 /**
- * Reads a parameter file on the first rank, for all of them. Ranks that see another text under this
- * name are named on the screen. Collective. @throws InputError
+ * Reads a parameter file on the first rank, for all ranks. The screen names the ranks on which the
+ * file has another text. Collective. @throws InputError
  */
 RunInput read_input(const std::string &file_name,
                     const std::vector<std::string> &overrides,
@@ -69,17 +70,18 @@ RunInput read_input(const std::string &file_name,
                     MPI_Comm communicator,
                     const Screen &screen);
 
-/** run(), with an InputError, a ComputationError or a WritingError told on the screen and turned
- * into the summary of a run that it has ended. */
+/** Calls run(). An InputError, a ComputationError or a WritingError is printed on the screen, and
+ * the summary of the run that it ended is returned. */
 RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &run);
 
-/** From parameters to results: one scene. What goes wrong is told on the screen. Collective. */
+/** Runs one scene from its parameters to the results. Errors are printed on the screen. Collective.
+ */
 RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen);
 
-/** A parameter with the values that it takes one after the other. */
+/** A parameter, and the values that it takes one after the other. */
 struct Sweep
 {
-  /** "Subsection/Parameter" or "Constants/NAME". */
+  /** The name of the parameter, "Subsection/Parameter" or "Constants/NAME". */
   std::string parameter;
   std::vector<std::string> values;
 };
@@ -95,8 +97,8 @@ struct SweepPoint
   std::string folder;
 };
 
-/** All combinations, the last sweep varying fastest. @throws InputError if there are too many, or
- * two of them have the same name. */
+/** Returns all combinations; the last sweep varies fastest. @throws InputError if there are too
+ * many, or two of them have the same name. */
 std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps);
 
 /**

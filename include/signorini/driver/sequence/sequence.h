@@ -11,7 +11,7 @@
 
 namespace Signorini
 {
-/** What the levels of a study have in common. */
+/** The data that all levels of a study share. */
 template <int dim>
 struct StudyContext
 {
@@ -28,24 +28,26 @@ class Sequence
 public:
   virtual ~Sequence() = default;
 
-  /** For the user to watch: "level 3". */
+  /** Returns the name of the next level for the user to watch: "level 3". */
   virtual std::string name_of_next() const = 0;
-  /** The scene as this sequence integrates it. */
+  /** Returns the scene as this sequence integrates it. */
   virtual const Scene<dim> &scene() const = 0;
   /** Solves on the next mesh. The result shares its large objects with the sequence until the next
    * call at most. @throws ComputationError */
   virtual LevelResult<dim> solve_next(const Progress &progress) = 0;
 };
 
-/** T^h, T^{h/2}, ... from Coarsest level to Finest level, or until the target error is reached.
+/** Makes the sequence T^h, T^{h/2}, ... from Coarsest level to Finest level, or until the target
+ * error is reached.
  * @throws InputError for levels that cannot fit into memory. */
 template <int dim>
 std::unique_ptr<Sequence<dim>> make_nested_sequence(const StudyContext<dim> &context);
 
-/** Graded meshes until the target error is reached, or the next one has too many unknowns. */
+/** Makes a sequence of graded meshes, which ends when the target error is reached or the next mesh
+ * has too many unknowns. */
 std::unique_ptr<Sequence<2>> make_hp_sequence(const StudyContext<2> &context);
 
-/** The one that the parameters ask for. */
+/** Makes the sequence that the parameters choose. */
 template <int dim>
 std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context)
 {
@@ -55,14 +57,14 @@ std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context)
   return make_nested_sequence(context);
 }
 
-/** The fields of a load case: its number from one on, its scene, U and P. */
+/** A callback that gets the number of a load case, from one on, its scene, U and P. */
 using CaseFields =
   std::function<void(unsigned int, const Scene<2> &, const Displacement &, const Pressure &)>;
 
 /**
  * Solves the load cases of the scene on a level that is solved, and adds the summary to the record.
- * The factors of the level are let go. Collective.
- * @param use_fields is called for the cases whose fields are asked for, as they are solved.
+ * The factors of the level are released. Collective.
+ * @param use_fields is called for each case whose fields are wanted, as soon as it is solved.
  */
 std::vector<CaseResult> solve_load_cases(const LevelProblem<2> &problem,
                                          LevelResult<2> &level,

@@ -12,17 +12,17 @@
 
 namespace Signorini
 {
-/** Where a study reports to. */
+/** The destinations of the output of a study. */
 struct StudyReport
 {
-  /** The screen of this rank: a stream that swallows everything on ranks other than the first. */
+  /** The screen of this rank: on ranks other than the first, a stream that discards everything. */
   std::ostream &screen;
-  /** Where files go; empty: nowhere. */
+  /** The directory of the files; empty: no files are written. */
   std::filesystem::path directory;
   Progress progress;
 };
 
-/** All levels, and whether they can be trusted. */
+/** All levels, and the verdict on them. */
 template <int dim>
 struct StudyResult
 {
@@ -33,9 +33,9 @@ struct StudyResult
 };
 
 /**
- * Solves a scene on nested levels, from the coarsest to the finest or until the estimated error is
- * small enough, each started from the pressure of the one before; writes results as levels finish.
- * Collective.
+ * Solves a scene on a sequence of nested or graded meshes, until the finest level is reached or the
+ * estimated error is small enough. Each mesh starts from the solution on the one before. Results
+ * are written as meshes finish. Collective.
  */
 template <int dim>
 StudyResult<dim> run_study(const Parameters &parameters,

@@ -11,57 +11,60 @@
 
 namespace Signorini
 {
-/** How well (U, P) satisfies (5): residuals relative to the scene's own scales. */
+/** The residuals of (5) for (U, P), relative to the scene's own scales. */
 struct Certificate
 {
-  /** |A U - D P - f|_2 on free degrees of freedom, relative to the largest of its terms. */
+  /** The residual |A U - D P - f|₂ on free degrees of freedom, relative to its largest term. */
   double stationarity = 0.;
-  /** Largest mean penetration max(W_k)_+ / int psi_k, relative to displacement and gap. */
+  /** The largest mean penetration max (W_k)₊ / ∫ψ_k, relative to displacement and gap. */
   double penetration = 0.;
-  /** max(P)_+ / max|P|. */
+  /** The largest distance of a P_k from the admissible set, relative to max |P|. Without friction
+   * it is max(P)₊ / max |P|. */
   double sign = 0.;
-  /** |P^T W| relative to the energies. */
+  /** The product |Pᵀ W| relative to the energies. */
   double complementarity = 0.;
-  /** Primal minus dual objective, relative to the energies. */
+  /** The primal minus the dual objective, relative to the energies. */
   double duality_gap = 0.;
-  /** Reactions + loads + contact pressure, relative to the largest force. */
+  /** The sum of reactions, loads and contact pressure, relative to the largest force. */
   double force_balance = 0.;
-  /** The same for the moments about the body's centre. */
+  /** The sum of the moments of these forces about the body's centre, in the same way relative. */
   double moment_balance = 0.;
-  /** What free motions of plates and of the body leave unbalanced of forces and moments, relative
-   * to the largest force. */
+  /** The forces and moments on free motions of plates and of the body that nothing balances,
+   * relative to the largest force. */
   double motion_balance = 0.;
-  /** Whether moments must balance exactly: V^h of curved cells holds rotations up to O(h^2) only.
+  /** Whether moments must balance exactly: V^h of curved cells contains rotations up to O(h²) only.
    */
   bool moments_are_exact = true;
   /**
-   * Multipliers for which pressure and opening vanish together: |W_k| / |tau| and C_kk |P_k| /
-   * |tau|, the displacement that the pressure causes there, are below 1e-6 of displacement and gap.
+   * The number of multipliers for which pressure and opening vanish together: |W_k| / |τ| and
+   * C_kk |P_k| / |τ|, the displacement that the pressure causes there, are below 1e-6 of
+   * displacement and gap.
    */
   unsigned int degenerate_patches = 0;
-  /** Largest difference between U and the prescribed displacement, or largest normal displacement
-   * on rollers, at vertices, relative to the largest of both displacements. */
+  /** The largest difference between U and the prescribed displacement, or the largest normal
+   * displacement on rollers, at vertices, relative to the largest of both displacements. */
   double support = 0.;
-  /** The largest displacement, relative to what is left of it without the translation of the whole
-   * body. */
+  /** The largest displacement, relative to the largest displacement without the translation of the
+   * whole body. */
   double translation = 1.;
-  /** How large rounding alone makes residuals: the unit roundoff times |A| |U|, relative to the
-   * largest of the forces. */
+  /** The size of residuals that rounding alone causes: the unit roundoff times |A| |U|, relative to
+   * the largest of the forces. */
   double rounding = 0.;
-  /** J(u_h, p_H) of (22), the energy (force x length per thickness). */
+  /** The energy J(u_h, p_H) of (22) (force x length per thickness). */
   double energy = 0.;
 
   static Columns<Certificate> columns();
 };
 
-/** What is checked: contact as a method has found it, and the equations that it solves. */
+/** The object of a certificate: contact as a method has found it, and the equations that it solves.
+ */
 template <int dim>
 struct SolvedContact
 {
   const ContactState<dim> &contact;
   const Coupling &D;
   const dealii::Vector<double> &G;
-  /** nodal_forces() of U and P. */
+  /** The nodal forces of U and P, see nodal_forces(). */
   const NodalForces &forces;
 };
 

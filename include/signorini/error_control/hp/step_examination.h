@@ -16,8 +16,8 @@ namespace Signorini
  *
  * The distance d_k between the solutions of steps k and k - 1 is about the error of step k - 1,
  * which is many times that of step k. Three numbers show by how much: the ratio of the indicators,
- * r = η_k/η_{k-1}; what the mesh was planned for, q; and how much the error fell in the step
- * before, d_k/d_{k-1}, as far as the indicators do not contradict:
+ * r = η_k/η_{k-1}; the factor q by which the mesh was planned to reduce the error; and the factor
+ * of the step before, d_k/d_{k-1}, as far as the indicators do not contradict:
  *
  *     estimate_k = 4/3 max(η_k, d_k min(1, max(r, q, min(d_k/d_{k-1}, 4 r)))).
  *
@@ -68,7 +68,7 @@ struct SolvedStep
   const MultiplierSpace<2> &multipliers;
   const Displacement &U;
   const Pressure &P;
-  /** What the contact solver leaves, (force length)^{1/2}. */
+  /** The error that the contact solver leaves, (force length)^{1/2}. */
   double algebraic_error = 0.;
 };
 
@@ -85,7 +85,7 @@ public:
   /**
    * Computes the indicators, the brackets of the ends of contact and the estimated error of a step.
    * @param before the solution of the step before; empty for the first.
-   * @param planned by what factor the mesh was to reduce the error.
+   * @param planned the factor by which the mesh was planned to reduce the error.
    * @throws InputError where g has no value.
    */
   StepFindings examine(const SolvedStep &step,
@@ -97,7 +97,7 @@ public:
   {
     return history_.stagnates();
   }
-  /** Returns whether a second mesh agrees. Bodies that nothing deforms need none. */
+  /** Returns whether a second mesh confirms the error. Bodies that nothing deforms need none. */
   bool is_checked(const StepFindings &findings) const
   {
     return history_.n_steps() > 1 || findings.error == 0.;

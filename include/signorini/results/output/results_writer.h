@@ -21,10 +21,10 @@ class ResultsWriter
 {
 public:
   /**
-   * Nothing is changed in the directory before the first level is solved. Then the results of an
-   * earlier run are set aside, by their names, and parameters.prm, with the description as
-   * comments, and a certificate that says "unfinished" are written. Collective, like all members
-   * but abandon().
+   * Prepares the files. The directory does not change before the first level is solved. Then the
+   * results of an earlier run are set aside, by their names, and parameters.prm, with the
+   * description as comments, and a certificate with the outcome "unfinished" are written.
+   * Collective, like all members but abandon().
    */
   ResultsWriter(const Parameters &parameters,
                 const Judge &judge,
@@ -32,64 +32,64 @@ public:
                 std::filesystem::path directory,
                 MPI_Comm communicator);
 
-  /** contact-LL.csv, and as far as asked for the VTU files (of graded meshes also mesh-LL.svg) and
-   * the dual problem. */
+  /** Writes contact-LL.csv, and if wanted the VTU files (of graded meshes also mesh-LL.svg) and the
+   * dual problem. */
   template <int dim>
   void write_fields(const Scene<dim> &scene, const LevelResult<dim> &level);
 
-  /** solution-case-NNNNNN.vtu and contact-case-NNNNNN.csv of a load case. @param scene that of the
-   * case. */
+  /** Writes solution-case-NNNNNN.vtu and contact-case-NNNNNN.csv of a load case.
+   * @param scene the scene of the case. */
   template <int dim>
   void write_case_fields(const Discretization<dim> &discretization,
                          const Scene<dim> &scene,
                          const Displacement &U,
                          const Pressure &P,
                          unsigned int number);
-  /** cases.csv. */
+  /** Writes cases.csv. */
   void write_cases(const std::vector<CaseResult> &cases);
 
-  /** convergence.csv and certificate.json for the levels so far. With a verdict the results that
-   * were set aside are removed. */
+  /** Writes convergence.csv and certificate.json for the levels so far. With a verdict the results
+   * that were set aside are removed. */
   void write_tables(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
-  /** answer.json, after the last level. Collective. */
+  /** Writes answer.json, after the last level. Collective. */
   void write_answer(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
-  /** The pictures, after the last level, where they are asked for. Collective. @return one sentence
-   * about what is missing, on the first rank; empty if nothing is. */
+  /** Writes the pictures, if they are wanted, after the last level. Collective. @return one
+   * sentence about missing pictures, on the first rank; empty if none is missing. */
   std::string write_pictures(const std::vector<LevelRecord> &levels);
 
-  /** write_tables() for a study that an error ended. Without a finished level the results of an
+  /** Writes the tables of a study that an error ended. Without a finished level the results of an
    * earlier run stay as they are. */
   void write_failure(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
 
-  /** For a study that an InputError ended, on every rank: the results of an earlier run are put
-   * back in place of those of this one. */
+  /** Replaces the results of a study that an InputError ended, on every rank, by those of the
+   * earlier run. */
   void abandon();
 
 private:
-  /** @param traced on the first rank; empty on others. */
+  /** Writes the VTU files. @param traced the traced contact on the first rank; empty on others. */
   template <int dim>
   void write_vtu(const Discretization<dim> &discretization,
                  const Scene<dim> &scene,
                  const LevelSolution<dim> &solution,
                  const TracedContact<dim> &traced);
-  /** Keeps what write_pictures() needs of the finest level. */
+  /** Stores the pictures of the finest level for write_pictures(). */
   void prepare_pictures(const Discretization<2> &discretization,
                         const Scene<2> &scene,
                         const LevelSolution<2> &solution);
-  /** Collective. */
+  /** Writes the matrices and vectors of the dual problem. Collective. */
   template <int dim>
   void write_dual_problem(const Discretization<dim> &discretization,
                           const LevelSolution<dim> &solution);
 
-  /** On first use. */
+  /** Prepares the directory, at the first call only. */
   void start_directory();
-  /** Small files come from rank 0; if it cannot write one, all ranks hear of it. */
+  /** Writes a small file on rank 0; if that fails, all ranks throw a WritingError. */
   void write_on_first_rank(const std::function<void()> &write) const;
   void write_convergence_of(const std::vector<LevelRecord> &levels) const;
   void write_certificate_of(const std::vector<LevelRecord> &levels,
                             const StudyVerdict &verdict) const;
 
-  /** "name-LL.ending" in the directory. */
+  /** Returns the path of "name-LL.ending" in the directory. */
   std::filesystem::path level_file(const char *name, unsigned int level, const char *ending) const;
 
   const Parameters &parameters_;
@@ -97,12 +97,12 @@ private:
   std::string scene_description_;
   std::filesystem::path directory_;
   MPI_Comm communicator_;
-  /** On the first rank, unless nothing is to be written. */
+  /** The directory as it was opened, on the first rank if files are written. */
   std::optional<HeldDirectory> held_;
   /** Whether the results of this run have taken the place of earlier ones. */
   bool started_ = false;
   std::vector<std::pair<double, std::string>> solution_files_, contact_files_;
-  /** Those of the finest level, on the first rank. */
+  /** The pictures of the finest level and of its load cases, on the first rank. */
   std::vector<Picture> pictures_, case_pictures_;
 };
 } // namespace Signorini

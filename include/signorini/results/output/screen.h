@@ -11,7 +11,7 @@
 
 namespace Signorini
 {
-/** The scene in five lines. */
+/** Prints the scene in five lines. */
 template <int dim>
 void print_scene(const Parameters &parameters,
                  const Scene<dim> &scene,
@@ -19,10 +19,10 @@ void print_scene(const Parameters &parameters,
                  const Judge &judge,
                  std::ostream &screen);
 
-/** What a user should know about a level at once. */
+/** Prints the warnings about a level. */
 void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &screen);
 
-/** The finest level's contact and the verdict. */
+/** Prints the contact of the finest level, and the verdict. */
 void print_verdict(const std::vector<LevelRecord> &levels,
                    const Judge &judge,
                    const StudyVerdict &verdict,

@@ -20,7 +20,7 @@
 
 namespace Signorini
 {
-/** How large the problem of one level is. */
+/** The sizes of the problem of one level. */
 struct LevelSizes
 {
   unsigned int level = 0;
@@ -41,13 +41,13 @@ struct LevelSizes
   /** The sequence that the mesh belongs to. */
   Strategy strategy = Strategy::nested;
 
-  /** Returns whether the mesh is a step of a sequence of graded meshes. There h alone does not tell
+  /** Returns whether the mesh is a step of a sequence of graded meshes. There h alone does not show
    * how fine a mesh is, and errors have no orders in h. */
   bool is_graded() const
   {
     return strategy == Strategy::hp;
   }
-  /** Returns what the mesh is called on the screen. */
+  /** Returns the word for the mesh on the screen. */
   const char *word() const
   {
     return is_graded() ? "step" : "level";
@@ -56,47 +56,47 @@ struct LevelSizes
   static Columns<LevelSizes> columns();
 };
 
-/** Where a plate is, and what holds it there. */
+/** The position of a plate, and the forces that hold it there. */
 struct PlateRecord
 {
   std::string side;
   Plate plate;
   PlateMotion motion;
-  /** What acts on the body through the plate: along its direction, and about its centre; from the
-   * nodal forces, also where they are given. */
+  /** The force on the body through the plate along its direction, and the moment about its centre.
+   * Both come from the nodal forces, also if they are given. */
   double force = 0.;
   double moment = 0.;
 };
 
-/** What moves freely, and how far it has moved. */
+/** The free motions, and how far they have moved. */
 struct MotionRecord
 {
   std::vector<PlateRecord> plates;
   /** Rigid motions that neither loads nor contact determine; they are zero. */
   std::vector<std::string> undetermined;
 
-  /** Of the first plate. */
+  /** Returns the columns of the first plate. */
   static Columns<MotionRecord> columns();
 };
 
-/** How the load cases of a level went. */
+/** The summary of the load cases of a level. */
 struct CaseSummary
 {
   unsigned int n_cases = 0;
-  /** Cases in which nothing stops the body. */
+  /** The number of cases in which nothing stops the body. */
   unsigned int n_escapes = 0;
   /** The first case whose dual problem was not solved, from 1; 0: none. */
   unsigned int first_failure = 0;
   /** The largest KKT residual of a case with a solution. */
   double max_kkt = 0.;
-  /** Wall seconds of all cases. */
+  /** The wall seconds of all cases. */
   double seconds = 0.;
 };
 
 CaseSummary summarise(const std::vector<CaseResult> &cases, double seconds);
 
-/** What is known about a level: one row of convergence.csv. What a scene does not have, or what the
- * user did not ask for, is empty. */
+/** The results of a level: one row of convergence.csv. Results that the scene does not have, or
+ * that the user does not want, are empty. */
 struct LevelRecord
 {
   LevelSizes sizes;
@@ -107,20 +107,20 @@ struct LevelRecord
   MotionRecord motions;
   Certificate certificate;
   std::optional<ErrorEstimate> estimate;
-  /** Where it was asked for. */
+  /** The bound of the error, if it is wanted. */
   std::optional<ErrorBound> bound;
   /** The constant of Lemma 1. */
   std::optional<double> inf_sup;
-  /** See locking_number(); on the finest level only. */
+  /** The locking number, see locking_number(); on the finest level only. */
   std::optional<double> locking_number;
 
   std::optional<DisplacementErrors> displacement_errors;
   std::optional<PressureErrors> pressure_errors;
   std::optional<DualNormErrors> dual_norm_errors;
-  /** See contact_end_error() (length). */
+  /** The error of the ends of contact, see contact_end_error() (length). */
   std::optional<double> endpoint_error;
   std::optional<LemmaNumbers> lemmas;
-  /** On the finest level, if there are load cases. */
+  /** The summary of the load cases, on the finest level if there are any. */
   std::optional<CaseSummary> load_cases;
 
   StageTimes times;
@@ -128,15 +128,15 @@ struct LevelRecord
 };
 
 /**
- * The names of the columns whose places in convergence.csv programs rely on. Other columns follow
- * in the order of the record's members. A release adds their names here.
+ * Returns the names of the columns on whose places in convergence.csv programs rely. Other columns
+ * follow in the order of the record's members. A release adds their names here.
  */
 const std::vector<std::string> &columns_with_fixed_places();
 
-/** All columns of a record, in the order of convergence.csv. */
+/** Returns all columns of a record, in the order of convergence.csv. */
 const Columns<LevelRecord> &level_columns();
 
-/** The value of one column, empty if it is not known. @throws std::invalid_argument if there is no
- * such column. */
+/** Returns the value of one column; empty if it is not computed. @throws std::invalid_argument if
+ * there is no such column. */
 std::optional<double> value(const LevelRecord &record, const std::string &column);
 } // namespace Signorini

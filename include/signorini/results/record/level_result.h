@@ -8,19 +8,19 @@
 
 namespace Signorini
 {
-/** The answer of one level: contact as it was found, and what is known about it. */
+/** The solution of one level: contact as it was found, and its record. */
 template <int dim>
 struct LevelSolution : ContactState<dim>
 {
   LevelRecord record;
-  /** Empty where record.bound is. */
+  /** The parts of the bound; empty if record.bound is empty. */
   BoundFields bound_fields;
-  /** The scene with plates where they have moved to. */
+  /** The scene after the motion of its plates. */
   Scene<dim> scene;
 };
 
-/** What a sequence of meshes returns for one of them; the driver writes it, and lets it go before
- * the next. */
+/** The result of a sequence for one of its meshes. The driver writes it, and releases it before the
+ * next mesh. */
 template <int dim>
 struct LevelResult
 {

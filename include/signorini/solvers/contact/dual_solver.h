@@ -39,35 +39,35 @@ QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
                             const dealii::Vector<double> &start,
                             const DualSolverOptions &options);
 
-/** A solver of the dual problem with a start, which may be empty. */
+/** A solver of the dual problem that gets a start, which may be empty. */
 using QPSolver =
   std::function<QPResult(const BoundConstrainedQP &qp, const dealii::Vector<double> &start)>;
 
 /**
- * The dual problem over P <= 0 where columns of C are expensive: solved on a set S of patches, with
- * P = 0 elsewhere; then the patches with W = C P - F > 0 join S, until there are none. The answer
- * solves the whole problem, and only the columns of S were needed.
+ * Solves the dual problem over P ≤ 0 where columns of C are expensive. It is solved on a set S of
+ * patches, with P = 0 elsewhere; then the patches with W = C P - F > 0 join S, until there are
+ * none. The result solves the whole problem, and only the columns of S are computed.
  *
- * @param start S begins with the patches that press in it, and their neighbours; where nothing
- * presses, with F < 0.
+ * @param start a pressure; S begins with the patches that press in it, and their neighbours; if
+ * nothing presses, with the patches where F < 0.
  */
 QPResult solve_on_growing_set(const ComplianceOperator &C,
                               const dealii::Vector<double> &F,
                               const dealii::Vector<double> &start,
                               const QPSolver &solve);
 
-/** What the active set method is told. */
+/** The options of the active set method. */
 struct ActiveSetOptions
 {
-  /** For the KKT residual. */
+  /** The tolerance of the KKT residual. */
   double tolerance = 1e-10;
-  /** Linear solves before giving up. */
+  /** The largest number of linear solves. */
   unsigned int maximum_iterations = 100000;
 };
 
 /**
- * Primal-dual active set method, i.e. the semi-smooth Newton method for
- * P = projection of P - W/diag C onto K. Each unknown is inside of its interval (active, in
+ * Solves the dual problem by the primal-dual active set method, i.e. the semi-smooth Newton method
+ * for P = projection of P - W/diag C onto K. Each unknown is inside of its interval (active, in
  * contact) or at one of its ends. With the active set A and the ends e_I of the others,
  * C_AA P_A = F_A - C_AI e_I,  P_I = e_I.
  *
@@ -76,7 +76,7 @@ struct ActiveSetOptions
  * exchanges (the lowest wrong index changes sides, Murty's rule) end the search: for positive
  * definite C no set can come back under that rule.
  *
- * @param start the first states are taken from it; empty: every unknown is active.
+ * @param start a pressure that gives the first states; empty: every unknown is active.
  */
 QPResult solve_by_active_set(const BoundConstrainedQP &qp,
                              const dealii::Vector<double> &start,

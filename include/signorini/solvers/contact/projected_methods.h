@@ -7,53 +7,57 @@
 
 namespace Signorini
 {
-/** What projected SOR is told. */
+/** The options of projected SOR. */
 struct PsorOptions
 {
-  /** omega, 0 < omega < 2. */
+  /** The factor ω, 0 < ω < 2. */
   double relaxation = 1.1;
-  /** For the increment and for the KKT residual. */
+  /** The tolerance of the increment and of the KKT residual. */
   double tolerance = 1e-10;
   unsigned int maximum_iterations = 100000;
 };
 
-/** One sweep (ii) of the algorithm, in place. @return |P^{k+1} - P^k|_2. */
+/** Performs one sweep (ii) of the algorithm in place. @return |P^{k+1} - P^k|₂. */
 double psor_sweep(const BoundConstrainedQP &qp, double relaxation, dealii::Vector<double> &P);
 
 /**
- * The algorithm (i)-(iii):  lambda_i = -(sum_{j<i} C_ij P_j^{k+1} + sum_{j>i} C_ij P_j^k -
- * F_i)/C_ii, P_i^{k+1} = projection of (1 - omega) P_i^k + omega lambda_i onto K.
+ * Solves the dual problem by the algorithm (i)-(iii), projected SOR:
  *
- * It stops when |P^{k+1} - P^k| <= tolerance |P^{k+1}| and the KKT residual is below the tolerance,
+ *     λ_i = -(Σ_{j<i} C_ij P_j^{k+1} + Σ_{j>i} C_ij P_j^k - F_i)/C_ii,
+ *     P_i^{k+1} = projection of (1 - ω) P_i^k + ω λ_i onto K.
+ *
+ * It stops when |P^{k+1} - P^k| ≤ tolerance |P^{k+1}| and the KKT residual is below the tolerance,
  * and goes on while the increments fall so slowly that the error, estimated from them, is above 50
  * times the tolerance.
- * @throws std::invalid_argument for omega outside (0, 2).
+ * @throws std::invalid_argument for ω outside (0, 2).
  */
 QPResult solve_by_psor(const BoundConstrainedQP &qp,
                        const dealii::Vector<double> &start,
                        const PsorOptions &options);
 
-/** z on a set of indices, z = M^{-1} r with M close to C there, symmetric positive definite. */
+/** A function that returns z = M⁻¹ r on a set of indices. M is symmetric positive definite and
+ * close to C there. */
 using SetPreconditioner = std::function<dealii::Vector<double>(const std::vector<unsigned int> &set,
                                                                const dealii::Vector<double> &r)>;
 
-/** What MPRGP is told. */
+/** The options of MPRGP. */
 struct MprgpOptions
 {
-  /** For the KKT residual. */
+  /** The tolerance of the KKT residual. */
   double tolerance = 1e-10;
-  /** Products with C before giving up. */
+  /** The largest number of products with C. */
   unsigned int maximum_iterations = 100000;
-  /** Of C restricted to the free set, where P is inside of K; empty: none. */
+  /** The preconditioner of C restricted to the free set, where P is inside of K; empty: none. */
   SetPreconditioner preconditioner = {};
 };
 
 /**
- * MPRGP, modified proportioning with reduced gradient projections (Dostal and Schoeberl, Comput.
- * Optim. Appl. 30 (2005) 23-43), with preconditioning in the face: conjugate gradients on the free
- * set while the free gradient outweighs what the active set could gain; a step along that gain
- * otherwise; where a bound stops a step, a projected gradient step of the length 1.9/|C| behind it.
- * |C| is estimated by ten steps of the power method.
+ * Solves the dual problem by MPRGP, modified proportioning with reduced gradient projections
+ * (Dostal and Schoeberl, Comput. Optim. Appl. 30 (2005) 23-43), with preconditioning in the face.
+ * While the chopped gradient of the active set is no larger than the free gradient, it takes steps
+ * of conjugate gradients on the free set; otherwise a step along the chopped gradient. Where a
+ * bound stops a step, a projected gradient step of the length 1.9/|C| follows. |C| is estimated by
+ * ten steps of the power method.
  *
  * QPResult::iterations counts products with C; nothing else of C is needed but its diagonal.
  */

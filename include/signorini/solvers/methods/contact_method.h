@@ -20,29 +20,30 @@
 
 namespace Signorini
 {
-/** How contact on one level was found; the defaults hold where nothing touches. */
+/** The summary of the contact solver on one level. The defaults hold where nothing touches. */
 struct DualSolve
 {
-  /** The one that was asked for, never automatic. */
+  /** The method that solved the problem, never automatic. */
   ContactSolver method = ContactSolver::active_set;
-  /** Sweeps of projected SOR, linear solves of the active set method, products of MPRGP, or
-   * V-cycles.
+  /** The number of sweeps of projected SOR, linear solves of the active set method, products of
+   * MPRGP, or V-cycles.
    */
   unsigned int iterations = 0;
-  /** Projected SOR: the sweep at which the increment alone was small enough. */
+  /** The sweep of projected SOR at which the increment alone was small enough. */
   std::optional<unsigned int> increment_iterations;
   double kkt = 0.;
   bool converged = true;
   /** Whether the pressure is the only one that solves the dual problem. */
   bool unique = true;
-  /** Why the active set method failed where projected SOR answered instead; empty if the solver
-   * that the user chose has answered. */
+  /** The reason why the active set method failed and projected SOR took its place; empty if the
+   * chosen solver was used. */
   std::optional<std::string> active_set_failure;
-  /** Why MINRES answered instead of V-cycles with boundary problems. */
+  /** The reason why MINRES took the place of V-cycles with boundary problems. */
   std::optional<std::string> stalled;
-  /** The level on which V-cycles were given up, and why; from there on factors answer. */
+  /** The level on which V-cycles failed, and why; this level and later ones are solved with
+   * factors. */
   std::optional<std::string> failure_of_cycles;
-  /** Relative to the energy norm of U: the algebraic error at which V-cycles ended because the
+  /** The algebraic error, relative to the energy norm of U, at which V-cycles ended because the
    * error of the discretisation is larger; 0 where the tolerance counts. */
   double energy_tolerance = 0.;
 
@@ -53,16 +54,16 @@ struct DualSolve
 struct LinearSolves
 {
   unsigned int solves = 0;
-  /** The largest |b - A x| / |b|. */
+  /** The largest relative residual |b - A x| / |b|. */
   double residual = 0.;
   /** The relative error of U that is due to rounding, as far as it was estimated. */
   double rounding_error = 0.;
 };
 
-/** What a method starts from; all of it may be missing. */
+/** The start of a method. Each part may be missing. */
 struct ContactStart
 {
-  /** @param P a pressure on the patches of the level; empty: none. */
+  /** Stores the start. @param P a pressure on the patches of the level; empty: none. */
   explicit ContactStart(Pressure P = {})
     : P(std::move(P))
   {
@@ -71,47 +72,48 @@ struct ContactStart
   Pressure P;
   /** Nodal values of a displacement; empty: none. Only V-cycles use it. */
   Displacement U;
-  /** t of the level before, see ContactIterationOptions; zero: none. */
+  /** The scale t of the level before, see ContactIterationOptions; zero: none. */
   double scale = 0.;
   /** The estimated error of the level before, relative in the energy norm; none: unknown. */
   std::optional<double> relative_error;
 };
 
-/** The dual problem: what a method that forms it knows beside its solution. */
+/** The data of the dual problem, stored by a method that forms it. */
 struct DualData
 {
-  /** The body without contact, and its opening F, with plates and body where they have moved to. */
+  /** The body without contact, and its opening F, after the free motions. */
   FreeState free;
-  /** F as it was before the motions moved: the right-hand side of the dual problem. */
+  /** F before the free motions: the right-hand side of the dual problem. */
   dealii::Vector<double> F;
-  /** C P; empty if nothing touches. */
+  /** The product C P; empty if nothing touches. */
   dealii::Vector<double> C_P;
-  /** Null if nothing touches. */
+  /** The compliance; null if nothing touches. */
   std::shared_ptr<const ComplianceOperator> C;
-  /** B, K and b of free motions; empty without. */
+  /** B, K and b of the free motions; empty if there are none. */
   FreeMotions motions;
 };
 
-/** What V-cycles know beside P and U. */
+/** The results of V-cycles beside P and U. */
 struct CycleData
 {
-  /** t, for the next level. */
+  /** The scale t, for the next level. */
   double scale = 0.;
-  /** About the part of the duality gap that V-cycles leave in A U = f + D P (energy). */
+  /** The estimated part of the duality gap that the residual of A U = f + D P leaves (energy). */
   double energy_of_residual = 0.;
 };
 
-/** Contact on one level as a method has found it. Exactly one of dual and cycles is there. */
+/** Contact on one level as a method has found it. Exactly one of dual and cycles is set. */
 template <int dim>
 struct ContactState
 {
   Displacement U;
   Pressure P;
-  /** How far motions have moved; empty without. */
+  /** The coordinates q of the free motions; empty if there are none. */
   dealii::Vector<double> q;
-  /** C_kk P_k, how far each multiplier opens its own patch; empty if nothing touches. */
+  /** The products C_kk P_k, how far each multiplier opens its own patch; empty if nothing touches.
+   */
   dealii::Vector<double> diagonal_P;
-  /** See algebraic_error() (energy norm). */
+  /** The algebraic error in the energy norm, see algebraic_error(). */
   double algebraic_error = 0.;
   DualSolve report;
   LinearSolves linear;
@@ -119,30 +121,30 @@ struct ContactState
   /** The names of rigid motions that neither loads nor contact determine; they are zero. */
   std::vector<std::string> undetermined;
 
-  /** A, where it was assembled, and f. */
+  /** The matrix A, where it is assembled, and f. */
   std::shared_ptr<const LinearSystem<dim>> system;
-  /** A^{-1} by factors, or V-cycles that solve as exactly as estimates need it. */
+  /** A⁻¹ by factors, or by V-cycles with a tolerance that suffices for estimates. */
   std::shared_ptr<const StiffnessInverse> inverse;
   MotionModes<dim> modes;
   std::optional<DualData> dual;
   std::optional<CycleData> cycles;
 };
 
-/** Called with what is being done, for the user to watch. */
+/** A callback that gets the name of the current stage, for the user to watch. */
 using Progress = std::function<void(const std::string &)>;
 
-/** Which solvers find contact on a level: what Contact solver = automatic stands for there. */
+/** The solvers of a level, after Contact solver = automatic is resolved. */
 struct SolverChoice
 {
   ContactSolver contact = ContactSolver::active_set;
   LinearSolver linear = LinearSolver::automatic;
 
-  /** Whether contact is found by V-cycles, without F, C and a dual problem. */
+  /** Returns whether V-cycles find contact, without F, C and a dual problem. */
   bool is_by_cycles() const
   {
     return contact == ContactSolver::multigrid;
   }
-  /** Whether A is neither assembled nor factorised. */
+  /** Returns whether A is neither assembled nor factorised. */
   bool is_matrix_free() const
   {
     return linear == LinearSolver::multigrid;
@@ -150,13 +152,13 @@ struct SolverChoice
 };
 
 /**
- * The solvers of a level on one or several ranks. Contact solver = automatic is multigrid, with the
- * linear solver of that name, where
+ * Chooses the solvers of a level. Contact solver = automatic is multigrid, with the linear solver
+ * of that name, where
  *
  * - the linear solver is automatic or multigrid, there is one rank, and meshes are nested,
  * - there are no load cases, plates, bodies that contact alone holds, Output/Compliance, B-bar
  *   elements, or patches of a single face, for which V-cycles cannot be used or are slow,
- * - the level has at least 1e5 unknowns, in space 5000, or the linear solver is multigrid;
+ * - the level has at least 1e5 unknowns (in 3-D 5000), or the linear solver is multigrid;
  *
  * else active set.
  */
@@ -166,29 +168,30 @@ SolverChoice choose_solvers(const Parameters &parameters,
                             unsigned int level,
                             unsigned int n_ranks);
 
-/** Solves (5) on a level: A U - D P = f, P in K, W = D^T U - G in the dual cone of K at P. */
+/** Solves (5) on a level: A U - D P = f, P in K, W = Dᵀ U - G in the dual cone of K at P. */
 template <int dim>
 class ContactMethod
 {
 public:
   virtual ~ContactMethod() = default;
 
-  /** @throws InputError if contact cannot hold the body. @throws ComputationError. Collective. */
+  /** Finds contact. Collective. @throws InputError if contact cannot hold the body.
+   * @throws ComputationError if a solver fails. */
   virtual ContactState<dim> solve(const Discretization<dim> &discretization,
                                   const ContactStart &start,
                                   const Progress &progress) const = 0;
 };
 
 /**
- * The method of a choice: by the dual problem, with C from factors or column by column and P by
- * projected SOR, the active set method or MPRGP; or by V-cycles. Parameters and scene must outlive
- * it.
+ * Makes the chosen method. The dual method takes C from factors or column by column, and computes P
+ * by projected SOR, the active set method or MPRGP; the other method uses V-cycles. Parameters and
+ * scene must outlive the result.
  */
 template <int dim>
 std::unique_ptr<ContactMethod<dim>> make_contact_method(const Parameters &parameters,
                                                         const Scene<dim> &scene,
                                                         const SolverChoice &choice);
-/** D of some patches, and what unconstrained degrees of freedom see of it. */
+/** The coupling D of some patches, and the same with constraints condensed. */
 struct CouplingPair
 {
   const Coupling &D;
@@ -209,7 +212,7 @@ std::optional<dealii::Vector<double>> solve_on_other_patches(const ContactState<
  * Refuses levels that cannot fit into memory before hours of work end in the kernel's out-of-memory
  * killer, which leaves no message. Compares a low estimate for a direct factorisation and for the
  * dense matrices on the contact boundary with the memory that this process may have: that of the
- * machine, or less where RLIMIT_AS or a control group says so. An iterative solver needs an
+ * machine, or less where RLIMIT_AS or a control group limits it. An iterative solver needs an
  * estimate of its own.
  */
 template <int dim>
@@ -217,22 +220,23 @@ class MemoryLimit
 {
 public:
   /**
-   * Judges the finest level; with a target error, where that is a limit that need not be reached,
-   * the coarsest. Allocates no more than the coarse mesh, if that fits.
+   * Checks the finest level. With a target error the finest level need not be reached, so the
+   * coarsest is checked. Allocates no more than the coarse mesh, if that fits.
    * @throws InputError with the estimated need.
    */
   MemoryLimit(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator);
 
-  /** @throws ComputationError if the level does not fit. */
+  /** Checks that a level fits. @throws ComputationError if it does not. */
   void check(unsigned int level) const;
 
 private:
-  /** On level 0. */
+  /** The numbers of cells and of contact faces on level 0. */
   double n_coarse_cells_;
   double n_coarse_contact_faces_ = 0.;
   double n_contact_sides_;
   const DiscretizationParameters &given_;
-  /** Whether the factor holds the dense Schur complement of the contact unknowns. */
+  /** The solvers, and whether the factor holds the dense Schur complement of the contact unknowns.
+   */
   SolverChoice solvers_;
   bool condensed_;
   double available_;
@@ -241,7 +245,7 @@ private:
   double n_contact_faces(unsigned int level) const;
   double n_patches(unsigned int level) const;
   double needed(unsigned int level) const;
-  /** "level 14 makes 1e9 cells and 16384 contact patches, which need more than 12 GiB". */
+  /** Returns "level 14 has 1e9 cells and 16384 patches, which need more than 12 GiB". */
   std::string describe(unsigned int level) const;
   std::string describe_available() const;
 };
