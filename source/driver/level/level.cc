@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// One level, from the spaces to the examined answer.
 
 #include <signorini/base/columns.h>
 #include <signorini/driver/level/level.h>
@@ -31,6 +32,44 @@ Examination examine(const Parameters &parameters,
                     const Scene<dim> &scene,
                     const ContactState<dim> &contact,
                     const Progress &progress);
+
+namespace
+{
+/** Releases factors, C and the system matrix, which take most of the memory, where nothing needs
+ * them later. */
+template <int dim>
+void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &solution)
+{
+  const bool has_cases = !problem.scene.load_cases.empty();
+  const bool writes_compliance = problem.parameters.output.compliance;
+  if (solution.dual && !writes_compliance)
+    solution.dual->C = nullptr;
+  // C of several ranks is written column by column, each by a solve.
+  if (!has_cases && !writes_compliance)
+    solution.inverse = nullptr;
+  if (!has_cases && !writes_compliance && !problem.parameters.output.lemmas)
+    solution.system = nullptr;
+}
+} // namespace
+
+template <int dim>
+LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
+                               const Discretization<dim> &discretization,
+                               const ContactStart &start,
+                               const Progress &progress)
+{
+  const auto [parameters, scene, solvers] = problem;
+  const auto method = make_contact_method(parameters, scene, solvers);
+  LevelSolution<dim> solution;
+  ContactState<dim> &contact = solution;
+  contact = method->solve(discretization, start, progress);
+  solution.scene = with_plates_moved(scene, contact.modes.plate_motions(scene.plates, contact.q));
+  Examination found = examine(parameters, discretization, solution.scene, contact, progress);
+  solution.record = std::move(found.record);
+  solution.bound_fields = std::move(found.bound_fields);
+  release_unused(problem, solution);
+  return solution;
+}
 
 // The examination of the solution of one level.
 
@@ -329,46 +368,6 @@ template void add_errors(const Parameters &,
                          const Discretization<3> &,
                          const ExactPressure<3> *,
                          LevelSolution<3> &);
-
-// One level, from the mesh to the examined answer.
-
-namespace
-{
-/** Releases factors, C and the system matrix, which take most of the memory, where nothing needs
- * them later. */
-template <int dim>
-void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &solution)
-{
-  const bool has_cases = !problem.scene.load_cases.empty();
-  const bool writes_compliance = problem.parameters.output.compliance;
-  if (solution.dual && !writes_compliance)
-    solution.dual->C = nullptr;
-  // C of several ranks is written column by column, each by a solve.
-  if (!has_cases && !writes_compliance)
-    solution.inverse = nullptr;
-  if (!has_cases && !writes_compliance && !problem.parameters.output.lemmas)
-    solution.system = nullptr;
-}
-} // namespace
-
-template <int dim>
-LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
-                               const Discretization<dim> &discretization,
-                               const ContactStart &start,
-                               const Progress &progress)
-{
-  const auto [parameters, scene, solvers] = problem;
-  const auto method = make_contact_method(parameters, scene, solvers);
-  LevelSolution<dim> solution;
-  ContactState<dim> &contact = solution;
-  contact = method->solve(discretization, start, progress);
-  solution.scene = with_plates_moved(scene, contact.modes.plate_motions(scene.plates, contact.q));
-  Examination found = examine(parameters, discretization, solution.scene, contact, progress);
-  solution.record = std::move(found.record);
-  solution.bound_fields = std::move(found.bound_fields);
-  release_unused(problem, solution);
-  return solution;
-}
 
 template LevelSolution<2> solve_level(const LevelProblem<2> &,
                                       const Discretization<2> &,

@@ -38,7 +38,7 @@ support_points(const DisplacementSpace<dim> &space)
   std::map<dealii::types::global_dof_index, std::pair<dealii::Point<dim>, unsigned int>> points;
   std::vector<dealii::types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
-    if (cell->at_boundary())
+    if (!cell->is_artificial() && cell->at_boundary())
     {
       const dealii::FiniteElement<dim> &element = cell->get_fe();
       const std::vector<dealii::Point<dim>> &nodes = positions(cell);
@@ -166,6 +166,8 @@ std::vector<unsigned int> components_of(const DisplacementSpace<dim> &space)
   std::vector<dealii::types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
+    if (cell->is_artificial())
+      continue;
     const dealii::FiniteElement<dim> &element = cell->get_fe();
     indices.resize(element.n_dofs_per_cell());
     cell->get_dof_indices(indices);

@@ -114,6 +114,7 @@ void finer_reference(Checks &checks)
     const OneLevel coarse(block + entry("Discretization", "Patches", partition), 5);
     const LevelSolution<2> solution = coarse.solve();
     Displacement difference = fine.space().zero();
+    difference.zero_out_ghost_values();
     dealii::VectorTools::interpolate_to_different_mesh(
       coarse.space().dofs(), solution.U.entries(), fine.space().dofs(), difference.entries());
     difference -= U;

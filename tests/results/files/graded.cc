@@ -7,8 +7,6 @@
 #include <signorini/results/files/mesh_svg.h>
 #include <signorini/results/files/solution_vtu.h>
 
-#include <deal.II/numerics/vector_tools_interpolate.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -59,9 +57,8 @@ public:
     , space(mesh(), level.scene, degrees())
     , surface(mesh(), level.scene, degrees())
     , multipliers(surface, {1, 2, 3, 4})
-    , U(space.zero())
+    , U(interpolate_at_nodes(space, Quadratic()))
   {
-    dealii::VectorTools::interpolate(space.dofs(), Quadratic(), U.entries());
   }
 
   const Mesh<2> &mesh() const
