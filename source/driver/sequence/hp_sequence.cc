@@ -137,13 +137,13 @@ private:
     std::optional<StepField> before;
     if (last_.discretization != nullptr)
       before.emplace(StepField{last_.discretization->space, last_.U});
-    const StepFindings findings = examination_.examine({discretization.space,
-                                                        discretization.multipliers,
-                                                        solution.U,
-                                                        solution.P,
-                                                        solution.algebraic_error},
-                                                       before,
-                                                       plan_.aim);
+    StepFindings findings = examination_.examine({discretization.space,
+                                                  discretization.multipliers,
+                                                  solution.U,
+                                                  solution.P,
+                                                  solution.algebraic_error},
+                                                 before,
+                                                 plan_.aim);
     if (findings.has_estimate())
       solution.record.estimate = ErrorEstimate{
         {}, findings.error, findings.error > 0. ? findings.error / findings.scale : 0., {}, {}};

@@ -2,6 +2,7 @@
 // What steps predict for the next one.
 
 #include <signorini/discretization/elasticity/integration.h>
+#include <signorini/error_control/hp/hidden_data.h>
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/hp/step_examination.h>
 

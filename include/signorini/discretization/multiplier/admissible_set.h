@@ -89,6 +89,7 @@ public:
   AdmissibleSet restrict_to(const std::vector<unsigned int> &numbers) const
   {
     std::vector<Interval> part;
+    part.reserve(numbers.size());
     for (const unsigned int i : numbers)
       part.push_back(intervals_[i]);
     return AdmissibleSet(part);
