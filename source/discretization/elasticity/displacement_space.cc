@@ -145,6 +145,13 @@ dealii::AffineConstraints<double> continuity_conditions(const dealii::DoFHandler
   return conditions;
 }
 
+/** Copies the owned rows of a vector that is distributed like A. */
+void copy_rows(const dealii::IndexSet &owned, const DistributedVector &from, DualVector &to)
+{
+  for (const auto i : owned)
+    to(i) = from(i);
+}
+
 /** Sets the constrained values of w = T w_free. */
 void set_constrained(const dealii::AffineConstraints<double> &constraints, Displacement &w)
 {
@@ -244,8 +251,8 @@ DistributedVector DisplacementSpace<dim>::make_vector() const
 template <int dim>
 Displacement DisplacementSpace<dim>::complete(const DistributedVector &free_values) const
 {
-  Displacement values = displacement(free_values);
-  values.zero_out_ghost_values();
+  Displacement values(rows_);
+  copy_rows(locally_owned(), free_values, values);
   constraints_.distribute(values.entries());
   values.update_ghost_values();
   return values;
@@ -275,9 +282,8 @@ void DisplacementSpace<dim>::distribute_without_pins(Displacement &w) const
 template <int dim>
 Displacement DisplacementSpace<dim>::displacement(const DistributedVector &rows) const
 {
-  Displacement U = zero();
-  for (const auto i : locally_owned())
-    U(i) = rows(i);
+  Displacement U(rows_);
+  copy_rows(locally_owned(), rows, U);
   U.update_ghost_values();
   return U;
 }
@@ -286,8 +292,7 @@ template <int dim>
 DualVector DisplacementSpace<dim>::dual(const DistributedVector &rows) const
 {
   DualVector functional(rows_);
-  for (const auto i : locally_owned())
-    functional(i) = rows(i);
+  copy_rows(locally_owned(), rows, functional);
   return functional;
 }
 

@@ -280,34 +280,36 @@ void Coupling::add_product(const dealii::Vector<double> &P, DistributedVector &v
           vector(entry.first) += entry.second * P[tau];
 }
 
+namespace
+{
+/** Returns Dᵀ U from the rows of U that this rank owns. */
+template <typename VectorType>
+dealii::Vector<double> product_of_rows(const Coupling &D, const VectorType &U)
+{
+  dealii::Vector<double> product(D.n_columns());
+  for (unsigned int tau = 0; tau < D.n_columns(); ++tau)
+    for (const auto &entry : D.column(tau))
+      if (U.in_local_range(entry.first))
+        product[tau] += entry.second * U(entry.first);
+  return product;
+}
+} // namespace
+
 dealii::Vector<double> Coupling::transpose_product(const dealii::Vector<double> &U) const
 {
-  dealii::Vector<double> product(n_columns());
-  for (unsigned int tau = 0; tau < n_columns(); ++tau)
-    for (const auto &entry : columns_[tau])
-      product[tau] += entry.second * U[entry.first];
-  return product;
+  return product_of_rows(*this, U);
 }
 
 dealii::Vector<double> Coupling::transpose_product(const Displacement &U) const
 {
-  dealii::Vector<double> product(n_columns());
-  for (unsigned int tau = 0; tau < n_columns(); ++tau)
-    for (const auto &entry : columns_[tau])
-      if (U.in_local_range(entry.first))
-        product[tau] += entry.second * U(entry.first);
+  dealii::Vector<double> product = product_of_rows(*this, U);
   dealii::Utilities::MPI::sum(product, U.get_mpi_communicator(), product);
   return product;
 }
 
 dealii::Vector<double> Coupling::local_transpose_product(const DistributedVector &U) const
 {
-  dealii::Vector<double> product(n_columns());
-  for (unsigned int tau = 0; tau < n_columns(); ++tau)
-    for (const auto &entry : columns_[tau])
-      if (U.in_local_range(entry.first))
-        product[tau] += entry.second * U(entry.first);
-  return product;
+  return product_of_rows(*this, U);
 }
 
 template <int dim>

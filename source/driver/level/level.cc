@@ -40,14 +40,14 @@ namespace
 template <int dim>
 void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &solution)
 {
-  const bool has_cases = !problem.scene.load_cases.empty();
+  // C of several ranks is written column by column, each by a solve.
   const bool writes_compliance = problem.parameters.output.compliance;
+  const bool solves_later = writes_compliance || !problem.scene.load_cases.empty();
   if (solution.dual && !writes_compliance)
     solution.dual->C = nullptr;
-  // C of several ranks is written column by column, each by a solve.
-  if (!has_cases && !writes_compliance)
+  if (!solves_later)
     solution.inverse = nullptr;
-  if (!has_cases && !writes_compliance && !problem.parameters.output.lemmas)
+  if (!solves_later && !problem.parameters.output.lemmas)
     solution.system = nullptr;
 }
 } // namespace

@@ -33,7 +33,8 @@ CaseData case_data(const Parameters &parameters,
 }
 } // namespace
 
-std::vector<CaseResult> solve_load_cases(const LevelProblem<2> &problem,
+std::vector<CaseResult> solve_load_cases(const Parameters &parameters,
+                                         const Scene<2> &scene,
                                          LevelResult<2> &level,
                                          const CaseFields &use_fields,
                                          const Progress &progress)
@@ -42,9 +43,8 @@ std::vector<CaseResult> solve_load_cases(const LevelProblem<2> &problem,
   std::vector<CaseResult> results;
   {
     const StageTimer timer(seconds);
-    const Scene<2> &scene = problem.scene;
     progress("load cases");
-    CaseSolver solver(case_data(problem.parameters, scene, *level.discretization, level.solution));
+    CaseSolver solver(case_data(parameters, scene, *level.discretization, level.solution));
     const std::size_t n = scene.load_cases.size(), every = std::max<std::size_t>(1, n / 20);
     for (const LoadCase &load_case : scene.load_cases)
     {

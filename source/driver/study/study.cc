@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// The loop over the levels, until the sequence ends.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/parallel.h>
@@ -34,118 +35,6 @@ bool can_be_graded(const unsigned int n_ranks)
  */
 template <int dim>
 void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator);
-
-// Contradictions between parameters, scene and number of ranks, found before the first level.
-
-namespace
-{
-/** Refuses serial options of a solver on several ranks. @throws InputError */
-template <typename Option>
-void require_one_rank(const Given<Option> &solver,
-                      const std::vector<Option> &serial_options,
-                      const unsigned int n_ranks)
-{
-  const auto needs_one_rank = [&](const Option value) {
-    return std::find(serial_options.begin(), serial_options.end(), value) != serial_options.end();
-  };
-  if (!needs_one_rank(solver) || n_ranks == 1)
-    return;
-  std::string allowed;
-  for (const auto &[other, name] : option_names<Option>())
-    if (!needs_one_rank(other))
-      allowed += (allowed.empty() ? "" : ", ") + name;
-  throw InputError(solver.where() + ": found '" + to_text(solver.value) + "' on " +
-                   std::to_string(n_ranks) + " processes, allowed on several: " + allowed + ".");
-}
-
-template <int dim>
-void check_strategy(const Given<Strategy> &strategy, const unsigned int n_ranks)
-{
-  if (strategy == Strategy::hp && !can_be_graded<dim>(n_ranks))
-    throw InputError(strategy.where() + ": found '" + to_text(strategy.value) + "' on " +
-                     std::to_string(n_ranks) +
-                     " processes, allowed on several: " + to_text(Strategy::nested) + ".");
-}
-
-/** Refuses V-cycles for contact with another linear solver, or with several loads.
- * @throws InputError */
-template <int dim>
-void check_contact_solver(const Parameters &parameters, const Scene<dim> &scene)
-{
-  const Given<ContactSolver> &solver = parameters.solver.contact_solver;
-  const Given<LinearSolver> &linear = parameters.solver.linear_solver;
-  if (solver != ContactSolver::multigrid)
-    return;
-  if (linear != LinearSolver::multigrid && linear != LinearSolver::automatic)
-    throw InputError(linear.where() + ": found '" + to_text(linear.value) +
-                     "' with Contact solver '" + to_text(solver.value) +
-                     "', allowed with it: automatic, multigrid.");
-  if (!scene.load_cases.empty())
-    throw InputError(solver.where() + ": found '" + to_text(solver.value) +
-                     "' with load cases, allowed with them: psor, active set.");
-}
-
-/** Refuses multigrid for meshes that are not nested, for Q2, and where a matrix is to be written.
- * @throws InputError */
-template <typename Option>
-void check_multigrid(const Given<Option> &solver,
-                     const std::string &name,
-                     const std::string &allowed,
-                     const Parameters &parameters)
-{
-  if (solver != Option::multigrid)
-    return;
-  const Given<Strategy> &strategy = parameters.discretization.strategy;
-  if (strategy == Strategy::hp)
-    throw InputError(solver.where() + ": found '" + to_text(solver.value) + "' with Strategy '" +
-                     to_text(strategy.value) + "', allowed with it: " + allowed + ".");
-  const Given<Element> &element = parameters.discretization.element;
-  if (element == Element::q2)
-    throw InputError(solver.where() + ": found '" + to_text(solver.value) + "' with Element '" +
-                     to_text(element.value) + "', allowed with it: " + allowed + ".");
-  if (parameters.output.compliance)
-    throw InputError(parameters.output.compliance.where() + ": found 'true' with " + name + " '" +
-                     to_text(solver.value) +
-                     "', which assembles no matrix, allowed with it: false.");
-}
-
-/** Refuses a coarsest level on which sides end inside faces. Most scenes number their boundary on
- * level 0. @throws InputError */
-void check_coarsest_level(const Given<unsigned int> &coarsest_level, const Geometry<2> &geometry)
-{
-  if (!geometry.number_after_refinement)
-    return;
-  dealii::Triangulation<2> mesh;
-  geometry.make_coarse_mesh(mesh);
-  mesh.refine_global(coarsest_level);
-  if (ends_inside_a_face(geometry.sides, mesh))
-    throw InputError(coarsest_level.where() +
-                     ": a side of this scene ends inside a face of the mesh, allowed: a finer "
-                     "coarsest level.");
-}
-} // namespace
-
-template <int dim>
-void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator)
-{
-  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
-  require_one_rank(
-    parameters.solver.linear_solver, {LinearSolver::condensed, LinearSolver::multigrid}, n_ranks);
-  require_one_rank(parameters.solver.contact_solver, {ContactSolver::multigrid}, n_ranks);
-  check_strategy<dim>(parameters.discretization.strategy, n_ranks);
-  check_contact_solver(parameters, scene);
-  check_multigrid(
-    parameters.solver.linear_solver, "Linear solver", "automatic, condensed", parameters);
-  check_multigrid(
-    parameters.solver.contact_solver, "Contact solver", "psor, active set, mprgp", parameters);
-  if constexpr (dim == 2)
-    check_coarsest_level(parameters.discretization.coarsest_level, scene.geometry);
-}
-
-template void check_settings(const Parameters &, const Scene<2> &, MPI_Comm);
-template void check_settings(const Parameters &, const Scene<3> &, MPI_Comm);
-
-// The loop over the levels, until the sequence ends.
 
 namespace
 {
@@ -277,7 +166,7 @@ private:
                                     const Pressure &P) {
         writer_.write_case_fields(*level.discretization, scene_of_case, U, P, number);
       };
-      writer_.write_cases(solve_load_cases({parameters_, scene}, level, write_fields, progress));
+      writer_.write_cases(solve_load_cases(parameters_, scene, level, write_fields, progress));
     }
   }
 
@@ -307,4 +196,114 @@ template StudyResult<2>
 run_study(const Parameters &, const Scene<2> &, MPI_Comm, const StudyReport &);
 template StudyResult<3>
 run_study(const Parameters &, const Scene<3> &, MPI_Comm, const StudyReport &);
+
+// Contradictions between parameters, scene and number of ranks, found before the first level.
+
+namespace
+{
+/** Refuses serial options of a solver on several ranks. @throws InputError */
+template <typename Option>
+void require_one_rank(const Given<Option> &solver,
+                      const std::vector<Option> &serial_options,
+                      const unsigned int n_ranks)
+{
+  const auto needs_one_rank = [&](const Option value) {
+    return std::find(serial_options.begin(), serial_options.end(), value) != serial_options.end();
+  };
+  if (!needs_one_rank(solver) || n_ranks == 1)
+    return;
+  std::string allowed;
+  for (const auto &[other, name] : option_names<Option>())
+    if (!needs_one_rank(other))
+      allowed += (allowed.empty() ? "" : ", ") + name;
+  throw InputError(solver.where() + ": found '" + to_text(solver.value) + "' on " +
+                   std::to_string(n_ranks) + " processes, allowed on several: " + allowed + ".");
+}
+
+template <int dim>
+void check_strategy(const Given<Strategy> &strategy, const unsigned int n_ranks)
+{
+  if (strategy == Strategy::hp && !can_be_graded<dim>(n_ranks))
+    throw InputError(strategy.where() + ": found '" + to_text(strategy.value) + "' on " +
+                     std::to_string(n_ranks) +
+                     " processes, allowed on several: " + to_text(Strategy::nested) + ".");
+}
+
+/** Refuses V-cycles for contact with another linear solver, or with several loads.
+ * @throws InputError */
+template <int dim>
+void check_contact_solver(const Parameters &parameters, const Scene<dim> &scene)
+{
+  const Given<ContactSolver> &solver = parameters.solver.contact_solver;
+  const Given<LinearSolver> &linear = parameters.solver.linear_solver;
+  if (solver != ContactSolver::multigrid)
+    return;
+  if (linear != LinearSolver::multigrid && linear != LinearSolver::automatic)
+    throw InputError(linear.where() + ": found '" + to_text(linear.value) +
+                     "' with Contact solver '" + to_text(solver.value) +
+                     "', allowed with it: automatic, multigrid.");
+  if (!scene.load_cases.empty())
+    throw InputError(solver.where() + ": found '" + to_text(solver.value) +
+                     "' with load cases, allowed with them: psor, active set.");
+}
+
+/** Refuses multigrid for meshes that are not nested, for Q2, and where a matrix is to be written.
+ * @throws InputError */
+template <typename Option>
+void check_multigrid(const Given<Option> &solver,
+                     const std::string &name,
+                     const std::string &allowed,
+                     const Parameters &parameters)
+{
+  if (solver != Option::multigrid)
+    return;
+  const Given<Strategy> &strategy = parameters.discretization.strategy;
+  if (strategy == Strategy::hp)
+    throw InputError(solver.where() + ": found '" + to_text(solver.value) + "' with Strategy '" +
+                     to_text(strategy.value) + "', allowed with it: " + allowed + ".");
+  const Given<Element> &element = parameters.discretization.element;
+  if (element == Element::q2)
+    throw InputError(solver.where() + ": found '" + to_text(solver.value) + "' with Element '" +
+                     to_text(element.value) + "', allowed with it: " + allowed + ".");
+  if (parameters.output.compliance)
+    throw InputError(parameters.output.compliance.where() + ": found 'true' with " + name + " '" +
+                     to_text(solver.value) +
+                     "', which assembles no matrix, allowed with it: false.");
+}
+
+/** Refuses a coarsest level on which sides end inside faces. Most scenes number their boundary on
+ * level 0. @throws InputError */
+void check_coarsest_level(const Given<unsigned int> &coarsest_level, const Geometry<2> &geometry)
+{
+  if (!geometry.number_after_refinement)
+    return;
+  dealii::Triangulation<2> mesh;
+  geometry.make_coarse_mesh(mesh);
+  mesh.refine_global(coarsest_level);
+  if (ends_inside_a_face(geometry.sides, mesh))
+    throw InputError(coarsest_level.where() +
+                     ": a side of this scene ends inside a face of the mesh, allowed: a finer "
+                     "coarsest level.");
+}
+} // namespace
+
+template <int dim>
+void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator)
+{
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  require_one_rank(
+    parameters.solver.linear_solver, {LinearSolver::condensed, LinearSolver::multigrid}, n_ranks);
+  require_one_rank(parameters.solver.contact_solver, {ContactSolver::multigrid}, n_ranks);
+  check_strategy<dim>(parameters.discretization.strategy, n_ranks);
+  check_contact_solver(parameters, scene);
+  check_multigrid(
+    parameters.solver.linear_solver, "Linear solver", "automatic, condensed", parameters);
+  check_multigrid(
+    parameters.solver.contact_solver, "Contact solver", "psor, active set, mprgp", parameters);
+  if constexpr (dim == 2)
+    check_coarsest_level(parameters.discretization.coarsest_level, scene.geometry);
+}
+
+template void check_settings(const Parameters &, const Scene<2> &, MPI_Comm);
+template void check_settings(const Parameters &, const Scene<3> &, MPI_Comm);
 } // namespace Signorini

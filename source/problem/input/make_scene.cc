@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// Problem (1) from the parameters: out of the catalogue, or described by expressions.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
@@ -19,8 +20,6 @@ namespace Signorini
 {
 /** Reads the subsection Load cases. @throws InputError. */
 std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Scene<2> &scene);
-
-// Problem (1) from the parameters: out of the catalogue, or described by expressions.
 
 namespace
 {

@@ -12,7 +12,7 @@
 #include <signorini/results/output/results_writer.h>
 #include <signorini/results/pictures/convergence_picture.h>
 #include <signorini/results/pictures/deformed_picture.h>
-#include <signorini/results/pictures/pressure_picture.h>
+#include <signorini/results/pictures/pictures.h>
 
 #include <deal.II/base/mpi.h>
 

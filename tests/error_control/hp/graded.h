@@ -39,8 +39,10 @@ struct GradedLevel
   }
   Signorini::LevelSolution<2> solve() const
   {
-    return Signorini::solve_level<2>(
-      {parameters, scene}, discretization, Signorini::ContactStart(), [](const std::string &) {});
+    return Signorini::solve_level<2>({parameters, scene, choose_solvers(parameters, scene, 0, 1)},
+                                     discretization,
+                                     Signorini::ContactStart(),
+                                     [](const std::string &) {});
   }
 
   Signorini::Parameters parameters;

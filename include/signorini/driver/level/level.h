@@ -13,7 +13,7 @@ struct LevelProblem
 {
   const Parameters &parameters;
   const Scene<dim> &scene;
-  SolverChoice solvers = {};
+  SolverChoice solvers;
 };
 
 /**

@@ -66,7 +66,8 @@ using CaseFields =
  * The factors of the level are released. Collective.
  * @param use_fields is called for each case whose fields are wanted, as soon as it is solved.
  */
-std::vector<CaseResult> solve_load_cases(const LevelProblem<2> &problem,
+std::vector<CaseResult> solve_load_cases(const Parameters &parameters,
+                                         const Scene<2> &scene,
                                          LevelResult<2> &level,
                                          const CaseFields &use_fields,
                                          const Progress &progress);

@@ -3,7 +3,7 @@
 
 #include <signorini/results/files/contact_files.h>
 #include <signorini/results/files/files.h>
-#include <signorini/results/pictures/pressure_picture.h>
+#include <signorini/results/pictures/pictures.h>
 #include <signorini/results/record/level_result.h>
 #include <signorini/results/verdict/judge.h>
 

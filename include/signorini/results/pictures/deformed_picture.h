@@ -3,7 +3,7 @@
 
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/results/files/contact_files.h>
-#include <signorini/results/pictures/pressure_picture.h>
+#include <signorini/results/pictures/pictures.h>
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/results/files/files.h>
-#include <signorini/results/pictures/pressure_picture.h>
+#include <signorini/results/pictures/pictures.h>
 
 #include <deal.II/lac/vector.h>
 
