@@ -169,11 +169,9 @@ CommandLine read_command_line(const int argc, char **argv)
 
 std::string share_command_line(CommandLine &command_line, MPI_Comm communicator)
 {
-  const auto packed = [](const CommandLine &given) {
-    return dealii::Utilities::pack(given, false);
-  };
+  const auto packed = [](const CommandLine &given) { return Utilities::pack(given, false); };
   const std::vector<char> mine = packed(command_line);
-  command_line = dealii::Utilities::MPI::broadcast(communicator, command_line);
+  command_line = Utilities::MPI::broadcast(communicator, command_line);
   return list_ranks(communicator, packed(command_line) != mine);
 }
 } // namespace Signorini

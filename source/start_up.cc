@@ -112,7 +112,7 @@ void report_failed_start()
 /** Multiplies two matrices: one product is enough for a thread of OpenBLAS to get its buffer. */
 void multiply_matrices()
 {
-  dealii::FullMatrix<double> a(200, 200), product(200, 200);
+  FullMatrix<double> a(200, 200), product(200, 200);
   a = 1.;
   a.mmult(product, a);
 }

@@ -2,6 +2,7 @@
 // Seconds and memory.
 
 #include <signorini/base/columns.h>
+#include <signorini/base/dealii.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -43,8 +44,8 @@ Resources measure_resources()
   const auto seconds = [](const timeval &time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
-  dealii::Utilities::System::MemoryStats memory = {};
-  dealii::Utilities::System::get_memory_stats(memory);
+  Utilities::System::MemoryStats memory = {};
+  Utilities::System::get_memory_stats(memory);
   return {seconds(usage.ru_utime) + seconds(usage.ru_stime),
           static_cast<double>(memory.VmHWM) / 1024.};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // One sentence, on one line.
 
+#include <signorini/base/dealii.h>
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 
@@ -85,8 +86,8 @@ void agree(MPI_Comm communicator, const std::function<void()> &work)
     outcome = Outcome::other_error;
     message = error.what();
   }
-  const auto outcomes = dealii::Utilities::MPI::all_gather(
-    communicator, std::make_pair(static_cast<int>(outcome), message));
+  const auto outcomes =
+    Utilities::MPI::all_gather(communicator, std::make_pair(static_cast<int>(outcome), message));
   for (const auto &other : outcomes)
     if (other.first != static_cast<int>(Outcome::success))
       rethrow(static_cast<Outcome>(other.first), other.second);
@@ -95,7 +96,7 @@ void agree(MPI_Comm communicator, const std::function<void()> &work)
 std::string list_ranks(MPI_Comm communicator, const bool condition)
 {
   const std::vector<int> all =
-    dealii::Utilities::MPI::all_gather(communicator, static_cast<int>(condition));
+    Utilities::MPI::all_gather(communicator, static_cast<int>(condition));
   std::vector<std::string> ranks;
   for (std::size_t i = 0; i < all.size(); ++i)
     if (all[i] != 0)

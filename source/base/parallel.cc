@@ -79,9 +79,9 @@ LibraryThreads::~LibraryThreads()
 
 std::vector<std::string> gather_texts(std::string text, MPI_Comm communicator)
 {
-  const int rank = static_cast<int>(dealii::Utilities::MPI::this_mpi_process(communicator));
-  const int n_ranks = static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(communicator));
-  const auto sizes = dealii::Utilities::MPI::all_gather(communicator, text.size());
+  const int rank = static_cast<int>(Utilities::MPI::this_mpi_process(communicator));
+  const int n_ranks = static_cast<int>(Utilities::MPI::n_mpi_processes(communicator));
+  const auto sizes = Utilities::MPI::all_gather(communicator, text.size());
   if (*std::max_element(sizes.begin(), sizes.end()) > std::numeric_limits<int>::max())
     throw ComputationError("A rank's part of a file has more than 2 GiB; more ranks, 'VTU = "
                            "none' or 'Compliance = false' avoid that.");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
+
 #include <mpi.h>
 
 #include <cstddef>
@@ -22,7 +24,7 @@ unsigned int n_available_threads(MPI_Comm communicator);
  * Computes consume(produce(i)) for i = 0, ..., n - 1: @p produce runs on @p n_threads threads at
  * once, @p consume on this one and in order, so that sums have the same digits for any number of
  * threads.
- * @throws what either throws. (dealii::WorkStream ends the program when a worker throws; here wrong
+ * @throws what either throws. (WorkStream ends the program when a worker throws; here wrong
  * data at a quadrature point must become a message.)
  */
 template <typename Result>

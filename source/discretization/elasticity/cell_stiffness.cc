@@ -10,16 +10,14 @@ namespace Signorini
 {
 namespace
 {
-const dealii::UpdateFlags stiffness_flags =
-  dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values;
+const UpdateFlags stiffness_flags = update_gradients | update_quadrature_points | update_JxW_values;
 
 /** Returns the edges from the first vertex. They are equal for congruent cells, up to translation.
  */
 template <int dim>
-std::vector<dealii::Tensor<1, dim>>
-shape_of(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
+std::vector<Tensor<1, dim>> shape_of(const typename Triangulation<dim>::active_cell_iterator &cell)
 {
-  std::vector<dealii::Tensor<1, dim>> shape;
+  std::vector<Tensor<1, dim>> shape;
   for (const unsigned int v : cell->vertex_indices())
     shape.push_back(cell->vertex(v) - cell->vertex(0));
   return shape;
@@ -27,9 +25,9 @@ shape_of(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
 
 /** Returns ∫_K div φ_i / |K| for all i. */
 template <int dim>
-std::vector<double> mean_divergences(const dealii::FEValues<dim> &values)
+std::vector<double> mean_divergences(const FEValues<dim> &values)
 {
-  const dealii::FEValuesExtractors::Vector displacement(0);
+  const FEValuesExtractors::Vector displacement(0);
   std::vector<double> means(values.dofs_per_cell, 0.);
   double volume = 0.;
   for (const unsigned int q : values.quadrature_point_indices())
@@ -46,11 +44,11 @@ std::vector<double> mean_divergences(const dealii::FEValues<dim> &values)
 /** Returns whether every vertex is the sum of the edges along its coordinates: a parallelogram, in
  * 3-D a parallelepiped. */
 template <int dim>
-bool is_affine(const std::vector<dealii::Tensor<1, dim>> &shape, const double tolerance)
+bool is_affine(const std::vector<Tensor<1, dim>> &shape, const double tolerance)
 {
   for (unsigned int v = 0; v < shape.size(); ++v)
   {
-    dealii::Tensor<1, dim> difference = shape[v];
+    Tensor<1, dim> difference = shape[v];
     for (unsigned int d = 0; d < dim; ++d)
       if (((v >> d) & 1U) != 0)
         difference -= shape[1U << d];
@@ -69,7 +67,7 @@ double tolerance_of_shapes(const double distance_from_origin, const double size)
 }
 
 /** Computes magnitudes_i = Σ_j |K_ij x_j|. */
-void multiply_magnitudes(const dealii::FullMatrix<double> &K,
+void multiply_magnitudes(const FullMatrix<double> &K,
                          const dealii::Vector<double> &x,
                          dealii::Vector<double> &magnitudes)
 {
@@ -97,7 +95,7 @@ CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Sce
 template <int dim>
 const typename CellStiffness<dim>::Sample *
 CellStiffness<dim>::find_sample(const unsigned int element_number,
-                                const std::vector<dealii::Tensor<1, dim>> &shape,
+                                const std::vector<Tensor<1, dim>> &shape,
                                 const double tolerance) const
 {
   const double size = shape.back().norm();
@@ -114,11 +112,10 @@ CellStiffness<dim>::find_sample(const unsigned int element_number,
 }
 
 template <int dim>
-typename CellStiffness<dim>::Matrix
-CellStiffness<dim>::integrate(const dealii::FEValues<dim> &values)
+typename CellStiffness<dim>::Matrix CellStiffness<dim>::integrate(const FEValues<dim> &values)
 {
-  const dealii::FEValuesExtractors::Vector displacement(0);
-  constexpr unsigned int n_strains = dealii::SymmetricTensor<2, dim>::n_independent_components;
+  const FEValuesExtractors::Vector displacement(0);
+  constexpr unsigned int n_strains = SymmetricTensor<2, dim>::n_independent_components;
   const unsigned int n = values.dofs_per_cell;
   const std::vector<double> mean_dilatation = strain_operator_ == StrainOperator::mean_dilatation
                                                 ? mean_divergences(values)
@@ -126,7 +123,7 @@ CellStiffness<dim>::integrate(const dealii::FEValues<dim> &values)
   const auto hooke_at = [&](const unsigned int q) {
     return material_.relative_hooke(mesh_.from_unit_body(values.quadrature_point(q)));
   };
-  dealii::SymmetricTensor<4, dim> hooke = hooke_at(0);
+  SymmetricTensor<4, dim> hooke = hooke_at(0);
   // With a row for every point and component, the sum over both is a product of matrices.
   strains_.reinit(values.n_quadrature_points * n_strains, n);
   stresses_.reinit(values.n_quadrature_points * n_strains, n);
@@ -136,10 +133,10 @@ CellStiffness<dim>::integrate(const dealii::FEValues<dim> &values)
       hooke = hooke_at(q);
     for (unsigned int i = 0; i < n; ++i)
     {
-      dealii::SymmetricTensor<2, dim> strain = values[displacement].symmetric_gradient(i, q);
+      SymmetricTensor<2, dim> strain = values[displacement].symmetric_gradient(i, q);
       if (!mean_dilatation.empty())
         replace_trace(strain, mean_dilatation[i]);
-      const dealii::SymmetricTensor<2, dim> stress = values.JxW(q) * (hooke * strain);
+      const SymmetricTensor<2, dim> stress = values.JxW(q) * (hooke * strain);
       for (unsigned int c = 0; c < n_strains; ++c)
       {
         // Off the diagonal a component stands for two.
@@ -148,7 +145,7 @@ CellStiffness<dim>::integrate(const dealii::FEValues<dim> &values)
       }
     }
   }
-  const auto matrix = std::make_shared<dealii::FullMatrix<double>>(n, n);
+  const auto matrix = std::make_shared<FullMatrix<double>>(n, n);
   strains_.Tmmult(*matrix, stresses_);
   return matrix;
 }
@@ -156,7 +153,7 @@ CellStiffness<dim>::integrate(const dealii::FEValues<dim> &values)
 template <int dim>
 typename CellStiffness<dim>::Matrix CellStiffness<dim>::share(const CellIterator &cell)
 {
-  std::vector<dealii::Tensor<1, dim>> shape = shape_of<dim>(cell);
+  std::vector<Tensor<1, dim>> shape = shape_of<dim>(cell);
   const double size = shape.back().norm();
   const double tolerance = tolerance_of_shapes(cell->vertex(0).norm(), size);
   if (!constant_ || curved_ || !is_affine<dim>(shape, tolerance))
@@ -169,7 +166,7 @@ typename CellStiffness<dim>::Matrix CellStiffness<dim>::share(const CellIterator
   constexpr std::size_t max_samples = 64;
   if (sample != nullptr || samples_.size() == max_samples)
     return matrix;
-  for (dealii::Tensor<1, dim> &edge : shape)
+  for (Tensor<1, dim> &edge : shape)
     edge /= size;
   samples_.push_back({element_number, size, shape, matrix});
   return matrix;
@@ -183,7 +180,7 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
   CellStiffness<dim> stiffness(space, scene);
   InternalForces<dim> result = {space.make_vector(), space.make_vector()};
   dealii::Vector<double> cell_U, forces, magnitudes;
-  std::vector<dealii::types::global_dof_index> indices;
+  std::vector<types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->is_locally_owned())
     {
@@ -193,7 +190,7 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
       indices.resize(n);
       cell->get_dof_indices(indices);
       cell->get_dof_values(U, cell_U);
-      const dealii::FullMatrix<double> &K = stiffness(cell);
+      const FullMatrix<double> &K = stiffness(cell);
       K.vmult(forces, cell_U);
       multiply_magnitudes(K, cell_U, magnitudes);
       result.forces.add(indices, forces);
@@ -201,7 +198,7 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
     }
   for (DistributedVector *const vector : {&result.forces, &result.magnitudes})
   {
-    vector->compress(dealii::VectorOperation::add);
+    vector->compress(VectorOperation::add);
     *vector *= stiffness_unit(space, *scene.material);
   }
   return result;

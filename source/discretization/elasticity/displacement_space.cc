@@ -19,13 +19,13 @@ namespace
 {
 /** Returns the conditions of clamped, prescribed and roller sides for u_h. */
 template <int dim>
-dealii::AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh,
-                                                       const dealii::DoFHandler<dim> &dofs,
-                                                       const Scene<dim> &scene)
+AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh,
+                                               const DoFHandler<dim> &dofs,
+                                               const Scene<dim> &scene)
 {
-  const dealii::Functions::ZeroFunction<dim> zero(dim);
-  std::map<dealii::types::boundary_id, const dealii::Function<dim> *> displacements;
-  std::set<dealii::types::boundary_id> rollers;
+  const Functions::ZeroFunction<dim> zero(dim);
+  std::map<types::boundary_id, const Function<dim> *> displacements;
+  std::set<types::boundary_id> rollers;
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
   {
     const BoundaryCondition<dim> &condition = scene.boundary[i];
@@ -36,22 +36,20 @@ dealii::AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh,
     else if (condition.role == Role::roller)
       rollers.insert(i);
   }
-  dealii::AffineConstraints<double> conditions;
-  dealii::VectorTools::interpolate_boundary_values(mesh.mapping(), dofs, displacements, conditions);
+  AffineConstraints<double> conditions;
+  VectorTools::interpolate_boundary_values(mesh.mapping(), dofs, displacements, conditions);
   // Where a roller meets a clamped or prescribed side, the entries above stay.
   if (!rollers.empty())
-    dealii::VectorTools::compute_no_normal_flux_constraints(
-      dofs, 0, rollers, conditions, mesh.mapping());
+    VectorTools::compute_no_normal_flux_constraints(dofs, 0, rollers, conditions, mesh.mapping());
   conditions.close();
   return conditions;
 }
 
 /** Returns vertices of the coarse mesh that do not hang: off the contact sides, as far as there are
  * any. */
-std::vector<DisplacementSpace<2>::Pin>
-pin_candidates(const dealii::DoFHandler<2> &dofs,
-               const Scene<2> &scene,
-               const dealii::AffineConstraints<double> &essential)
+std::vector<DisplacementSpace<2>::Pin> pin_candidates(const DoFHandler<2> &dofs,
+                                                      const Scene<2> &scene,
+                                                      const AffineConstraints<double> &essential)
 {
   std::set<unsigned int> coarse, touching;
   for (const auto &cell : dofs.get_triangulation().cell_iterators_on_level(0))
@@ -84,10 +82,9 @@ pin_candidates(const dealii::DoFHandler<2> &dofs,
 
 /** Returns as many pins as there are motions, chosen one after the other where the motions that are
  * left are largest. */
-std::vector<DisplacementSpace<2>::Pin>
-choose_pins(const dealii::DoFHandler<2> &dofs,
-            const Scene<2> &scene,
-            const dealii::AffineConstraints<double> &essential)
+std::vector<DisplacementSpace<2>::Pin> choose_pins(const DoFHandler<2> &dofs,
+                                                   const Scene<2> &scene,
+                                                   const AffineConstraints<double> &essential)
 {
   std::vector<RigidMotion> motions = free_rigid_motions(scene);
   const auto candidates = pin_candidates(dofs, scene, essential);
@@ -119,10 +116,10 @@ choose_pins(const dealii::DoFHandler<2> &dofs,
 
 /** Returns constrained degrees of freedom and their masters: on an oblique roller both components
  * of a node carry the reaction. */
-dealii::IndexSet held_dofs(const dealii::AffineConstraints<double> &conditions,
-                           const dealii::types::global_dof_index n_dofs)
+IndexSet held_dofs(const AffineConstraints<double> &conditions,
+                   const types::global_dof_index n_dofs)
 {
-  dealii::IndexSet held(n_dofs);
+  IndexSet held(n_dofs);
   for (const auto &line : conditions.get_lines())
   {
     held.add_index(line.index);
@@ -136,24 +133,24 @@ dealii::IndexSet held_dofs(const dealii::AffineConstraints<double> &conditions,
 /** Returns the constraints that keep u_h continuous at hanging nodes and between different degrees.
  */
 template <int dim>
-dealii::AffineConstraints<double> continuity_conditions(const dealii::DoFHandler<dim> &dofs)
+AffineConstraints<double> continuity_conditions(const DoFHandler<dim> &dofs)
 {
-  dealii::AffineConstraints<double> conditions;
+  AffineConstraints<double> conditions;
   if (dofs.get_triangulation().has_hanging_nodes() || dofs.get_fe_collection().size() > 1)
-    dealii::DoFTools::make_hanging_node_constraints(dofs, conditions);
+    DoFTools::make_hanging_node_constraints(dofs, conditions);
   conditions.close();
   return conditions;
 }
 
 /** Copies the owned rows of a vector that is distributed like A. */
-void copy_rows(const dealii::IndexSet &owned, const DistributedVector &from, DualVector &to)
+void copy_rows(const IndexSet &owned, const DistributedVector &from, DualVector &to)
 {
   for (const auto i : owned)
     to(i) = from(i);
 }
 
 /** Sets the constrained values of w = T w_free. */
-void set_constrained(const dealii::AffineConstraints<double> &constraints, Displacement &w)
+void set_constrained(const AffineConstraints<double> &constraints, Displacement &w)
 {
   w.update_ghost_values();
   for (const auto &line : constraints.get_lines())
@@ -170,13 +167,13 @@ void set_constrained(const dealii::AffineConstraints<double> &constraints, Displ
 
 /** Returns both sets of constraints; where a degree of freedom has both, the essential condition.
  */
-dealii::AffineConstraints<double> merge(dealii::AffineConstraints<double> essential,
-                                        const dealii::AffineConstraints<double> &continuity)
+AffineConstraints<double> merge(AffineConstraints<double> essential,
+                                const AffineConstraints<double> &continuity)
 {
   if (continuity.n_constraints() == 0)
     return essential;
-  dealii::AffineConstraints<double> constraints(continuity);
-  constraints.merge(essential, dealii::AffineConstraints<double>::right_object_wins);
+  AffineConstraints<double> constraints(continuity);
+  constraints.merge(essential, AffineConstraints<double>::right_object_wins);
   constraints.close();
   return constraints;
 }
@@ -191,8 +188,7 @@ DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
   , strain_operator_(strain_operator)
   , dofs_(mesh.triangulation())
 {
-  distribute(scene,
-             dealii::hp::FECollection<dim>(dealii::FESystem<dim>(dealii::FE_Q<dim>(degree), dim)));
+  distribute(scene, hp::FECollection<dim>(FESystem<dim>(FE_Q<dim>(degree), dim)));
 }
 
 template <int dim>
@@ -206,9 +202,9 @@ DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
   AssertDimension(degrees.size(), mesh.triangulation().n_active_cells());
   constexpr unsigned int lowest = 2;
   const unsigned int highest = *std::max_element(degrees.begin(), degrees.end());
-  dealii::hp::FECollection<dim> elements;
+  hp::FECollection<dim> elements;
   for (unsigned int degree = lowest; degree <= highest; ++degree)
-    elements.push_back(dealii::FESystem<dim>(dealii::FE_Q<dim>(degree), dim));
+    elements.push_back(FESystem<dim>(FE_Q<dim>(degree), dim));
   if (elements.size() > 1)
     for (const auto &cell : dofs_.active_cell_iterators())
       cell->set_active_fe_index(degrees[cell->active_cell_index()] - lowest);
@@ -217,7 +213,7 @@ DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
 
 template <int dim>
 void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
-                                        const dealii::hp::FECollection<dim> &elements)
+                                        const hp::FECollection<dim> &elements)
 {
   dofs_.distribute_dofs(elements);
   auto essential = essential_conditions(mesh_, dofs_, scene);
@@ -228,7 +224,7 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
     {
       pins_ = choose_pins(dofs_, scene, essential);
       constraints_without_pins_ = merge(essential_conditions(mesh_, dofs_, scene), continuity_);
-      dealii::AffineConstraints<double> conditions;
+      AffineConstraints<double> conditions;
       conditions.merge(essential);
       for (const Pin &pin : pins_)
         conditions.add_line(pin.dof);
@@ -236,9 +232,9 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
       essential = std::move(conditions);
     }
   constraints_ = merge(std::move(essential), continuity_);
-  dealii::IndexSet relevant;
-  dealii::DoFTools::extract_locally_relevant_dofs(dofs_, relevant);
-  rows_ = std::make_shared<const dealii::Utilities::MPI::Partitioner>(
+  IndexSet relevant;
+  DoFTools::extract_locally_relevant_dofs(dofs_, relevant);
+  rows_ = std::make_shared<const Utilities::MPI::Partitioner>(
     locally_owned(), relevant, mesh_.communicator());
 }
 
@@ -299,7 +295,7 @@ DualVector DisplacementSpace<dim>::dual(const DistributedVector &rows) const
 namespace
 {
 /** Adds the rows of constrained degrees of freedom to those that they follow, and clears them. */
-void carry(const dealii::AffineConstraints<double> &constraints, DualVector &functional)
+void carry(const AffineConstraints<double> &constraints, DualVector &functional)
 {
   functional.zero_out_ghost_values();
   for (const auto &line : constraints.get_lines())
@@ -310,7 +306,7 @@ void carry(const dealii::AffineConstraints<double> &constraints, DualVector &fun
       functional(entry.first) += entry.second * functional(line.index);
     functional(line.index) = 0.;
   }
-  functional.compress(dealii::VectorOperation::add);
+  functional.compress(VectorOperation::add);
 }
 } // namespace
 
@@ -330,17 +326,17 @@ void DisplacementSpace<dim>::carry_to_masters(DualVector &functional) const
 }
 
 template <int dim>
-typename dealii::DoFHandler<dim>::active_cell_iterator
+typename DoFHandler<dim>::active_cell_iterator
 DisplacementSpace<dim>::dof_cell(const CellIterator &cell) const
 {
   return {&mesh_.triangulation(), cell->level(), cell->index(), &dofs_};
 }
 
 template <int dim>
-std::vector<dealii::types::global_dof_index>
+std::vector<types::global_dof_index>
 DisplacementSpace<dim>::cell_dofs(const CellIterator &cell) const
 {
-  std::vector<dealii::types::global_dof_index> indices(element(cell).n_dofs_per_cell());
+  std::vector<types::global_dof_index> indices(element(cell).n_dofs_per_cell());
   dof_cell(cell)->get_dof_indices(indices);
   return indices;
 }

@@ -25,14 +25,14 @@ double energy_norm(const DisplacementSpace<dim> &space,
       const auto &element = cell->get_fe();
       on_cell.reinit(element.n_dofs_per_cell());
       cell->get_dof_values(U, on_cell);
-      dealii::Tensor<1, dim> corner;
+      Tensor<1, dim> corner;
       for (unsigned int d = 0; d < dim; ++d)
         corner[d] = on_cell[element.component_to_system_index(d, 0)];
       for (unsigned int i = 0; i < on_cell.size(); ++i)
         on_cell[i] -= corner[element.system_to_component_index(i).first];
       energy += stiffness(cell).matrix_norm_square(on_cell);
     }
-  energy = dealii::Utilities::MPI::sum(energy, space.mesh().communicator());
+  energy = Utilities::MPI::sum(energy, space.mesh().communicator());
   return std::sqrt(std::max(0., energy * stiffness_unit(space, *scene.material)));
 }
 
@@ -58,11 +58,11 @@ std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
       on_cell.reinit(cell->get_fe().n_dofs_per_cell());
       forces.reinit(on_cell.size());
       cell->get_dof_values(U, on_cell);
-      const dealii::FullMatrix<double> &K = stiffness(cell);
+      const FullMatrix<double> &K = stiffness(cell);
       K.vmult(forces, on_cell);
       rigid = forces.linfty_norm() <= tolerance * K.linfty_norm() * motion;
     }
-  if (dealii::Utilities::MPI::min(rigid ? 1 : 0, space.mesh().communicator()) == 0)
+  if (Utilities::MPI::min(rigid ? 1 : 0, space.mesh().communicator()) == 0)
     return {};
   // A body at rest, too, has a size that rounding is compared with.
   constexpr double min_motion = 1e-10;
@@ -105,32 +105,31 @@ TraceValues<dim>::TraceValues(const DisplacementSpace<dim> &space)
 }
 
 template <int dim>
-const dealii::FEFaceValues<dim> &
-TraceValues<dim>::reinit(const ContactFace<dim> &face,
-                         const std::vector<dealii::Point<dim - 1>> &on_face)
+const FEFaceValues<dim> &TraceValues<dim>::reinit(const ContactFace<dim> &face,
+                                                  const std::vector<Point<dim - 1>> &on_face)
 {
   const unsigned int number = space_.element_number(face.cell);
   if (values_ == nullptr || number != element_number_ || on_face != on_face_)
   {
     on_face_ = on_face;
     element_number_ = number;
-    values_ = std::make_unique<dealii::FEFaceValues<dim>>(space_.mesh().mapping(),
-                                                          space_.elements()[number],
-                                                          dealii::Quadrature<dim - 1>(on_face),
-                                                          dealii::update_values);
+    values_ = std::make_unique<FEFaceValues<dim>>(space_.mesh().mapping(),
+                                                  space_.elements()[number],
+                                                  Quadrature<dim - 1>(on_face),
+                                                  update_values);
   }
   values_->reinit(space_.dof_cell(face.cell), face.face_no);
   return *values_;
 }
 
 template <int dim>
-std::vector<dealii::Tensor<1, dim>> TraceValues<dim>::displacement(const ContactFace<dim> &face,
-                                                                   const SurfaceRule<dim> &rule,
-                                                                   const Displacement &U)
+std::vector<Tensor<1, dim>> TraceValues<dim>::displacement(const ContactFace<dim> &face,
+                                                           const SurfaceRule<dim> &rule,
+                                                           const Displacement &U)
 {
   const auto &values = reinit(face, rule.on_face);
-  std::vector<dealii::Tensor<1, dim>> u(rule.size());
-  values[dealii::FEValuesExtractors::Vector(0)].get_function_values(U.entries(), u);
+  std::vector<Tensor<1, dim>> u(rule.size());
+  values[FEValuesExtractors::Vector(0)].get_function_values(U.entries(), u);
   return u;
 }
 
@@ -139,7 +138,7 @@ std::vector<double> TraceValues<dim>::normal_displacement(const ContactFace<dim>
                                                           const SurfaceRule<dim> &rule,
                                                           const Displacement &U)
 {
-  const std::vector<dealii::Tensor<1, dim>> u = displacement(face, rule, U);
+  const std::vector<Tensor<1, dim>> u = displacement(face, rule, U);
   std::vector<double> u_n(rule.size());
   for (std::size_t q = 0; q < rule.size(); ++q)
     u_n[q] = u[q] * rule.normals[q];
@@ -152,18 +151,17 @@ template class TraceValues<3>;
 // I^h. (VectorTools::interpolate fills in the locally owned cells only.)
 
 template <int dim>
-Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space,
-                                  const dealii::Function<dim> &u)
+Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Function<dim> &u)
 {
   NodePositions<dim> positions(space);
   Displacement values = space.zero();
   std::vector<bool> visited(values.size(), false);
-  std::vector<dealii::types::global_dof_index> indices;
+  std::vector<types::global_dof_index> indices;
   dealii::Vector<double> u_at_node(dim);
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
-    const dealii::FiniteElement<dim> &element = cell->get_fe();
-    const std::vector<dealii::Point<dim>> &nodes = positions(cell);
+    const FiniteElement<dim> &element = cell->get_fe();
+    const std::vector<Point<dim>> &nodes = positions(cell);
     indices.resize(element.n_dofs_per_cell());
     cell->get_dof_indices(indices);
     for (unsigned int node = 0; node < nodes.size(); ++node)
@@ -183,8 +181,6 @@ Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space,
   return values;
 }
 
-template Displacement interpolate_at_nodes(const DisplacementSpace<2> &,
-                                           const dealii::Function<2> &);
-template Displacement interpolate_at_nodes(const DisplacementSpace<3> &,
-                                           const dealii::Function<3> &);
+template Displacement interpolate_at_nodes(const DisplacementSpace<2> &, const Function<2> &);
+template Displacement interpolate_at_nodes(const DisplacementSpace<3> &, const Function<3> &);
 } // namespace Signorini

@@ -18,31 +18,31 @@
 namespace Signorini
 {
 template <int dim>
-dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space)
+TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space)
 {
   const MPI_Comm communicator = space.mesh().communicator();
-  const dealii::IndexSet &owned = space.locally_owned();
-  dealii::TrilinosWrappers::SparsityPattern sparsity(owned, owned, communicator);
-  dealii::DoFTools::make_sparsity_pattern(space.dofs(),
-                                          sparsity,
-                                          space.constraints(),
-                                          false,
-                                          dealii::Utilities::MPI::this_mpi_process(communicator));
+  const IndexSet &owned = space.locally_owned();
+  TrilinosWrappers::SparsityPattern sparsity(owned, owned, communicator);
+  DoFTools::make_sparsity_pattern(space.dofs(),
+                                  sparsity,
+                                  space.constraints(),
+                                  false,
+                                  Utilities::MPI::this_mpi_process(communicator));
   sparsity.compress();
-  dealii::TrilinosWrappers::SparseMatrix matrix;
+  TrilinosWrappers::SparseMatrix matrix;
   matrix.reinit(sparsity);
   return matrix;
 }
 
 template <int dim>
 MatrixScatter<dim>::MatrixScatter(const DisplacementSpace<dim> &space,
-                                  dealii::TrilinosWrappers::SparseMatrix &matrix)
+                                  TrilinosWrappers::SparseMatrix &matrix)
   : constraints_(space.constraints())
   , matrix_(matrix)
-  , one_rank_(dealii::Utilities::MPI::n_mpi_processes(space.mesh().communicator()) == 1)
+  , one_rank_(Utilities::MPI::n_mpi_processes(space.mesh().communicator()) == 1)
 {
   const int error = matrix.trilinos_matrix().ExtractCrsDataPointers(start_, column_, value_);
-  AssertThrow(error == 0, dealii::ExcTrilinosError(error));
+  AssertThrow(error == 0, ExcTrilinosError(error));
 }
 
 template <int dim>
@@ -53,8 +53,7 @@ bool MatrixScatter<dim>::has_constraints(const Indices &indices) const
 }
 
 template <int dim>
-void MatrixScatter<dim>::add_to_rows(const dealii::FullMatrix<double> &cell_matrix,
-                                     const Indices &indices)
+void MatrixScatter<dim>::add_to_rows(const FullMatrix<double> &cell_matrix, const Indices &indices)
 {
   const unsigned int n = indices.size();
   for (unsigned int i = 0; i < n; ++i)
@@ -70,14 +69,14 @@ void MatrixScatter<dim>::add_to_rows(const dealii::FullMatrix<double> &cell_matr
         ++entry;
       else
         entry = std::lower_bound(begin, end, column);
-      Assert(entry != end && *entry == column, dealii::ExcInternalError());
+      Assert(entry != end && *entry == column, ExcInternalError());
       value_[entry - column_] += cell_matrix(i, j);
     }
   }
 }
 
 template <int dim>
-void MatrixScatter<dim>::condense(const dealii::FullMatrix<double> &cell_matrix,
+void MatrixScatter<dim>::condense(const FullMatrix<double> &cell_matrix,
                                   const dealii::Vector<double> &cell_vector,
                                   const Indices &indices)
 {
@@ -85,7 +84,7 @@ void MatrixScatter<dim>::condense(const dealii::FullMatrix<double> &cell_matrix,
   // followed[i] are the masters of each degree of freedom: number in masters_ and weight.
   std::vector<std::vector<std::pair<unsigned int, double>>> followed(n);
   masters_.clear();
-  const auto index_in_masters = [&](const dealii::types::global_dof_index index) {
+  const auto index_in_masters = [&](const types::global_dof_index index) {
     const auto found = std::find(masters_.begin(), masters_.end(), index);
     const auto number = static_cast<unsigned int>(found - masters_.begin());
     if (found == masters_.end())
@@ -126,7 +125,7 @@ void MatrixScatter<dim>::condense(const dealii::FullMatrix<double> &cell_matrix,
 }
 
 template <int dim>
-void MatrixScatter<dim>::add_diagonals(const dealii::FullMatrix<double> &cell_matrix,
+void MatrixScatter<dim>::add_diagonals(const FullMatrix<double> &cell_matrix,
                                        const Indices &indices)
 {
   for (unsigned int i = 0; i < indices.size(); ++i)
@@ -140,7 +139,7 @@ void MatrixScatter<dim>::add_diagonals(const dealii::FullMatrix<double> &cell_ma
 }
 
 template <int dim>
-void MatrixScatter<dim>::add_condensed(const dealii::FullMatrix<double> &cell_matrix,
+void MatrixScatter<dim>::add_condensed(const FullMatrix<double> &cell_matrix,
                                        const dealii::Vector<double> &cell_vector,
                                        const Indices &indices)
 {
@@ -150,7 +149,7 @@ void MatrixScatter<dim>::add_condensed(const dealii::FullMatrix<double> &cell_ma
 }
 
 template <int dim>
-void MatrixScatter<dim>::add(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices)
+void MatrixScatter<dim>::add(const FullMatrix<double> &cell_matrix, const Indices &indices)
 {
   if (!one_rank_)
     constraints_.distribute_local_to_global(cell_matrix, indices, matrix_);
@@ -161,7 +160,7 @@ void MatrixScatter<dim>::add(const dealii::FullMatrix<double> &cell_matrix, cons
 }
 
 template <int dim>
-void MatrixScatter<dim>::add(const dealii::FullMatrix<double> &cell_matrix,
+void MatrixScatter<dim>::add(const FullMatrix<double> &cell_matrix,
                              const dealii::Vector<double> &cell_vector,
                              const Indices &indices,
                              DistributedVector &vector)
@@ -180,8 +179,8 @@ void MatrixScatter<dim>::add(const dealii::FullMatrix<double> &cell_matrix,
   }
 }
 
-template dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<2> &);
-template dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<3> &);
+template TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<2> &);
+template TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<3> &);
 template class MatrixScatter<2>;
 template class MatrixScatter<3>;
 
@@ -224,27 +223,27 @@ public:
   }
 
 private:
-  static dealii::UpdateFlags flags()
+  static UpdateFlags flags()
   {
-    return dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values;
+    return update_values | update_quadrature_points | update_JxW_values;
   }
 
   /** Adds Σ_q force(x_q).φ_i(x_q) JxW_q to vector_i. */
-  void add_force(const dealii::FEValuesBase<dim> &values,
-                 const dealii::Function<dim> &force,
+  void add_force(const FEValuesBase<dim> &values,
+                 const Function<dim> &force,
                  const char *name,
                  dealii::Vector<double> &vector,
                  Resultant<dim> &resultant)
   {
     const auto &element = values.get_fe();
-    const std::vector<dealii::Point<dim>> &points = values.get_quadrature_points();
+    const std::vector<Point<dim>> &points = values.get_quadrature_points();
     if (force_.size() != points.size())
       force_.assign(points.size(), dealii::Vector<double>(dim));
     force.vector_value_list(points, force_);
     for (const unsigned int q : values.quadrature_point_indices())
     {
       check_finite(force_[q], points[q], name);
-      dealii::Tensor<1, dim> weighted;
+      Tensor<1, dim> weighted;
       for (unsigned int d = 0; d < dim; ++d)
         weighted[d] = force_[q][d] * values.JxW(q);
       resultant.add(weighted, points[q]);
@@ -255,7 +254,7 @@ private:
   }
 
   static void check_finite(const dealii::Vector<double> &value,
-                           const dealii::Point<dim> &x,
+                           const Point<dim> &x,
                            const char *name)
   {
     for (const double component : value)
@@ -314,7 +313,7 @@ void add_cells(const DisplacementSpace<dim> &space,
                LinearSystem<dim> &system)
 {
   MatrixScatter<dim> scatter(space, system.matrix);
-  std::vector<dealii::types::global_dof_index> indices;
+  std::vector<types::global_dof_index> indices;
   dealii::Vector<double> in_matrix_units;
   integrate_by_chunks<ChunkIntegrals<dim>, dim>(
     space,
@@ -346,7 +345,7 @@ Resultant<dim> add_loads(const DisplacementSpace<dim> &space,
   CellLoads<dim> cell_loads(space, scene, n_points);
   Resultant<dim> resultant;
   dealii::Vector<double> cell_data;
-  std::vector<dealii::types::global_dof_index> indices;
+  std::vector<types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->is_locally_owned() && (scene.body_force != nullptr || cell->at_boundary()))
     {
@@ -371,7 +370,7 @@ void subtract_prescribed(const DisplacementSpace<dim> &space,
     return;
   CellStiffness<dim> stiffness(space, scene);
   dealii::Vector<double> cell_data, forces;
-  std::vector<dealii::types::global_dof_index> indices;
+  std::vector<types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
     if (!cell->is_locally_owned())
@@ -388,7 +387,7 @@ void subtract_prescribed(const DisplacementSpace<dim> &space,
     forces *= -1.;
     functional.add(indices, forces);
   }
-  functional.compress(dealii::VectorOperation::add);
+  functional.compress(VectorOperation::add);
 }
 } // namespace
 
@@ -404,11 +403,11 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
                               space.make_vector(),
                               {}};
   agree(communicator, [&]() { add_cells(space, scene, n_points, system); });
-  system.matrix.compress(dealii::VectorOperation::add);
-  system.f.compress(dealii::VectorOperation::add);
+  system.matrix.compress(VectorOperation::add);
+  system.f.compress(VectorOperation::add);
   // Prescribed displacements were eliminated in units of the matrix.
   system.f *= system.unit;
-  system.loads.compress(dealii::VectorOperation::add);
+  system.loads.compress(VectorOperation::add);
   system.applied = sum_over_ranks(system.applied, communicator);
   return system;
 }
@@ -421,7 +420,7 @@ LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
   LinearSystem<dim> system = {
     {}, stiffness_unit(space, *scene.material), space.make_vector(), space.make_vector(), {}};
   system.applied = add_loads(space, scene, n_points, system.loads);
-  system.loads.compress(dealii::VectorOperation::add);
+  system.loads.compress(VectorOperation::add);
   DualVector functional = space.dual(system.loads);
   functional /= system.unit;
   subtract_prescribed(space, scene, functional);
@@ -429,7 +428,7 @@ LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
   const DualVector condensed = space.condense(functional);
   for (const auto i : space.locally_owned())
     system.f(i) = condensed(i);
-  system.f.compress(dealii::VectorOperation::insert);
+  system.f.compress(VectorOperation::insert);
   return system;
 }
 
@@ -440,7 +439,7 @@ DistributedVector assemble_loads(const DisplacementSpace<dim> &space,
 {
   DistributedVector loads = space.make_vector();
   agree(space.mesh().communicator(), [&]() { add_loads(space, scene, n_points, loads); });
-  loads.compress(dealii::VectorOperation::add);
+  loads.compress(VectorOperation::add);
   return loads;
 }
 

@@ -27,10 +27,10 @@ struct FaceInterval
 
   /** Returns the face's own parameter of the point at arc length @p s; exactly 0 and 1 at the ends.
    */
-  dealii::Point<1> parameter(const double s) const
+  Point<1> parameter(const double s) const
   {
     const double t = s == start ? 0. : s == end ? 1. : (s - start) / (end - start);
-    return dealii::Point<1>(reversed ? 1. - t : t);
+    return Point<1>(reversed ? 1. - t : t);
   }
 };
 
@@ -52,7 +52,7 @@ FaceInterval interval_of(const ContactFace<2> &face, const Side<2> &side)
 
 Patch<2> make_patch(const unsigned int side, const double start, const double end)
 {
-  return {side, dealii::Point<1>(start), dealii::Point<1>(end), end - start};
+  return {side, Point<1>(start), Point<1>(end), end - start};
 }
 
 /** Returns the patches of a side that has the given faces; groups of faces end at corners of the
@@ -111,8 +111,8 @@ std::vector<Piece<2>> intersect(const std::vector<FaceInterval> &faces,
     if (end - start > sliver)
       pieces.push_back({static_cast<unsigned int>(f),
                         static_cast<unsigned int>(t),
-                        dealii::Point<1>(start),
-                        dealii::Point<1>(end),
+                        Point<1>(start),
+                        Point<1>(end),
                         face.parameter(start),
                         face.parameter(end),
                         {}});
@@ -151,12 +151,12 @@ std::vector<double> grade(const std::vector<double> &cuts)
 /** Returns the points of a piece with the given arc lengths, without weights. */
 SurfaceRule<2> points_at(const Piece<2> &piece,
                          const Side<2> &side,
-                         const std::vector<dealii::Point<1>> &arc_lengths)
+                         const std::vector<Point<1>> &arc_lengths)
 {
   SurfaceRule<2> rule;
   rule.on_side = arc_lengths;
   const double middle = 0.5 * (piece.lower[0] + piece.upper[0]);
-  for (const dealii::Point<1> &s : arc_lengths)
+  for (const Point<1> &s : arc_lengths)
   {
     const double r = (s[0] - piece.lower[0]) / (piece.upper[0] - piece.lower[0]);
     rule.on_face.emplace_back((1. - r) * piece.lower_on_face[0] + r * piece.upper_on_face[0]);
@@ -194,7 +194,7 @@ Piece<2> ContactSurface<2>::part(const Piece<2> &piece,
                                  const unsigned int i,
                                  const unsigned int n) const
 {
-  const auto between = [](const dealii::Point<1> &a, const dealii::Point<1> &b, const double r) {
+  const auto between = [](const Point<1> &a, const Point<1> &b, const double r) {
     return a + r * (b - a);
   };
   const double first = double(i) / n, last = (i + 1.) / n;
@@ -209,11 +209,11 @@ Piece<2> ContactSurface<2>::part(const Piece<2> &piece,
 
 template <>
 SurfaceRule<2> ContactSurface<2>::at(const Piece<2> &piece,
-                                     const std::vector<dealii::Point<1>> &positions) const
+                                     const std::vector<Point<1>> &positions) const
 {
-  std::vector<dealii::Point<1>> arc_lengths;
+  std::vector<Point<1>> arc_lengths;
   arc_lengths.reserve(positions.size());
-  for (const dealii::Point<1> &r : positions)
+  for (const Point<1> &r : positions)
     arc_lengths.emplace_back((1. - r[0]) * piece.lower[0] + r[0] * piece.upper[0]);
   return points_at(piece, side(patches_[piece.patch]), arc_lengths);
 }
@@ -235,9 +235,9 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece,
   // A singularity less than a length away needs the same grading as one inside.
   if (singular_within(1.))
     cuts = grade(cuts);
-  const dealii::QGauss<1> gauss(
+  const QGauss<1> gauss(
     singular_within(reach_of_singularity) ? std::max(n_points, min_graded_points) : n_points);
-  const dealii::Quadrature<1> quadrature = split_quadrature(gauss, cuts);
+  const Quadrature<1> quadrature = split_quadrature(gauss, cuts);
   SurfaceRule<2> rule = points_at(piece, side, quadrature.get_points());
   rule.weights = quadrature.get_weights();
   return rule;
@@ -278,12 +278,12 @@ double min_step(const std::vector<double> &lines)
 class FaceGrid
 {
 public:
-  FaceGrid(const Side<3> &side, const std::vector<dealii::Point<2>> &corners)
+  FaceGrid(const Side<3> &side, const std::vector<Point<2>> &corners)
   {
     for (unsigned int d = 0; d < 2; ++d)
     {
       std::vector<double> starts;
-      for (const dealii::Point<2> &corner : corners)
+      for (const Point<2> &corner : corners)
         starts.push_back(corner[d]);
       lines_[d] = lines(std::move(starts), side.lengths()[d]);
       steps_[d] = min_step(lines_[d]);
@@ -292,8 +292,7 @@ public:
 
   /** Returns the place of the patch of ratio × ratio faces to which the face belongs. The last
    * patches are larger where the ratio does not divide the faces. */
-  std::array<unsigned int, 2> patch_of(const dealii::Point<2> &corner,
-                                       const unsigned int ratio) const
+  std::array<unsigned int, 2> patch_of(const Point<2> &corner, const unsigned int ratio) const
   {
     std::array<unsigned int, 2> place;
     for (unsigned int d = 0; d < 2; ++d)
@@ -317,13 +316,13 @@ private:
 
 /** Returns the corner with the smaller coordinates of the box around a face in the coordinates of
  * its side. */
-dealii::Point<2> first_corner(const ContactFace<3> &face, const Side<3> &side)
+Point<2> first_corner(const ContactFace<3> &face, const Side<3> &side)
 {
   const auto mesh_face = face.cell->face(face.face_no);
-  dealii::Point<2> corner = side.coordinates(mesh_face->vertex(0));
+  Point<2> corner = side.coordinates(mesh_face->vertex(0));
   for (unsigned int v = 1; v < mesh_face->n_vertices(); ++v)
   {
-    const dealii::Point<2> s = side.coordinates(mesh_face->vertex(v));
+    const Point<2> s = side.coordinates(mesh_face->vertex(v));
     for (unsigned int d = 0; d < 2; ++d)
       corner[d] = std::min(corner[d], s[d]);
   }
@@ -334,7 +333,7 @@ dealii::Point<2> first_corner(const ContactFace<3> &face, const Side<3> &side)
 std::map<unsigned int, FaceGrid> face_grids(const std::vector<ContactFace<3>> &faces,
                                             const Geometry<3> &geometry)
 {
-  std::map<unsigned int, std::vector<dealii::Point<2>>> corners;
+  std::map<unsigned int, std::vector<Point<2>>> corners;
   for (const ContactFace<3> &face : faces)
     corners[face.side].push_back(first_corner(face, geometry.sides[face.side]));
   std::map<unsigned int, FaceGrid> grids;
@@ -344,7 +343,7 @@ std::map<unsigned int, FaceGrid> face_grids(const std::vector<ContactFace<3>> &f
 }
 
 /** Enlarges the box between @p lower and @p upper by a point. */
-void extend(dealii::Point<2> &lower, dealii::Point<2> &upper, const dealii::Point<2> &s)
+void extend(Point<2> &lower, Point<2> &upper, const Point<2> &s)
 {
   for (unsigned int d = 0; d < 2; ++d)
   {
@@ -366,7 +365,7 @@ void ContactSurface<3>::divide(const Partition &partition)
     const ContactFace<3> &face = faces_[f];
     const Side<3> &side = scene_.geometry.sides[face.side];
     const auto mesh_face = face.cell->face(face.face_no);
-    const dealii::Point<2> first = side.coordinates(mesh_face->vertex(0));
+    const Point<2> first = side.coordinates(mesh_face->vertex(0));
     Piece<3> piece = {f, 0, first, first, {0., 0.}, {1., 1.}, {}};
     for (unsigned int v = 1; v < mesh_face->n_vertices(); ++v)
       extend(piece.lower, piece.upper, side.coordinates(mesh_face->vertex(v)));
@@ -388,18 +387,18 @@ void ContactSurface<3>::divide(const Partition &partition)
 // than an FEFaceValues object for each of them.
 template <>
 SurfaceRule<3> ContactSurface<3>::at(const Piece<3> &piece,
-                                     const std::vector<dealii::Point<2>> &positions) const
+                                     const std::vector<Point<2>> &positions) const
 {
   const ContactFace<3> &face = faces_[piece.face];
   const auto mesh_face = face.cell->face(face.face_no);
   const Side<3> &side = this->side(patches_[piece.patch]);
   SurfaceRule<3> rule;
   rule.on_face = positions;
-  for (const dealii::Point<2> &position : positions)
+  for (const Point<2> &position : positions)
   {
-    dealii::Point<3> x;
-    for (const unsigned int v : dealii::GeometryInfo<2>::vertex_indices())
-      x += dealii::GeometryInfo<2>::d_linear_shape_function(position, v) * mesh_face->vertex(v);
+    Point<3> x;
+    for (const unsigned int v : GeometryInfo<2>::vertex_indices())
+      x += GeometryInfo<2>::d_linear_shape_function(position, v) * mesh_face->vertex(v);
     rule.points.push_back(x);
     rule.on_side.push_back(side.coordinates(x));
     rule.normals.push_back(side.normal(rule.on_side.back()));
@@ -412,20 +411,18 @@ SurfaceRule<3> ContactSurface<3>::rule(const Piece<3> &piece,
                                        const unsigned int n_points,
                                        const Grading /*there are no kinks in 3-D*/) const
 {
-  const dealii::QGauss<2> gauss(n_points);
+  const QGauss<2> gauss(n_points);
   const ContactFace<3> &face = faces_[piece.face];
   const auto mesh_face = face.cell->face(face.face_no);
   SurfaceRule<3> rule = at(piece, gauss.get_points());
   for (unsigned int q = 0; q < gauss.size(); ++q)
   {
-    std::array<dealii::Tensor<1, 3>, 2> tangents;
-    for (const unsigned int v : dealii::GeometryInfo<2>::vertex_indices())
+    std::array<Tensor<1, 3>, 2> tangents;
+    for (const unsigned int v : GeometryInfo<2>::vertex_indices())
       for (unsigned int d = 0; d < 2; ++d)
-        tangents[d] +=
-          dealii::GeometryInfo<2>::d_linear_shape_function_gradient(gauss.point(q), v)[d] *
-          mesh_face->vertex(v);
-    rule.weights.push_back(gauss.weight(q) *
-                           dealii::cross_product_3d(tangents[0], tangents[1]).norm());
+        tangents[d] += GeometryInfo<2>::d_linear_shape_function_gradient(gauss.point(q), v)[d] *
+                       mesh_face->vertex(v);
+    rule.weights.push_back(gauss.weight(q) * cross_product_3d(tangents[0], tangents[1]).norm());
   }
   return rule;
 }

@@ -16,7 +16,7 @@ namespace Signorini
 {
 namespace
 {
-constexpr unsigned int no_patch = dealii::numbers::invalid_unsigned_int;
+constexpr unsigned int no_patch = numbers::invalid_unsigned_int;
 
 /** Returns the ends of the intervals that the patches [first, last) cover in one coordinate. */
 std::vector<double> ends_of(const std::vector<Patch<3>> &patches,
@@ -64,7 +64,7 @@ std::vector<PatchGrid> patch_grids(const std::vector<Patch<3>> &patches)
     grid.patches.assign(static_cast<std::size_t>(grid.n(0)) * grid.n(1), no_patch);
     for (std::size_t t = first; t < last; ++t)
     {
-      const dealii::Point<2> centre = patches[t].centre();
+      const Point<2> centre = patches[t].centre();
       grid.patches[interval_of(grid.ends[0], centre[0]) +
                    grid.n(0) * interval_of(grid.ends[1], centre[1])] = t;
     }
@@ -99,12 +99,12 @@ std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Sc
 
 /** Returns @p rule on the box between two corners in the reference coordinates of a face. */
 template <int dim>
-dealii::Quadrature<dim> on_box(const dealii::Quadrature<dim> &rule,
-                               const dealii::Point<dim> &corner,
-                               const dealii::Point<dim> &opposite)
+Quadrature<dim> on_box(const Quadrature<dim> &rule,
+                       const Point<dim> &corner,
+                       const Point<dim> &opposite)
 {
-  dealii::Point<dim> lowest;
-  dealii::Tensor<1, dim> edges;
+  Point<dim> lowest;
+  Tensor<1, dim> edges;
   double volume = 1.;
   for (unsigned int d = 0; d < dim; ++d)
   {
@@ -112,22 +112,20 @@ dealii::Quadrature<dim> on_box(const dealii::Quadrature<dim> &rule,
     edges[d] = std::abs(opposite[d] - corner[d]);
     volume *= edges[d];
   }
-  std::vector<dealii::Point<dim>> points = rule.get_points();
+  std::vector<Point<dim>> points = rule.get_points();
   std::vector<double> weights = rule.get_weights();
-  for (dealii::Point<dim> &point : points)
+  for (Point<dim> &point : points)
     for (unsigned int d = 0; d < dim; ++d)
       point[d] = lowest[d] + edges[d] * point[d];
   for (double &weight : weights)
     weight *= volume;
-  return dealii::Quadrature<dim>(points, weights);
+  return Quadrature<dim>(points, weights);
 }
 /** Returns the coordinates of a point of a patch; around a closed side those next to the patch. */
 template <int dim>
-dealii::Point<dim - 1> coordinates_on(const Patch<dim> &patch,
-                                      const Side<dim> &side,
-                                      const dealii::Point<dim> &x)
+Point<dim - 1> coordinates_on(const Patch<dim> &patch, const Side<dim> &side, const Point<dim> &x)
 {
-  dealii::Point<dim - 1> s = side.coordinates(x);
+  Point<dim - 1> s = side.coordinates(x);
   if constexpr (dim == 2)
     if (side.is_closed())
       s[0] += side.length() * std::round((patch.centre()[0] - s[0]) / side.length());
@@ -166,25 +164,24 @@ template <int dim>
 void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points,
                                        const FaceRule face_rule)
 {
-  const dealii::FE_Nothing<dim> no_functions;
-  std::unique_ptr<dealii::FEFaceValues<dim>> values;
-  std::vector<dealii::Point<dim - 1>> last_points;
+  const FE_Nothing<dim> no_functions;
+  std::unique_ptr<FEFaceValues<dim>> values;
+  std::vector<Point<dim - 1>> last_points;
   for (Piece<dim> &piece : pieces_)
   {
     const unsigned int n = n_points[faces_[piece.face].cell->active_cell_index()];
-    const dealii::Quadrature<dim - 1> rule = on_box<dim - 1>(
-      face_rule == FaceRule::gauss ? dealii::Quadrature<dim - 1>(dealii::QGauss<dim - 1>(n))
-                                   : dealii::Quadrature<dim - 1>(dealii::QGaussLobatto<dim - 1>(n)),
-      piece.lower_on_face,
-      piece.upper_on_face);
+    const Quadrature<dim - 1> rule =
+      on_box<dim - 1>(face_rule == FaceRule::gauss ? Quadrature<dim - 1>(QGauss<dim - 1>(n))
+                                                   : Quadrature<dim - 1>(QGaussLobatto<dim - 1>(n)),
+                      piece.lower_on_face,
+                      piece.upper_on_face);
     // Nearly all pieces are whole faces or the same part of one.
     if (values == nullptr || rule.get_points() != last_points)
-      values = std::make_unique<dealii::FEFaceValues<dim>>(mesh_.mapping(),
-                                                           no_functions,
-                                                           rule,
-                                                           dealii::update_quadrature_points |
-                                                             dealii::update_normal_vectors |
-                                                             dealii::update_JxW_values);
+      values = std::make_unique<FEFaceValues<dim>>(mesh_.mapping(),
+                                                   no_functions,
+                                                   rule,
+                                                   update_quadrature_points |
+                                                     update_normal_vectors | update_JxW_values);
     last_points = rule.get_points();
     values->reinit(faces_[piece.face].cell, faces_[piece.face].face_no);
     SurfaceRule<dim> &on_mesh = piece.on_mesh;
@@ -192,7 +189,7 @@ void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points
     on_mesh.points = values->get_quadrature_points();
     on_mesh.normals = values->get_normal_vectors();
     on_mesh.weights = values->get_JxW_values();
-    for (const dealii::Point<dim> &x : on_mesh.points)
+    for (const Point<dim> &x : on_mesh.points)
       on_mesh.on_side.push_back(
         coordinates_on(patches_[piece.patch], side(patches_[piece.patch]), x));
   }

@@ -13,7 +13,7 @@ namespace Signorini
 {
 namespace
 {
-using Polygon = std::vector<dealii::Point<2>>;
+using Polygon = std::vector<Point<2>>;
 
 /** Returns the part of a convex polygon on one side of a line. */
 Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign)
@@ -21,8 +21,8 @@ Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign)
   Polygon part;
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
-    const dealii::Point<2> &a = polygon[i];
-    const dealii::Point<2> &b = polygon[(i + 1) % polygon.size()];
+    const Point<2> &a = polygon[i];
+    const Point<2> &b = polygon[(i + 1) % polygon.size()];
     const double da = sign * line.signed_distance(a);
     const double db = sign * line.signed_distance(b);
     if (da >= 0.)
@@ -36,16 +36,16 @@ Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign)
 /** The bilinear image of the square; with d = a it is a triangle (Duffy). */
 struct Quadrilateral
 {
-  dealii::Point<2> a, b, c, d;
+  Point<2> a, b, c, d;
 
-  dealii::Point<2> at(const double s, const double t) const
+  Point<2> at(const double s, const double t) const
   {
     return a + s * (1. - t) * (b - a) + s * t * (c - a) + (1. - s) * t * (d - a);
   }
   double jacobian(const double s, const double t) const
   {
-    const dealii::Tensor<1, 2> ds = (1. - t) * (b - a) + t * (c - d);
-    const dealii::Tensor<1, 2> dt = (1. - s) * (d - a) + s * (c - b);
+    const Tensor<1, 2> ds = (1. - t) * (b - a) + t * (c - d);
+    const Tensor<1, 2> dt = (1. - s) * (d - a) + s * (c - b);
     return std::abs(ds[0] * dt[1] - ds[1] * dt[0]);
   }
   double diameter() const
@@ -53,7 +53,7 @@ struct Quadrilateral
     return std::max(a.distance(c), b.distance(d));
   }
   /** Returns a lower bound of the distance from a point. */
-  double distance(const dealii::Point<2> &x) const
+  double distance(const Point<2> &x) const
   {
     return x.distance(at(0.5, 0.5)) - 0.5 * std::max(diameter(), a.distance(b));
   }
@@ -81,7 +81,7 @@ public:
    * Makes the rules of all depths.
    * @param ends points towards which the pieces shrink.
    */
-  PolygonRule(const unsigned int n_points, std::vector<dealii::Point<2>> ends)
+  PolygonRule(const unsigned int n_points, std::vector<Point<2>> ends)
     : ends_(std::move(ends))
   {
     for (unsigned int depth = 0; depth <= deepest; ++depth)
@@ -99,7 +99,7 @@ public:
         add(Quadrilateral{polygon[0], polygon[i], polygon[i + 1], polygon[0]}, 0);
   }
 
-  std::vector<dealii::Point<2>> points;
+  std::vector<Point<2>> points;
   std::vector<double> weights;
 
 private:
@@ -113,13 +113,13 @@ private:
 
   void add(const Quadrilateral &piece, const unsigned int depth)
   {
-    for (const dealii::Point<2> &end : ends_)
+    for (const Point<2> &end : ends_)
       if (depth < deepest && 0.75 * piece.distance(end) < piece.diameter())
       {
         split(piece, depth);
         return;
       }
-    const dealii::Quadrature<2> &gauss = gauss_[depth];
+    const Quadrature<2> &gauss = gauss_[depth];
     for (unsigned int q = 0; q < gauss.size(); ++q)
     {
       const double s = gauss.point(q)[0], t = gauss.point(q)[1];
@@ -164,35 +164,34 @@ private:
   }
 
   /** The rule of every depth. */
-  std::vector<dealii::QGauss<2>> gauss_;
-  std::vector<dealii::Point<2>> ends_;
+  std::vector<QGauss<2>> gauss_;
+  std::vector<Point<2>> ends_;
 };
 
 /** Returns the Jacobian determinant of the bilinear map of a cell at a reference point. */
-double jacobian(const dealii::Triangulation<2>::cell_iterator &cell, const dealii::Point<2> &xi)
+double jacobian(const Triangulation<2>::cell_iterator &cell, const Point<2> &xi)
 {
-  const dealii::Tensor<1, 2> ds = (1. - xi[1]) * (cell->vertex(1) - cell->vertex(0)) +
-                                  xi[1] * (cell->vertex(3) - cell->vertex(2));
-  const dealii::Tensor<1, 2> dt = (1. - xi[0]) * (cell->vertex(2) - cell->vertex(0)) +
-                                  xi[0] * (cell->vertex(3) - cell->vertex(1));
+  const Tensor<1, 2> ds = (1. - xi[1]) * (cell->vertex(1) - cell->vertex(0)) +
+                          xi[1] * (cell->vertex(3) - cell->vertex(2));
+  const Tensor<1, 2> dt = (1. - xi[0]) * (cell->vertex(2) - cell->vertex(0)) +
+                          xi[0] * (cell->vertex(3) - cell->vertex(1));
   return ds[0] * dt[1] - ds[1] * dt[0];
 }
 
 /** Returns the possible ends of contact zones that are near the cell, measured by its diameter. */
 template <int dim>
-std::vector<dealii::Point<dim>>
-ends_near(const Kinks<dim> &kinks, const typename dealii::Triangulation<dim>::cell_iterator &cell)
+std::vector<Point<dim>> ends_near(const Kinks<dim> &kinks,
+                                  const typename Triangulation<dim>::cell_iterator &cell)
 {
-  std::vector<dealii::Point<dim>> near;
-  for (const dealii::Point<dim> &end : kinks.ends())
+  std::vector<Point<dim>> near;
+  for (const Point<dim> &end : kinks.ends())
     if (cell->center().distance(end) < 2.5 * cell->diameter())
       near.push_back(end);
   return near;
 }
 
 /** Returns the polygons into which the lines cut a cell. */
-std::vector<Polygon> cut_cell(const Kinks<2> &kinks,
-                              const dealii::Triangulation<2>::cell_iterator &cell)
+std::vector<Polygon> cut_cell(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell)
 {
   std::vector<Polygon> pieces = {
     {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}};
@@ -213,8 +212,7 @@ std::vector<Polygon> cut_cell(const Kinks<2> &kinks,
 } // namespace
 
 template <int dim>
-bool lines_cross(const Kinks<dim> &kinks,
-                 const typename dealii::Triangulation<dim>::cell_iterator &cell)
+bool lines_cross(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell)
 {
   for (const KinkLine<dim> &line : kinks.lines())
   {
@@ -233,42 +231,40 @@ bool lines_cross(const Kinks<dim> &kinks,
 }
 
 template <int dim>
-bool needs_cuts(const Kinks<dim> &kinks,
-                const typename dealii::Triangulation<dim>::cell_iterator &cell)
+bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell)
 {
   return lines_cross(kinks, cell) || !ends_near(kinks, cell).empty();
 }
 
 template <>
-dealii::Quadrature<2> cut_quadrature(const Kinks<2> &kinks,
-                                     const dealii::Triangulation<2>::cell_iterator &cell,
-                                     const unsigned int n_points)
+Quadrature<2> cut_quadrature(const Kinks<2> &kinks,
+                             const Triangulation<2>::cell_iterator &cell,
+                             const unsigned int n_points)
 {
   PolygonRule rule(n_points, ends_near(kinks, cell));
   for (const Polygon &piece : cut_cell(kinks, cell))
     rule.add(piece);
-  const dealii::MappingQ1<2> mapping;
+  const MappingQ1<2> mapping;
   for (std::size_t q = 0; q < rule.points.size(); ++q)
   {
     rule.points[q] = mapping.transform_real_to_unit_cell(cell, rule.points[q]);
     rule.weights[q] /= jacobian(cell, rule.points[q]);
   }
-  return dealii::Quadrature<2>(rule.points, rule.weights);
+  return Quadrature<2>(rule.points, rule.weights);
 }
 
 template <>
-dealii::Quadrature<3> cut_quadrature(const Kinks<3> & /*kinks*/,
-                                     const dealii::Triangulation<3>::cell_iterator & /*cell*/,
-                                     const unsigned int /*n_points*/)
+Quadrature<3> cut_quadrature(const Kinks<3> & /*kinks*/,
+                             const Triangulation<3>::cell_iterator & /*cell*/,
+                             const unsigned int /*n_points*/)
 {
-  AssertThrow(false, dealii::ExcMessage("planes do not cut hexahedra yet"));
-  return dealii::Quadrature<3>();
+  AssertThrow(false, ExcMessage("planes do not cut hexahedra yet"));
+  return Quadrature<3>();
 }
 
-dealii::Quadrature<1> split_quadrature(const dealii::Quadrature<1> &rule,
-                                       const std::vector<double> &cuts)
+Quadrature<1> split_quadrature(const Quadrature<1> &rule, const std::vector<double> &cuts)
 {
-  std::vector<dealii::Point<1>> points;
+  std::vector<Point<1>> points;
   std::vector<double> weights;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
     for (unsigned int q = 0; q < rule.size(); ++q)
@@ -277,7 +273,7 @@ dealii::Quadrature<1> split_quadrature(const dealii::Quadrature<1> &rule,
       points.emplace_back(cuts[i] + length * rule.point(q)[0]);
       weights.push_back(length * rule.weight(q));
     }
-  return dealii::Quadrature<1>(points, weights);
+  return Quadrature<1>(points, weights);
 }
 
 std::vector<double> graded_positions(const double s, const double distance)
@@ -288,8 +284,8 @@ std::vector<double> graded_positions(const double s, const double distance)
   return positions;
 }
 
-template bool lines_cross(const Kinks<2> &, const dealii::Triangulation<2>::cell_iterator &);
-template bool lines_cross(const Kinks<3> &, const dealii::Triangulation<3>::cell_iterator &);
-template bool needs_cuts(const Kinks<2> &, const dealii::Triangulation<2>::cell_iterator &);
-template bool needs_cuts(const Kinks<3> &, const dealii::Triangulation<3>::cell_iterator &);
+template bool lines_cross(const Kinks<2> &, const Triangulation<2>::cell_iterator &);
+template bool lines_cross(const Kinks<3> &, const Triangulation<3>::cell_iterator &);
+template bool needs_cuts(const Kinks<2> &, const Triangulation<2>::cell_iterator &);
+template bool needs_cuts(const Kinks<3> &, const Triangulation<3>::cell_iterator &);
 } // namespace Signorini

@@ -18,14 +18,14 @@ namespace
 {
 /** Moves the interior vertices; the mapping of every cell must stay one to one. */
 template <int dim>
-void distort(const Geometry<dim> &geometry, dealii::Triangulation<dim> &triangulation)
+void distort(const Geometry<dim> &geometry, Triangulation<dim> &triangulation)
 {
-  using Info = dealii::GeometryInfo<dim>;
-  dealii::GridTools::distort_random(geometry.distortion, triangulation, true);
+  using Info = GeometryInfo<dim>;
+  GridTools::distort_random(geometry.distortion, triangulation, true);
   for (const auto &cell : triangulation.active_cell_iterators())
   {
-    dealii::Point<dim> vertices[Info::vertices_per_cell];
-    dealii::Tensor<0, dim> determinants[Info::vertices_per_cell];
+    Point<dim> vertices[Info::vertices_per_cell];
+    Tensor<0, dim> determinants[Info::vertices_per_cell];
     for (const unsigned int v : cell->vertex_indices())
       vertices[v] = cell->vertex(v);
     Info::alternating_form_at_vertices(vertices, determinants);
@@ -43,17 +43,17 @@ void distort(const Geometry<dim> &geometry, dealii::Triangulation<dim> &triangul
 
 /** A map of the given degree, followed by x -> (x - lower)/size. */
 template <int dim>
-class UnitMapping : public dealii::MappingQ<dim>
+class UnitMapping : public MappingQ<dim>
 {
 public:
-  UnitMapping(const unsigned int degree, const dealii::Point<dim> &lower, const double size)
-    : dealii::MappingQ<dim>(degree)
+  UnitMapping(const unsigned int degree, const Point<dim> &lower, const double size)
+    : MappingQ<dim>(degree)
     , lower_(lower)
     , size_(size)
   {
   }
 
-  std::unique_ptr<dealii::Mapping<dim>> clone() const override
+  std::unique_ptr<Mapping<dim>> clone() const override
   {
     return std::make_unique<UnitMapping<dim>>(this->get_degree(), lower_, size_);
   }
@@ -63,32 +63,32 @@ public:
     return false;
   }
 
-  boost::container::small_vector<dealii::Point<dim>, dealii::GeometryInfo<dim>::vertices_per_cell>
-  get_vertices(const typename dealii::Triangulation<dim>::cell_iterator &cell) const override
+  boost::container::small_vector<Point<dim>, GeometryInfo<dim>::vertices_per_cell>
+  get_vertices(const typename Triangulation<dim>::cell_iterator &cell) const override
   {
-    auto vertices = dealii::MappingQ<dim>::get_vertices(cell);
-    for (dealii::Point<dim> &x : vertices)
+    auto vertices = MappingQ<dim>::get_vertices(cell);
+    for (Point<dim> &x : vertices)
       x = to_unit_body(x);
     return vertices;
   }
 
 protected:
-  std::vector<dealii::Point<dim>> compute_mapping_support_points(
-    const typename dealii::Triangulation<dim>::cell_iterator &cell) const override
+  std::vector<Point<dim>> compute_mapping_support_points(
+    const typename Triangulation<dim>::cell_iterator &cell) const override
   {
-    auto points = dealii::MappingQ<dim>::compute_mapping_support_points(cell);
-    for (dealii::Point<dim> &x : points)
+    auto points = MappingQ<dim>::compute_mapping_support_points(cell);
+    for (Point<dim> &x : points)
       x = to_unit_body(x);
     return points;
   }
 
 private:
-  dealii::Point<dim> to_unit_body(const dealii::Point<dim> &x) const
+  Point<dim> to_unit_body(const Point<dim> &x) const
   {
-    return dealii::Point<dim>((x - lower_) / size_);
+    return Point<dim>((x - lower_) / size_);
   }
 
-  dealii::Point<dim> lower_;
+  Point<dim> lower_;
   double size_;
 };
 
@@ -96,11 +96,11 @@ private:
  * evaluated once per cell and not in every integral. With bilinear maps, π^{2h} would lose an
  * order: the map of a cell of T^{2h} must be that of its children up to higher order. */
 template <int dim>
-std::unique_ptr<const dealii::Mapping<dim>> cache(const dealii::Mapping<dim> &mapping,
-                                                  const unsigned int degree,
-                                                  const dealii::Triangulation<dim> &triangulation)
+std::unique_ptr<const Mapping<dim>> cache(const Mapping<dim> &mapping,
+                                          const unsigned int degree,
+                                          const Triangulation<dim> &triangulation)
 {
-  auto cached = std::make_unique<dealii::MappingQCache<dim>>(degree);
+  auto cached = std::make_unique<MappingQCache<dim>>(degree);
   cached->initialize(mapping, triangulation);
   return cached;
 }
@@ -112,9 +112,9 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
                 const unsigned int level,
                 MPI_Comm communicator)
   : triangulation_(communicator,
-                   dealii::Triangulation<dim>::none,
+                   Triangulation<dim>::none,
                    /*allow_artificial_cells=*/false,
-                   dealii::parallel::shared::Triangulation<dim>::partition_metis)
+                   parallel::shared::Triangulation<dim>::partition_metis)
   , curved_(geometry.curved)
   , lower_(geometry.lower)
   , size_(geometry.longest_extent())
@@ -139,9 +139,9 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
                 const Splits &must_split,
                 const unsigned int mapping_degree)
   : triangulation_(MPI_COMM_SELF,
-                   dealii::Triangulation<dim>::none,
+                   Triangulation<dim>::none,
                    /*allow_artificial_cells=*/false,
-                   dealii::parallel::shared::Triangulation<dim>::partition_zorder)
+                   parallel::shared::Triangulation<dim>::partition_zorder)
   , curved_(geometry.curved)
   , lower_(geometry.lower)
   , size_(geometry.longest_extent())
@@ -180,12 +180,12 @@ void Mesh<dim>::make_mappings(const unsigned int degree)
 {
   if (curved_)
   {
-    mapping_ = cache(dealii::MappingQ<dim>(degree), degree, triangulation_);
+    mapping_ = cache(MappingQ<dim>(degree), degree, triangulation_);
     unit_mapping_ = cache(UnitMapping<dim>(degree, lower_, size_), degree, triangulation_);
   }
   else
   {
-    mapping_ = std::make_unique<dealii::MappingQ1<dim>>();
+    mapping_ = std::make_unique<MappingQ1<dim>>();
     unit_mapping_ = std::make_unique<UnitMapping<dim>>(1, lower_, size_);
   }
 }

@@ -14,7 +14,7 @@ namespace
 bool meets_face(const Side<2> &side,
                 const double from,
                 const double to,
-                const dealii::Triangulation<2>::face_iterator &face)
+                const Triangulation<2>::face_iterator &face)
 {
   double first = side.arc_length(face->vertex(0)), last = side.arc_length(face->vertex(1));
   const double middle = 0.5 * (from + to);
@@ -30,7 +30,7 @@ bool meets_face(const Side<2> &side,
 } // namespace
 
 bool Singularity::touches(const Scene<2> &scene,
-                          const dealii::Triangulation<2>::active_cell_iterator &cell) const
+                          const Triangulation<2>::active_cell_iterator &cell) const
 {
   if (kind == Kind::corner)
   {
@@ -49,7 +49,7 @@ bool Singularity::touches(const Scene<2> &scene,
   return false;
 }
 
-const Singularity *nearest(const std::vector<Singularity> &singularities, const dealii::Point<2> &x)
+const Singularity *nearest(const std::vector<Singularity> &singularities, const Point<2> &x)
 {
   const auto closer = [&x](const Singularity &a, const Singularity &b) {
     return a.point.distance_square(x) < b.point.distance_square(x);
@@ -65,18 +65,18 @@ const Singularity *nearest(const std::vector<Singularity> &singularities, const 
 
 namespace
 {
-/** The deepest level. The numbers of cells (dealii::CellId) end at level 30; coordinates in double
+/** The deepest level. The numbers of cells (CellId) end at level 30; coordinates in double
  * precision hardly resolve more vertices. */
 constexpr int max_cell_level = 29;
 
 /** Returns the lowest degree that demands require of a cell, or of a cell that it is a part of. */
 unsigned int demanded_degree(const MeshPlan &plan,
-                             const dealii::Triangulation<2>::active_cell_iterator &cell)
+                             const Triangulation<2>::active_cell_iterator &cell)
 {
   if (plan.demands.empty())
     return 0;
   unsigned int degree = 0;
-  for (dealii::Triangulation<2>::cell_iterator ancestor = cell;; ancestor = ancestor->parent())
+  for (Triangulation<2>::cell_iterator ancestor = cell;; ancestor = ancestor->parent())
   {
     const auto found = plan.demands.find(ancestor->id());
     if (found != plan.demands.end())
@@ -109,7 +109,7 @@ void level_out(const Mesh<2> &mesh, std::vector<unsigned int> &degrees)
 } // namespace
 
 bool MeshPlan::must_split(const Scene<2> &scene,
-                          const dealii::Triangulation<2>::active_cell_iterator &cell,
+                          const Triangulation<2>::active_cell_iterator &cell,
                           const unsigned int n_splits) const
 {
   if (cell->level() >= max_cell_level)
@@ -131,7 +131,7 @@ Mesh<2> make_mesh(const MeshPlan &plan, const Scene<2> &scene)
     scene.geometry,
     plan.base_level,
     plan.lines,
-    [&](const dealii::Triangulation<2>::active_cell_iterator &cell, const unsigned int n_splits) {
+    [&](const Triangulation<2>::active_cell_iterator &cell, const unsigned int n_splits) {
       return plan.must_split(scene, cell, n_splits);
     },
     mapping_degree);
@@ -139,7 +139,7 @@ Mesh<2> make_mesh(const MeshPlan &plan, const Scene<2> &scene)
 
 unsigned int planned_degree(const MeshPlan &plan,
                             const Mesh<2> &mesh,
-                            const dealii::Triangulation<2>::active_cell_iterator &cell)
+                            const Triangulation<2>::active_cell_iterator &cell)
 {
   double share = 1.;
   if (const Singularity *const singularity = nearest(plan.singularities, cell->center()))

@@ -21,38 +21,38 @@ namespace
 constexpr unsigned int max_nodes = 24;
 
 /** Returns the Gauss points of every number from 1 on, between 0 and 1, with their weights. */
-const dealii::Quadrature<1> &gauss_rule(const unsigned int n_points)
+const Quadrature<1> &gauss_rule(const unsigned int n_points)
 {
-  static const std::vector<dealii::Quadrature<1>> rules = []() {
-    std::vector<dealii::Quadrature<1>> all;
+  static const std::vector<Quadrature<1>> rules = []() {
+    std::vector<Quadrature<1>> all;
     for (unsigned int n = 1; n <= max_nodes; ++n)
-      all.emplace_back(dealii::QGauss<1>(n));
+      all.emplace_back(QGauss<1>(n));
     return all;
   }();
   return rules.at(n_points - 1);
 }
 
 /** Returns the points with the ends (Gauss and Lobatto), from two points on. */
-const dealii::Quadrature<1> &lobatto_rule(const unsigned int n_points)
+const Quadrature<1> &lobatto_rule(const unsigned int n_points)
 {
-  static const std::vector<dealii::Quadrature<1>> rules = []() {
-    std::vector<dealii::Quadrature<1>> all;
+  static const std::vector<Quadrature<1>> rules = []() {
+    std::vector<Quadrature<1>> all;
     for (unsigned int n = 2; n <= max_nodes; ++n)
-      all.emplace_back(dealii::QGaussLobatto<1>(n));
+      all.emplace_back(QGaussLobatto<1>(n));
     return all;
   }();
   return rules.at(n_points - 2);
 }
 
 template <typename Nodes>
-const dealii::Quadrature<1> &rule_of(const Nodes nodes, const unsigned int n_points)
+const Quadrature<1> &rule_of(const Nodes nodes, const unsigned int n_points)
 {
   return nodes == Nodes::lobatto ? lobatto_rule(n_points) : gauss_rule(n_points);
 }
 
 /** Returns the position of a point of the side on a patch, between 0 and 1. */
 template <int dim>
-double position(const Patch<dim> &patch, const dealii::Point<dim - 1> &s)
+double position(const Patch<dim> &patch, const Point<dim - 1> &s)
 {
   return (s[0] - patch.lower[0]) / (patch.upper[0] - patch.lower[0]);
 }
@@ -93,7 +93,7 @@ void MultiplierSpace<dim>::number(const std::vector<unsigned int> &n_nodes,
   unsigned int first_on_side = 0;
   for (unsigned int patch = 0; patch < n_nodes.size(); ++patch)
   {
-    Assert(dim == 2 || n_nodes[patch] == 1, dealii::ExcNotImplemented());
+    Assert(dim == 2 || n_nodes[patch] == 1, ExcNotImplemented());
     const bool starts_side = patch == 0 || patches[patch - 1].side != patches[patch].side;
     const bool ends_side =
       patch + 1 == patches.size() || patches[patch + 1].side != patches[patch].side;
@@ -134,7 +134,7 @@ bool MultiplierSpace<dim>::starts_at_corner(const Patch<dim> &patch) const
 }
 
 template <int dim>
-dealii::Point<dim - 1> MultiplierSpace<dim>::node(const unsigned int unknown) const
+Point<dim - 1> MultiplierSpace<dim>::node(const unsigned int unknown) const
 {
   const Patch<dim> &patch = surface_.patches()[patch_of(unknown)];
   const auto n = static_cast<unsigned int>(unknowns_[patch_of(unknown)].size());
@@ -147,7 +147,7 @@ dealii::Point<dim - 1> MultiplierSpace<dim>::node(const unsigned int unknown) co
 template <int dim>
 double MultiplierSpace<dim>::shape_value(const unsigned int patch,
                                          const unsigned int i,
-                                         const dealii::Point<dim - 1> &s) const
+                                         const Point<dim - 1> &s) const
 {
   const auto n = static_cast<unsigned int>(unknowns_[patch].size());
   if (n == 1)
@@ -162,8 +162,7 @@ double MultiplierSpace<dim>::shape_value(const unsigned int patch,
 }
 
 template <int dim>
-double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
-                                         const dealii::Point<dim - 1> &s) const
+double MultiplierSpace<dim>::shape_value(const unsigned int unknown, const Point<dim - 1> &s) const
 {
   return shape_value(patch_of(unknown), node_of_[unknown], s);
 }
@@ -171,7 +170,7 @@ double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
 template <int dim>
 double MultiplierSpace<dim>::value(const Pressure &P,
                                    const unsigned int patch,
-                                   const dealii::Point<dim - 1> &s) const
+                                   const Point<dim - 1> &s) const
 {
   const Unknowns &unknowns = unknowns_[patch];
   double p = 0.;
@@ -194,7 +193,7 @@ dealii::Vector<double> MultiplierSpace<dim>::integrals() const
   for (unsigned int patch = 0; patch < unknowns_.size(); ++patch)
   {
     const Unknowns &unknowns = unknowns_[patch];
-    const dealii::Quadrature<1> &rule = rule_of(nodes_, unknowns.size());
+    const Quadrature<1> &rule = rule_of(nodes_, unknowns.size());
     for (unsigned int i = 0; i < unknowns.size(); ++i)
       if (unknowns[i] != no_unknown)
         integrals[unknowns[i]] += surface_.patches()[patch].measure * rule.weight(i);
@@ -253,7 +252,7 @@ template dealii::Vector<double> assemble_gap(const MultiplierSpace<3> &,
 namespace
 {
 /** The sums of a column during the assembly. */
-using Sums = std::map<dealii::types::global_dof_index, double>;
+using Sums = std::map<types::global_dof_index, double>;
 
 Coupling to_coupling(const std::vector<Sums> &sums)
 {
@@ -303,7 +302,7 @@ dealii::Vector<double> Coupling::transpose_product(const dealii::Vector<double> 
 dealii::Vector<double> Coupling::transpose_product(const Displacement &U) const
 {
   dealii::Vector<double> product = product_of_rows(*this, U);
-  dealii::Utilities::MPI::sum(product, U.get_mpi_communicator(), product);
+  Utilities::MPI::sum(product, U.get_mpi_communicator(), product);
   return product;
 }
 
@@ -317,7 +316,7 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
                            const MultiplierSpace<dim> &multipliers)
 {
   const ContactSurface<dim> &surface = multipliers.surface();
-  const dealii::FEValuesExtractors::Vector displacement(0);
+  const FEValuesExtractors::Vector displacement(0);
   TraceValues<dim> traces(space);
   std::vector<Sums> columns(multipliers.n_multipliers());
   for (const Piece<dim> &piece : surface.pieces())
@@ -342,7 +341,7 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
   return to_coupling(columns);
 }
 
-Coupling condense(const Coupling &D, const dealii::AffineConstraints<double> &constraints)
+Coupling condense(const Coupling &D, const AffineConstraints<double> &constraints)
 {
   std::vector<Sums> columns(D.n_columns());
   for (unsigned int tau = 0; tau < D.n_columns(); ++tau)

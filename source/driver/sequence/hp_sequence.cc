@@ -51,7 +51,7 @@ MeshPlan make_first_plan(const Scene<2> &scene, const DiscretizationParameters &
   // Every cell is of degree 2: by Euler's formula there are more than four nodes for each.
   const double fewest = 8. * scene.geometry.n_coarse_cells * std::pow(4., plan.base_level);
   require_few(given, fewest, "more than " + number_text(fewest));
-  if (const std::optional<dealii::Point<2>> hidden = resolve_hidden_data(scene, plan))
+  if (const std::optional<Point<2>> hidden = resolve_hidden_data(scene, plan))
   {
     std::ostringstream message;
     message << given.strategy.where() << ": the material changes within a layer at (" << *hidden

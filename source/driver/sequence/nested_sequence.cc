@@ -67,7 +67,7 @@ private:
     return choose_solvers(context_.parameters,
                           context_.scene,
                           level,
-                          dealii::Utilities::MPI::n_mpi_processes(context_.communicator));
+                          Utilities::MPI::n_mpi_processes(context_.communicator));
   }
 
   /** Solves the level by V-cycles or by factors. Where V-cycles were chosen automatically and do

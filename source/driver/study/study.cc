@@ -67,7 +67,7 @@ public:
         const StudyReport &report)
     : parameters_(parameters)
     , scene_(scene)
-    , n_ranks_(dealii::Utilities::MPI::n_mpi_processes(communicator))
+    , n_ranks_(Utilities::MPI::n_mpi_processes(communicator))
     , report_(report)
     , judge_({parameters.solver.tolerance,
               parameters.solver.tolerated_error,
@@ -277,7 +277,7 @@ void check_coarsest_level(const Given<unsigned int> &coarsest_level, const Geome
 {
   if (!geometry.number_after_refinement)
     return;
-  dealii::Triangulation<2> mesh;
+  Triangulation<2> mesh;
   geometry.make_coarse_mesh(mesh);
   mesh.refine_global(coarsest_level);
   if (ends_inside_a_face(geometry.sides, mesh))
@@ -290,7 +290,7 @@ void check_coarsest_level(const Given<unsigned int> &coarsest_level, const Geome
 template <int dim>
 void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator)
 {
-  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
   require_one_rank(
     parameters.solver.linear_solver, {LinearSolver::condensed, LinearSolver::multigrid}, n_ranks);
   require_one_rank(parameters.solver.contact_solver, {ContactSolver::multigrid}, n_ranks);

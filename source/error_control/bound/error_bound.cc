@@ -17,7 +17,7 @@ namespace
 std::string name_of(const SidePlace &place, const Scene<2> &scene)
 {
   const Side<2> &side = scene.geometry.sides[place.side];
-  const dealii::Point<2> x = side.point(place.arc_length);
+  const Point<2> x = side.point(place.arc_length);
   std::ostringstream name;
   name << side.name() << " at (" << x[0] << ", " << x[1] << ")";
   return name.str();
@@ -65,11 +65,11 @@ double work_of_contact(const StressBound &stress,
   const MultiplierSpace<2> &multipliers = data.stress.multipliers;
   const dealii::Vector<double> &P = data.stress.P;
   dealii::Vector<double> gap(data.G);
-  dealii::Tensor<1, 2> force = stress.support_force + change.force;
+  Tensor<1, 2> force = stress.support_force + change.force;
   for (const Piece<2> &piece : multipliers.surface().pieces())
     for (std::size_t q = 0; q < piece.on_mesh.size(); ++q)
     {
-      const dealii::Tensor<1, 2> normal = piece.on_mesh.weights[q] * piece.on_mesh.normals[q];
+      const Tensor<1, 2> normal = piece.on_mesh.weights[q] * piece.on_mesh.normals[q];
       // Multipliers are constant on patches.
       gap[piece.patch] -= stress.translation * normal;
       force += P[piece.patch] * normal;

@@ -111,7 +111,7 @@ private:
 std::string describe(const std::string &reason, const SidePlace &place, const Scene<2> &scene)
 {
   const Side<2> &side = scene.geometry.sides[place.side];
-  const dealii::Point<2> x = side.point(place.arc_length);
+  const Point<2> x = side.point(place.arc_length);
   std::ostringstream text;
   text << reason << ", on " << side.name() << " at (" << x[0] << ", " << x[1] << ")";
   return text.str();
@@ -120,7 +120,7 @@ std::string describe(const std::string &reason, const SidePlace &place, const Sc
 /** Returns ∫_F τ_n (d - w_n). */
 double contact_term(const ContactTrace &trace, const LiftField &lift, const unsigned int face)
 {
-  static const dealii::QGauss<1> gauss(4);
+  static const QGauss<1> gauss(4);
   const PenetrationFace &F = trace.faces()[face];
   double sum = 0.;
   // The parts are those of d and p_H, cut where w_n has kinks.
@@ -191,7 +191,7 @@ ContactBound ContactLift::evaluate(const LiftField &lift, const LiftMethod metho
   bound.method = method;
   bound.cell_energies = lift.cell_energies();
   const double local = std::accumulate(bound.cell_energies.begin(), bound.cell_energies.end(), 0.);
-  bound.lift_energy = dealii::Utilities::MPI::sum(local, space_.mesh().communicator());
+  bound.lift_energy = Utilities::MPI::sum(local, space_.mesh().communicator());
   std::vector<double> local_parts, parts;
   for (unsigned int i = 0; i < trace_->faces().size(); ++i)
   {
@@ -202,7 +202,7 @@ ContactBound ContactLift::evaluate(const LiftField &lift, const LiftMethod metho
     local_parts.push_back(bound.cell_energies[cell->active_cell_index()]);
   }
   parts.resize(local_parts.size());
-  dealii::Utilities::MPI::sum(local_parts, space_.mesh().communicator(), parts);
+  Utilities::MPI::sum(local_parts, space_.mesh().communicator(), parts);
   for (unsigned int i = 0; i < parts.size(); ++i)
     parts[i] += bound.face_terms[i];
   if (parts.empty())
@@ -225,7 +225,7 @@ std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
   const LiftField lift(space, scene, trace, *z, std::vector<EdgeFunction>(trace.faces().size()));
   const dealii::Vector<double> energies = lift.cell_energies();
   const double local = std::accumulate(energies.begin(), energies.end(), 0.);
-  return std::sqrt(dealii::Utilities::MPI::sum(local, space.mesh().communicator()));
+  return std::sqrt(Utilities::MPI::sum(local, space.mesh().communicator()));
 }
 
 // The part of the stress that the bound of π^{2h} u_h needs.

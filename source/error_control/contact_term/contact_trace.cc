@@ -36,7 +36,7 @@ bool PenetrationFace::presses_everywhere() const
 
 double PenetrationFace::component(const Displacement &V,
                                   const double t,
-                                  const dealii::Tensor<1, 2> &direction) const
+                                  const Tensor<1, 2> &direction) const
 {
   double value = 0.;
   for (unsigned int d = 0; d < 2; ++d)
@@ -81,7 +81,7 @@ void ContactTrace::find_faces(const Pressure &P, const std::vector<FaceField> &f
     face.side = contact.side;
     for (unsigned int end = 0; end < 2; ++end)
     {
-      const unsigned int v = dealii::GeometryInfo<2>::face_to_cell_vertices(contact.face_no, end);
+      const unsigned int v = GeometryInfo<2>::face_to_cell_vertices(contact.face_no, end);
       (end == 0 ? face.start : face.end) = cell->vertex(v);
       for (unsigned int d = 0; d < 2; ++d)
         face.dofs[end][d] = cell->vertex_dof_index(v, d);
@@ -89,7 +89,7 @@ void ContactTrace::find_faces(const Pressure &P, const std::vector<FaceField> &f
     face.length = face.start.distance(face.end);
     if (space_.mesh().is_curved())
     {
-      dealii::Point<2> middle(0.5, 0.5);
+      Point<2> middle(0.5, 0.5);
       middle[contact.face_no / 2] = contact.face_no % 2;
       face.bulge =
         space_.mesh().mapping().transform_unit_to_real_cell(cell, middle) - face.point(0.5);
@@ -116,8 +116,8 @@ unsigned int ContactTrace::condition_at(const PenetrationFace &face,
                                         ConditionsOfVertices &known)
 {
   const ContactFace<2> &contact = multipliers_.surface().faces()[face.number];
-  const unsigned int vertex = contact.cell->vertex_index(
-    dealii::GeometryInfo<2>::face_to_cell_vertices(contact.face_no, end));
+  const unsigned int vertex =
+    contact.cell->vertex_index(GeometryInfo<2>::face_to_cell_vertices(contact.face_no, end));
   for (const unsigned int k : known[vertex])
     if ((conditions_[k].normal - face.normal).norm() < 1e-10)
       return k;
@@ -165,7 +165,7 @@ void ContactTrace::find_conditions()
 double ContactTrace::penetration(const PenetrationFace &face, const double t) const
 {
   const Side<2> &side = scene_.geometry.sides[face.side];
-  const dealii::Point<2> x = face.point(t);
+  const Point<2> x = face.point(t);
   // At a corner of the side, the gap is that of this face.
   constexpr double inside = 1e-9;
   const double gap = scene_.boundary[face.side].data->value(
@@ -175,9 +175,9 @@ double ContactTrace::penetration(const PenetrationFace &face, const double t) co
   return face.component(U_, t, side.normal_at(x, face.point(0.5))) - gap;
 }
 
-ContactTrace::TractionChange ContactTrace::traction_change(const dealii::Tensor<1, 2> &c) const
+ContactTrace::TractionChange ContactTrace::traction_change(const Tensor<1, 2> &c) const
 {
-  const dealii::QGauss<1> gauss(4);
+  const QGauss<1> gauss(4);
   TractionChange change;
   for (const PenetrationFace &face : faces_)
   {
@@ -200,7 +200,7 @@ ContactTrace::TractionChange ContactTrace::traction_change(const dealii::Tensor<
 
 double ContactTrace::work_of_penetration() const
 {
-  const dealii::QGauss<1> gauss(4);
+  const QGauss<1> gauss(4);
   double work = 0.;
   for (const PenetrationFace &face : faces_)
     for (const EdgeFunction::Part &part : face.d.parts())

@@ -51,7 +51,7 @@ LiftField::LiftField(const DisplacementSpace<2> &space,
   , trace_(trace)
   , w_h_(std::move(w_h))
   , remainders_(std::move(remainders))
-  , rules_{dealii::QGauss<1>(2), dealii::QGauss<1>(3), dealii::QGauss<1>(4)}
+  , rules_{QGauss<1>(2), QGauss<1>(3), QGauss<1>(4)}
 {
   if (!scene.material->is_constant())
     sampling_.emplace(*scene.material, space.mesh().triangulation().n_active_cells());
@@ -232,12 +232,11 @@ double LiftField::energy_of(const CellIterator &cell, const LocalField &field) c
   const bool affine =
     (field.vertices[0] + (field.vertices[3] - field.vertices[1]) - field.vertices[2]).norm() <
     1e-12 * field.vertices[0].distance(field.vertices[3]);
-  const dealii::QGauss<1> &rule =
-    rules_[constant && affine ? (field.passages->empty() ? 0 : 1) : 2];
+  const QGauss<1> &rule = rules_[constant && affine ? (field.passages->empty() ? 0 : 1) : 2];
   const unsigned int n_equal = n_equal_parts(field);
   const std::vector<double> x_cuts = cuts(cell, field, 0, n_equal),
                             y_cuts = cuts(cell, field, 1, n_equal);
-  dealii::SymmetricTensor<4, 2> C;
+  SymmetricTensor<4, 2> C;
   if (constant)
     C = scene_.material->hooke(field.vertices[0]);
   double energy = 0.;

@@ -48,7 +48,7 @@ std::vector<Patch<2>> patches_around_nodes(const ContactTrace &trace,
                                          std::abs(patch.upper[0] - lower)) > 0.1 * face.length)
         continue;
       if (patch.measure == 0.)
-        patch = {face.side, dealii::Point<1>(lower), dealii::Point<1>(upper), 0.};
+        patch = {face.side, Point<1>(lower), Point<1>(upper), 0.};
       patch.lower[0] = std::min(patch.lower[0], lower);
       patch.upper[0] = std::max(patch.upper[0], upper);
       patch.measure = patch.upper[0] - patch.lower[0];
@@ -105,23 +105,22 @@ Vector NodalCompliance::press(const Vector &F, const Vector &start)
 {
   if (C_->is_explicit())
     return solve_dual_problem(C_, F, start, {}).P;
-  return iterate(F, [](const dealii::FullMatrix<double> &M, const Vector &rhs, const Vector &Q) {
+  return iterate(F, [](const FullMatrix<double> &M, const Vector &rhs, const Vector &Q) {
     return solve_dual_problem(std::make_shared<const DenseCompliance>(M), rhs, Q, {}).P;
   });
 }
 
 Vector NodalCompliance::solve(const Vector &F)
 {
-  const auto solve_with =
-    [](const dealii::FullMatrix<double> &C, const Vector &rhs, const Vector &) {
-      dealii::LAPACKFullMatrix<double> matrix(rhs.size());
-      matrix = C;
-      matrix.set_property(dealii::LAPACKSupport::symmetric);
-      matrix.compute_cholesky_factorization();
-      Vector Q = rhs;
-      matrix.solve(Q);
-      return Q;
-    };
+  const auto solve_with = [](const FullMatrix<double> &C, const Vector &rhs, const Vector &) {
+    LAPACKFullMatrix<double> matrix(rhs.size());
+    matrix = C;
+    matrix.set_property(LAPACKSupport::symmetric);
+    matrix.compute_cholesky_factorization();
+    Vector Q = rhs;
+    matrix.solve(Q);
+    return Q;
+  };
   return C_->is_explicit() ? solve_with(C_->dense(), F, F) : iterate(F, solve_with);
 }
 
@@ -184,7 +183,7 @@ double product(const Coupling::Column &a, const Coupling::Column &b)
 std::vector<std::vector<unsigned int>> conditions_by_node(const Coupling &E)
 {
   std::vector<std::vector<unsigned int>> nodes;
-  std::map<dealii::types::global_dof_index, std::size_t> node_of;
+  std::map<types::global_dof_index, std::size_t> node_of;
   for (unsigned int k = 0; k < E.n_columns(); ++k)
   {
     if (E.column(k).empty())
@@ -276,7 +275,7 @@ public:
         std::min(depth_, std::sqrt(3. * (nn * (C * nn)) * squares / ((nm * (C * nm)) * slopes)));
   }
 
-  Tensor<1, 2> value(const dealii::Point<2> &x) const
+  Tensor<1, 2> value(const Point<2> &x) const
   {
     const double s = (x - start_) * tangent_, y = -((x - start_) * normal_);
     if (y < -1e-10 * depth_ || y >= depth_)
@@ -301,7 +300,7 @@ private:
     return (1. - t) * before->second + t * after->second;
   }
 
-  dealii::Point<2> start_;
+  Point<2> start_;
   Tensor<1, 2> normal_, tangent_;
   double depth_;
   std::map<double, double> nodes_;
@@ -344,7 +343,7 @@ Vector displacement_by_pressure(const Pressure &P,
                                 const Coupling &E,
                                 const StiffnessInverse &inverse)
 {
-  std::map<dealii::types::global_dof_index, double> forces;
+  std::map<types::global_dof_index, double> forces;
   for (unsigned int k = 0; k < P.size(); ++k)
     if (P[k] != 0.)
       for (const auto &entry : condensed_D.column(k))

@@ -31,17 +31,17 @@ double stationarity(const DisplacementSpace<dim> &space, const NodalForces &forc
 
 /** Returns the degrees of freedom that hold the body: number, position, component. */
 template <int dim>
-std::map<dealii::types::global_dof_index, std::pair<dealii::Point<dim>, unsigned int>>
+std::map<types::global_dof_index, std::pair<Point<dim>, unsigned int>>
 support_points(const DisplacementSpace<dim> &space)
 {
   NodePositions<dim> positions(space);
-  std::map<dealii::types::global_dof_index, std::pair<dealii::Point<dim>, unsigned int>> points;
-  std::vector<dealii::types::global_dof_index> indices;
+  std::map<types::global_dof_index, std::pair<Point<dim>, unsigned int>> points;
+  std::vector<types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (!cell->is_artificial() && cell->at_boundary())
     {
-      const dealii::FiniteElement<dim> &element = cell->get_fe();
-      const std::vector<dealii::Point<dim>> &nodes = positions(cell);
+      const FiniteElement<dim> &element = cell->get_fe();
+      const std::vector<Point<dim>> &nodes = positions(cell);
       indices.resize(element.n_dofs_per_cell());
       cell->get_dof_indices(indices);
       for (unsigned int i = 0; i < indices.size(); ++i)
@@ -71,15 +71,15 @@ void balance(const DisplacementSpace<dim> &space,
   for (const auto &[dof, place] : support_points(space))
     if (forces.residual.in_local_range(dof))
     {
-      dealii::Tensor<1, dim> reaction;
+      Tensor<1, dim> reaction;
       reaction[place.second] = forces.residual(dof);
       sum_of_sizes += reaction.norm();
       reactions.add(reaction, place.first);
     }
   sum += sum_over_ranks(reactions, space.mesh().communicator());
-  sum_of_sizes = dealii::Utilities::MPI::sum(sum_of_sizes, space.mesh().communicator());
+  sum_of_sizes = Utilities::MPI::sum(sum_of_sizes, space.mesh().communicator());
   // About the centre of the body: the origin may be far away.
-  const dealii::Point<dim> centre =
+  const Point<dim> centre =
     scene.geometry.lower + 0.5 * (scene.geometry.upper - scene.geometry.lower);
   const double largest = std::max({sum_of_sizes, applied.force.norm(), size_of_contact});
   const double scale = forces.rigid ? std::max(forces.magnitude, largest) : largest;
@@ -120,7 +120,7 @@ double support_error(const DisplacementSpace<dim> &space,
           if (condition.role == Role::displacement)
             condition.data->vector_value(face->vertex(v), prescribed);
           scale = std::max(scale, prescribed.linfty_norm());
-          dealii::Tensor<1, dim> rest;
+          Tensor<1, dim> rest;
           for (unsigned int d = 0; d < dim; ++d)
             rest[d] = U[face->vertex_dof_index(v, d, cell->active_fe_index())] - prescribed[d];
           const unsigned int vertex = face->vertex_index(v);
@@ -146,8 +146,8 @@ double support_error(const DisplacementSpace<dim> &space,
     if (of_displacement.count(vertex) == 0)
       largest = std::max(largest, error);
   MPI_Comm communicator = space.mesh().communicator();
-  return relative(dealii::Utilities::MPI::max(largest, communicator),
-                  dealii::Utilities::MPI::max(scale, communicator));
+  return relative(Utilities::MPI::max(largest, communicator),
+                  Utilities::MPI::max(scale, communicator));
 }
 
 /** The displacement V = U without the translation of the whole body, and the size of that. */
@@ -163,12 +163,12 @@ template <int dim>
 std::vector<unsigned int> components_of(const DisplacementSpace<dim> &space)
 {
   std::vector<unsigned int> component(space.dofs().n_dofs());
-  std::vector<dealii::types::global_dof_index> indices;
+  std::vector<types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
     if (cell->is_artificial())
       continue;
-    const dealii::FiniteElement<dim> &element = cell->get_fe();
+    const FiniteElement<dim> &element = cell->get_fe();
     indices.resize(element.n_dofs_per_cell());
     cell->get_dof_indices(indices);
     for (unsigned int i = 0; i < indices.size(); ++i)
@@ -181,7 +181,7 @@ std::vector<unsigned int> components_of(const DisplacementSpace<dim> &space)
 template <int dim>
 Deformation deformation(const DisplacementSpace<dim> &space, const Displacement &U)
 {
-  dealii::Tensor<1, dim> low, high;
+  Tensor<1, dim> low, high;
   for (unsigned int d = 0; d < dim; ++d)
   {
     low[d] = std::numeric_limits<double>::max();
@@ -195,8 +195,8 @@ Deformation deformation(const DisplacementSpace<dim> &space, const Displacement 
   }
   for (unsigned int d = 0; d < dim; ++d)
   {
-    low[d] = dealii::Utilities::MPI::min(low[d], space.mesh().communicator());
-    high[d] = dealii::Utilities::MPI::max(high[d], space.mesh().communicator());
+    low[d] = Utilities::MPI::min(low[d], space.mesh().communicator());
+    high[d] = Utilities::MPI::max(high[d], space.mesh().communicator());
   }
   double range = 0.;
   for (unsigned int d = 0; d < dim; ++d)
@@ -357,7 +357,7 @@ template Certificate certify(const DisplacementSpace<3> &,
 namespace
 {
 /** Returns K/μ of Hooke's tensor. */
-double bulk_to_shear(const dealii::SymmetricTensor<4, 2> &E)
+double bulk_to_shear(const SymmetricTensor<4, 2> &E)
 {
   const double bulk = (E[0][0][0][0] + 2. * E[0][0][1][1] + E[1][1][1][1]) / 4.;
   // d:E:d for the deviators (e1 e1 - e2 e2)/sqrt(2) and (e1 e2 + e2 e1)/sqrt(2), and between them.
@@ -370,25 +370,25 @@ double bulk_to_shear(const dealii::SymmetricTensor<4, 2> &E)
 
 /** Returns the same in 3-D, where there are five independent deviators of norm one and the smallest
  * d:E:d is an eigenvalue. */
-double bulk_to_shear(const dealii::SymmetricTensor<4, 3> &E)
+double bulk_to_shear(const SymmetricTensor<4, 3> &E)
 {
-  using Strain = dealii::SymmetricTensor<2, 3>;
+  using Strain = SymmetricTensor<2, 3>;
   std::array<Strain, 5> deviators;
   deviators[0][0][0] = std::sqrt(0.5);
   deviators[0][1][1] = -std::sqrt(0.5);
   for (unsigned int i = 0; i < 3; ++i)
     deviators[1][i][i] = (i < 2 ? 1. : -2.) / std::sqrt(6.);
   deviators[2][0][1] = deviators[3][0][2] = deviators[4][1][2] = std::sqrt(0.5);
-  dealii::LAPACKFullMatrix<double> energies(5);
+  LAPACKFullMatrix<double> energies(5);
   for (unsigned int i = 0; i < 5; ++i)
     for (unsigned int j = 0; j < 5; ++j)
       energies(i, j) = deviators[i] * (E * deviators[j]);
   dealii::Vector<double> eigenvalues;
-  dealii::FullMatrix<double> eigenvectors;
+  FullMatrix<double> eigenvectors;
   const double eigenvalue_bound = 2. * energies.frobenius_norm();
   energies.compute_eigenvalues_symmetric(
     -eigenvalue_bound, eigenvalue_bound, 0., eigenvalues, eigenvectors);
-  const Strain unit = dealii::unit_symmetric_tensor<3>();
+  const Strain unit = unit_symmetric_tensor<3>();
   return (unit * (E * unit)) / 9. / (0.5 * eigenvalues[0]);
 }
 
@@ -403,7 +403,7 @@ double max_bulk_to_shear(const Mesh<dim> &mesh, const Material<dim> &material)
        mesh.triangulation().cell_iterators_on_level(std::min(mesh.level(), fine_enough)))
   {
     // Data may have no value where the corners of finer cells are.
-    const dealii::Point<dim> x = cell->center() + 0.21 * (cell->vertex(0) - cell->center());
+    const Point<dim> x = cell->center() + 0.21 * (cell->vertex(0) - cell->center());
     largest = std::max(largest, bulk_to_shear(material.relative_hooke(x)));
     if (material.is_constant())
       break;

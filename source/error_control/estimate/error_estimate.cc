@@ -76,7 +76,7 @@ public:
     for (unsigned int k = 0; k < P.size(); ++k)
       shifts_[k] -= integrals[k] / lengths[k];
   }
-  double operator()(const unsigned int patch, const dealii::Point<dim - 1> &s) const
+  double operator()(const unsigned int patch, const Point<dim - 1> &s) const
   {
     return std::min(0., recovered_(patch, s) + shifts_[patch]);
   }
@@ -103,7 +103,7 @@ PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &dat
   double work = 0.;
   for (const auto i : data.space.locally_owned())
     work += forces(i) * correction.z[i];
-  work = dealii::Utilities::MPI::sum(work, data.space.mesh().communicator());
+  work = Utilities::MPI::sum(work, data.space.mesh().communicator());
   correction.energy_norm = std::sqrt(std::max(0., work));
   return correction;
 }
@@ -115,10 +115,10 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
                         const Pressure &P)
 {
   const ContactSurface<dim> &surface = multipliers.surface();
-  const dealii::FEValuesExtractors::Vector displacement(0);
+  const FEValuesExtractors::Vector displacement(0);
   const ShiftedPressure<dim> recovered(multipliers, P);
   TraceValues<dim> traces(space);
-  std::map<dealii::types::global_dof_index, double> forces;
+  std::map<types::global_dof_index, double> forces;
   for (const Piece<dim> &piece : surface.pieces())
   {
     const ContactFace<dim> &face = surface.faces()[piece.face];
@@ -192,7 +192,7 @@ template <int dim>
 class Distance
 {
 public:
-  using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
+  using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
 
   // Products of functions of degree two or four per direction: three or five points are exact on
   // parallelograms.
@@ -204,14 +204,14 @@ public:
     , U_(U)
     , values_(space.mesh().mapping(),
               space.element(),
-              dealii::QGauss<dim>((space.element().degree << fine) + 1),
-              dealii::update_values | dealii::update_gradients | dealii::update_inverse_jacobians |
-                dealii::update_JxW_values | dealii::update_quadrature_points)
+              QGauss<dim>((space.element().degree << fine) + 1),
+              update_values | update_gradients | update_inverse_jacobians | update_JxW_values |
+                update_quadrature_points)
     , v_(space, values_.get_quadrature(), fine)
     , w_(space, values_.get_quadrature(), fine - 1)
   {
     if (material != nullptr && material->is_constant())
-      hooke_ = material->hooke(dealii::Point<dim>());
+      hooke_ = material->hooke(Point<dim>());
   }
   Squares integrate(const CellIterator &cell)
   {
@@ -222,8 +222,8 @@ public:
     for (const unsigned int q : values_.quadrature_point_indices())
     {
       const double JxW = values_.JxW(q);
-      const dealii::Tensor<2, dim> gradient = v.gradients[q] - w.gradients[q];
-      const dealii::SymmetricTensor<2, dim> strain = symmetrize(gradient);
+      const Tensor<2, dim> gradient = v.gradients[q] - w.gradients[q];
+      const SymmetricTensor<2, dim> strain = symmetrize(gradient);
       if (material_ != nullptr && !material_->is_constant())
         hooke_ = material_->hooke(values_.quadrature_point(q));
       sum += {(v.values[q] - w.values[q]).norm_square() * JxW,
@@ -237,9 +237,9 @@ private:
   /** The material; null if energies are not wanted. */
   const Material<dim> *material_;
   const Displacement &U_;
-  dealii::FEValues<dim> values_;
+  FEValues<dim> values_;
   PatchInterpolation<dim> v_, w_;
-  dealii::SymmetricTensor<4, dim> hooke_;
+  SymmetricTensor<4, dim> hooke_;
 };
 
 /** Returns the sums over all ranks; the parts of the threads are added up in the order of cells. */
@@ -261,7 +261,7 @@ Squares integrate(const DisplacementSpace<dim> &space,
     },
     [&sum](const Squares &chunk_result) { sum += chunk_result; });
   for (double *const square : {&sum.values, &sum.gradients, &sum.energy})
-    *square = dealii::Utilities::MPI::sum(*square, space.mesh().communicator());
+    *square = Utilities::MPI::sum(*square, space.mesh().communicator());
   return sum;
 }
 
@@ -367,9 +367,9 @@ bool is_near_contact(const MultiplierSpace<3> &multipliers,
 }
 
 /** Returns the modulus of the softer one of pressing and shearing. */
-double modulus_at(const Scene<3> &scene, const dealii::Point<3> &x)
+double modulus_at(const Scene<3> &scene, const Point<3> &x)
 {
-  const dealii::SymmetricTensor<4, 3> E = scene.material->hooke(x);
+  const SymmetricTensor<4, 3> E = scene.material->hooke(x);
   return std::min(std::max({E[0][0][0][0], E[1][1][1][1], E[2][2][2][2]}),
                   4. * std::max({E[0][1][0][1], E[0][2][0][2], E[1][2][1][2]}));
 }
@@ -404,7 +404,7 @@ double energy_of_missed_contact(const DisplacementSpace<3> &space,
   for (std::size_t k = 0; k < on_patch.size(); ++k)
     if (const Patch<3> &patch = surface.patches()[k];
         on_patch[k] > 0. && !is_near_contact(multipliers, P, patch))
-      energy += 0.5 * dealii::numbers::PI / std::sqrt(patch.measure) * on_patch[k];
+      energy += 0.5 * numbers::PI / std::sqrt(patch.measure) * on_patch[k];
   return std::sqrt(energy);
 }
 
@@ -413,14 +413,13 @@ double energy_of_missed_contact(const DisplacementSpace<3> &space,
 template <int dim>
 RecoveredDisplacement<dim>::RecoveredDisplacement(const DisplacementSpace<dim> &space,
                                                   const Displacement &U)
-  : element_(dealii::FE_Q<dim>(2 * space.element().degree), dim)
+  : element_(FE_Q<dim>(2 * space.element().degree), dim)
   , dofs_(space.mesh().triangulation())
 {
   dofs_.distribute_dofs(element_);
   values_.reinit(dofs_.n_dofs());
-  const dealii::Quadrature<dim> nodes(element_.base_element(0).get_unit_support_points());
-  dealii::FEValues<dim> at_nodes(
-    space.mesh().mapping(), space.element(), nodes, dealii::update_inverse_jacobians);
+  const Quadrature<dim> nodes(element_.base_element(0).get_unit_support_points());
+  FEValues<dim> at_nodes(space.mesh().mapping(), space.element(), nodes, update_inverse_jacobians);
   PatchInterpolation<dim> interpolation(space, nodes, best_interpolation(space, U));
   dealii::Vector<double> cell_values(element_.n_dofs_per_cell());
   auto cell = dofs_.begin_active();

@@ -38,25 +38,24 @@ std::vector<double> sample_positions(const unsigned int n)
 }
 
 /** Returns a point of a cell, bilinear in its reference coordinates. */
-dealii::Point<2> point_of(const dealii::Triangulation<2>::active_cell_iterator &cell,
-                          const double s,
-                          const double t)
+Point<2> point_of(const Triangulation<2>::active_cell_iterator &cell,
+                  const double s,
+                  const double t)
 {
-  return dealii::Point<2>((1. - s) * (1. - t) * cell->vertex(0) + s * (1. - t) * cell->vertex(1) +
-                          (1. - s) * t * cell->vertex(2) + s * t * cell->vertex(3));
+  return Point<2>((1. - s) * (1. - t) * cell->vertex(0) + s * (1. - t) * cell->vertex(1) +
+                  (1. - s) * t * cell->vertex(2) + s * t * cell->vertex(3));
 }
 
 /** Returns the logarithms of the moduli. */
-Values log_moduli(const Material<2> &material, const dealii::Point<2> &x)
+Values log_moduli(const Material<2> &material, const Point<2> &x)
 {
-  const dealii::SymmetricTensor<4, 2> E = material.relative_hooke(x);
+  const SymmetricTensor<4, 2> E = material.relative_hooke(x);
   return {std::log(E[0][0][0][0]), std::log(E[1][1][1][1]), std::log(E[0][1][0][1])};
 }
 
 /** Returns the largest E_a/E_h - 1, with the arithmetic and the harmonic mean of each modulus on a
  * cell, where the moduli jump; zero where they do not. */
-double jump_share(const Material<2> &material,
-                  const dealii::Triangulation<2>::active_cell_iterator &cell)
+double jump_share(const Material<2> &material, const Triangulation<2>::active_cell_iterator &cell)
 {
   constexpr unsigned int n = 16;
   const double min_jump = std::log(1.5);
@@ -116,7 +115,7 @@ private:
 class DataProbe
 {
 public:
-  using Cell = dealii::Triangulation<2>::active_cell_iterator;
+  using Cell = Triangulation<2>::active_cell_iterator;
 
   DataProbe(const Scene<2> &scene, MeshPlan &plan)
     : scene_(scene)
@@ -146,7 +145,7 @@ public:
       return false;
     const unsigned int n =
       std::clamp<unsigned int>(4e4 / cell->get_triangulation().n_active_cells(), 16, max_points);
-    const std::optional<dealii::Point<2>> place = hidden_in(cell, n);
+    const std::optional<Point<2>> place = hidden_in(cell, n);
     if (!place && !hides_on_side(cell, n))
       return false;
     if (n_splits >= (place ? max_splits_in_body : max_splits_on_sides) ||
@@ -160,7 +159,7 @@ public:
     return true;
   }
   /** Returns the place where the material hides after all splits. */
-  const std::optional<dealii::Point<2>> &hidden() const
+  const std::optional<Point<2>> &hidden() const
   {
     return hidden_;
   }
@@ -187,21 +186,19 @@ private:
     return values;
   }
 
-  std::optional<dealii::Point<2>> hidden_in(const Cell &cell, const unsigned int n) const
+  std::optional<Point<2>> hidden_in(const Cell &cell, const unsigned int n) const
   {
     if (scene_.material->is_constant())
       return {};
-    const auto moduli = [this](const dealii::Point<2> &x) {
-      return log_moduli(*scene_.material, x);
-    };
+    const auto moduli = [this](const Point<2> &x) { return log_moduli(*scene_.material, x); };
     constexpr double tolerance = 0.01;
     SampledRange seen;
-    const dealii::QGauss<2> gauss(n_gauss);
-    for (const dealii::Point<2> &x : gauss.get_points())
+    const QGauss<2> gauss(n_gauss);
+    for (const Point<2> &x : gauss.get_points())
       seen.add(moduli(point_of(cell, x[0], x[1])));
     for (const double s : sample_positions(n))
       for (const double t : sampled_lines)
-        for (const dealii::Point<2> &x : {point_of(cell, s, t), point_of(cell, t, s)})
+        for (const Point<2> &x : {point_of(cell, s, t), point_of(cell, t, s)})
           if (seen.is_far(moduli(x), tolerance))
             return x;
     return {};
@@ -235,8 +232,8 @@ private:
     constexpr double tolerance = 1e-4;
     const auto at = [&](const double t) { return on_side(side, first + t * length); };
     SampledRange seen;
-    const dealii::QGauss<1> gauss(n_gauss);
-    for (const dealii::Point<1> &t : gauss.get_points())
+    const QGauss<1> gauss(n_gauss);
+    for (const Point<1> &t : gauss.get_points())
       seen.add(at(t[0]));
     const std::vector<double> positions = sample_positions(n);
     Values before, low, high;
@@ -269,13 +266,13 @@ private:
   /** The largest component, and the approximate force of its absolute value. */
   std::vector<double> max_on_side_, force_on_side_;
   /** The cells in which nothing hides. */
-  std::set<dealii::CellId> checked_cells_;
+  std::set<CellId> checked_cells_;
   unsigned int n_split_ = 0;
-  std::optional<dealii::Point<2>> hidden_;
+  std::optional<Point<2>> hidden_;
 };
 } // namespace
 
-std::optional<dealii::Point<2>> resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan)
+std::optional<Point<2>> resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan)
 {
   DataProbe probe(scene, plan);
   const Mesh<2> mesh(

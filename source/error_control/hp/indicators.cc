@@ -23,7 +23,7 @@ const std::vector<unsigned int> &numbers_on_grid(const unsigned int degree)
   thread_local std::map<unsigned int, std::vector<unsigned int>> known;
   std::vector<unsigned int> &numbers = known[degree];
   if (numbers.empty())
-    numbers = dealii::FETools::lexicographic_to_hierarchic_numbering<2>(degree);
+    numbers = FETools::lexicographic_to_hierarchic_numbering<2>(degree);
   return numbers;
 }
 } // namespace
@@ -34,8 +34,8 @@ const std::vector<double> &nodes_of_edge(const unsigned int degree)
   std::vector<double> &nodes = known[degree];
   if (nodes.empty())
   {
-    const dealii::QGaussLobatto<1> rule(degree + 1);
-    for (const dealii::Point<1> &x : rule.get_points())
+    const QGaussLobatto<1> rule(degree + 1);
+    for (const Point<1> &x : rule.get_points())
       nodes.push_back(x[0]);
   }
   return nodes;
@@ -64,10 +64,10 @@ LineTable make_line_table(const unsigned int degree, const std::vector<double> &
   return table;
 }
 
-CellField::CellField(const dealii::DoFHandler<2>::active_cell_iterator &cell, const Displacement &U)
+CellField::CellField(const DoFHandler<2>::active_cell_iterator &cell, const Displacement &U)
   : degree_(cell->get_fe().degree)
 {
-  const dealii::FiniteElement<2> &element = cell->get_fe();
+  const FiniteElement<2> &element = cell->get_fe();
   dealii::Vector<double> nodal(element.n_dofs_per_cell());
   cell->get_dof_values(U, nodal);
   const std::vector<unsigned int> &numbers = numbers_on_grid(degree_);
@@ -81,11 +81,11 @@ CellField::CellField(const dealii::DoFHandler<2>::active_cell_iterator &cell, co
   }
 }
 
-std::vector<dealii::Tensor<2, 2>> CellField::gradients(const LineTable &x, const LineTable &y) const
+std::vector<Tensor<2, 2>> CellField::gradients(const LineTable &x, const LineTable &y) const
 {
   const unsigned int n_x = x.values.m(), n_y = y.values.m(), n = degree_ + 1;
-  std::vector<dealii::Tensor<2, 2>> gradients(n_x * n_y);
-  dealii::FullMatrix<double> at_x(n, n_x), derivative_at_x(n, n_x), result(n_y, n_x);
+  std::vector<Tensor<2, 2>> gradients(n_x * n_y);
+  FullMatrix<double> at_x(n, n_x), derivative_at_x(n, n_x), result(n_y, n_x);
   for (unsigned int c = 0; c < 2; ++c)
   {
     values_[c].mTmult(at_x, x.values);
@@ -125,11 +125,11 @@ struct Analysis
 {
   explicit Analysis(const unsigned int degree)
     : coefficients(degree, degree + 1)
-    , weights(dealii::QGaussLobatto<1>(degree + 1).get_weights())
+    , weights(QGaussLobatto<1>(degree + 1).get_weights())
   {
-    const dealii::QGauss<1> gauss(degree + 1);
+    const QGauss<1> gauss(degree + 1);
     std::vector<double> points;
-    for (const dealii::Point<1> &x : gauss.get_points())
+    for (const Point<1> &x : gauss.get_points())
       points.push_back(x[0]);
     const LineTable table = make_line_table(degree, points);
     for (unsigned int i = 0; i < degree; ++i)
@@ -139,7 +139,7 @@ struct Analysis
                                 table.derivatives(q, k) * gauss.weight(q);
   }
 
-  dealii::FullMatrix<double> coefficients;
+  FullMatrix<double> coefficients;
   std::vector<double> weights;
 };
 
@@ -191,18 +191,18 @@ CellIndicator extrapolate(const std::vector<double> &parts)
 
 /** Returns the area of the quadrilateral of the vertices. It is computed from differences only:
  * cells may be 1e-9 of their distance from the origin. */
-double area_of(const dealii::Triangulation<2>::active_cell_iterator &cell)
+double area_of(const Triangulation<2>::active_cell_iterator &cell)
 {
-  const dealii::Tensor<1, 2> first = cell->vertex(3) - cell->vertex(0);
-  const dealii::Tensor<1, 2> second = cell->vertex(2) - cell->vertex(1);
+  const Tensor<1, 2> first = cell->vertex(3) - cell->vertex(0);
+  const Tensor<1, 2> second = cell->vertex(2) - cell->vertex(1);
   return 0.5 * std::abs(first[0] * second[1] - first[1] * second[0]);
 }
 
 } // namespace
 
-double indicator_modulus(const Scene<2> &scene, const dealii::Point<2> &x)
+double indicator_modulus(const Scene<2> &scene, const Point<2> &x)
 {
-  const dealii::SymmetricTensor<4, 2> E = scene.material->hooke(x);
+  const SymmetricTensor<4, 2> E = scene.material->hooke(x);
   return std::min(std::max(E[0][0][0][0], E[1][1][1][1]), 4. * E[0][1][0][1]);
 }
 
@@ -284,7 +284,7 @@ void add_contact_misfit(const DisplacementSpace<2> &space,
     double square = 0.;
     for (std::size_t q = 0; q < rule.size(); ++q)
       square += (u_n[q] - g[q]) * (u_n[q] - g[q]) * rule.weights[q];
-    const double waves = 0.5 * dealii::numbers::PI * p / surface.patches()[piece.patch].measure;
+    const double waves = 0.5 * numbers::PI * p / surface.patches()[piece.patch].measure;
     CellIndicator &indicator = indicators[face.cell->active_cell_index()];
     indicator.error = std::sqrt(indicator.error * indicator.error +
                                 indicator_modulus(scene, face.cell->center()) * waves * square);
@@ -355,7 +355,7 @@ private:
   const ContactSurface<2> &surface_;
   const Displacement &U_;
   TraceValues<2> traces_;
-  std::vector<dealii::Point<1>> positions_;
+  std::vector<Point<1>> positions_;
   std::vector<double> values_, g_;
 };
 
@@ -421,7 +421,7 @@ Pressure transfer_pressure(const MultiplierSpace<2> &from,
   for (unsigned int k = 0; k < transferred.size(); ++k)
   {
     const unsigned int side = to.surface().patches()[to.patch_of(k)].side;
-    const dealii::Point<1> s = to.node(k);
+    const Point<1> s = to.node(k);
     // Patches and nodes are sorted by side and arc length.
     while (patch + 1 < known.size() && (known[patch].side < side || (known[patch].side == side &&
                                                                      known[patch].upper[0] < s[0])))

@@ -241,7 +241,7 @@ MeshPlan first_plan(const Scene<2> &scene,
   MeshPlan plan;
   plan.base_level = base_level;
   plan.max_element_degree = max_element_degree;
-  const dealii::Tensor<1, 2> box = scene.geometry.upper - scene.geometry.lower;
+  const Tensor<1, 2> box = scene.geometry.upper - scene.geometry.lower;
   plan.base_size =
     std::sqrt(box[0] * box[1] / scene.geometry.n_coarse_cells) / std::pow(2., base_level);
   for (const KinkLine<2> &line : scene.kinks.lines())

@@ -51,7 +51,7 @@ bool ErrorHistory::stagnates() const
 
 namespace
 {
-using MeshCell = dealii::Triangulation<2>::cell_iterator;
+using MeshCell = Triangulation<2>::cell_iterator;
 
 /** A part of a cell's reference square: the square with this corner and edge. */
 struct Window
@@ -79,8 +79,8 @@ unsigned int child_number(const MeshCell &cell)
 
 /** Returns the smallest cell of another mesh that contains a cell, with the part of it that the
  * cell is; or the cell itself, where it has children there. */
-std::pair<MeshCell, Window> find_in(const dealii::Triangulation<2> &other,
-                                    const dealii::Triangulation<2>::active_cell_iterator &cell)
+std::pair<MeshCell, Window> find_in(const Triangulation<2> &other,
+                                    const Triangulation<2>::active_cell_iterator &cell)
 {
   std::vector<unsigned int> path;
   MeshCell ancestor = cell;
@@ -109,25 +109,25 @@ public:
   }
 
   double integrate(const Mesh<2> &mesh,
-                   const dealii::Triangulation<2>::active_cell_iterator &cell,
+                   const Triangulation<2>::active_cell_iterator &cell,
                    const CellField &on_cell,
                    const CellField &on_ancestor,
                    const Window &window)
   {
     const unsigned int n = std::max(on_cell.degree(), on_ancestor.degree()) + 1;
-    const dealii::FEValues<2> &values = values_on(mesh, n, cell);
+    const FEValues<2> &values = values_on(mesh, n, cell);
     const LineTable &table = table_on_cell(on_cell.degree(), n);
-    const std::vector<dealii::Tensor<2, 2>> fine = on_cell.gradients(table, table);
+    const std::vector<Tensor<2, 2>> fine = on_cell.gradients(table, table);
     const auto part = [&](const unsigned int d) {
       return make_line_table(on_ancestor.degree(), points_of(n, window.corner[d], window.edge));
     };
-    const std::vector<dealii::Tensor<2, 2>> coarse = on_ancestor.gradients(part(0), part(1));
+    const std::vector<Tensor<2, 2>> coarse = on_ancestor.gradients(part(0), part(1));
     double square = 0.;
     for (const unsigned int q : values.quadrature_point_indices())
     {
-      const dealii::Tensor<2, 2> reference = fine[q] - window.edge * coarse[q];
-      const dealii::SymmetricTensor<2, 2> strain =
-        symmetrize(reference * dealii::Tensor<2, 2>(values.inverse_jacobian(q)));
+      const Tensor<2, 2> reference = fine[q] - window.edge * coarse[q];
+      const SymmetricTensor<2, 2> strain =
+        symmetrize(reference * Tensor<2, 2>(values.inverse_jacobian(q)));
       if (!constant_)
         hooke_ = scene_.material->hooke(values.quadrature_point(q));
       square += (hooke_ * strain) * strain * values.JxW(q);
@@ -139,9 +139,9 @@ private:
   static std::vector<double> points_of(const unsigned int n, const double from, const double edge)
   {
     // Newton's method finds the points in long double: once for every n.
-    thread_local std::map<unsigned int, dealii::QGauss<1>> rules;
+    thread_local std::map<unsigned int, QGauss<1>> rules;
     std::vector<double> points;
-    for (const dealii::Point<1> &x : rules.try_emplace(n, n).first->second.get_points())
+    for (const Point<1> &x : rules.try_emplace(n, n).first->second.get_points())
       points.push_back(from + edge * x[0]);
     return points;
   }
@@ -152,29 +152,28 @@ private:
       table = make_line_table(degree, points_of(n, 0., 1.));
     return table;
   }
-  const dealii::FEValues<2> &values_on(const Mesh<2> &mesh,
-                                       const unsigned int n,
-                                       const dealii::Triangulation<2>::active_cell_iterator &cell)
+  const FEValues<2> &values_on(const Mesh<2> &mesh,
+                               const unsigned int n,
+                               const Triangulation<2>::active_cell_iterator &cell)
   {
     auto &values = values_[{&mesh, n}];
     if (values == nullptr)
-      values = std::make_unique<dealii::FEValues<2>>(mesh.mapping(),
-                                                     no_functions_,
-                                                     dealii::QGauss<2>(n),
-                                                     dealii::update_inverse_jacobians |
-                                                       dealii::update_quadrature_points |
-                                                       dealii::update_JxW_values);
+      values = std::make_unique<FEValues<2>>(mesh.mapping(),
+                                             no_functions_,
+                                             QGauss<2>(n),
+                                             update_inverse_jacobians | update_quadrature_points |
+                                               update_JxW_values);
     values->reinit(cell);
     return *values;
   }
 
   const Scene<2> &scene_;
   bool constant_;
-  dealii::SymmetricTensor<4, 2> hooke_;
-  dealii::FE_Nothing<2> no_functions_;
+  SymmetricTensor<4, 2> hooke_;
+  FE_Nothing<2> no_functions_;
   /** The tables, by degree and number of points. */
   std::map<std::pair<unsigned int, unsigned int>, LineTable> tables_;
-  std::map<std::pair<const Mesh<2> *, unsigned int>, std::unique_ptr<dealii::FEValues<2>>> values_;
+  std::map<std::pair<const Mesh<2> *, unsigned int>, std::unique_ptr<FEValues<2>>> values_;
 };
 
 /** Visits all active descendants of a cell with their windows in it. */
@@ -183,7 +182,7 @@ void for_each_part(const MeshCell &cell, const Window &window, const Visitor &vi
 {
   if (cell->is_active())
   {
-    visit(dealii::Triangulation<2>::active_cell_iterator(cell), window);
+    visit(Triangulation<2>::active_cell_iterator(cell), window);
     return;
   }
   for (unsigned int child = 0; child < cell->n_children(); ++child)
@@ -194,7 +193,7 @@ void for_each_part(const MeshCell &cell, const Window &window, const Visitor &vi
 double energy_distance(const StepField &u, const StepField &v, const Scene<2> &scene)
 {
   DistanceIntegrals integrals(scene);
-  const dealii::Triangulation<2> &other = v.space.mesh().triangulation();
+  const Triangulation<2> &other = v.space.mesh().triangulation();
   double square = 0.;
   for (const auto &cell : u.space.mesh().triangulation().active_cell_iterators())
   {

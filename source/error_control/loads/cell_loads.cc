@@ -17,11 +17,11 @@ namespace Signorini
 {
 namespace
 {
-using dealii::numbers::PI;
-using Vector2 = dealii::Tensor<1, 2>;
+using numbers::PI;
+using Vector2 = Tensor<1, 2>;
 
 /** Returns ρ/R for the discs about a point of the cell. */
-double roundness(const CellShape &shape, const dealii::Point<2> &x)
+double roundness(const CellShape &shape, const Point<2> &x)
 {
   double rho = std::numeric_limits<double>::max(), R = 0.;
   for (unsigned int k = 0; k < 4; ++k)
@@ -43,9 +43,7 @@ double korn_constant(const CellShape &shape)
 
 /** Returns the constant in ‖v‖_e ≤ constant ‖grad v‖_T on the triangle of an edge from a to b and
  * a point P. */
-double trace_constant(const dealii::Point<2> &a,
-                      const dealii::Point<2> &b,
-                      const dealii::Point<2> &P)
+double trace_constant(const Point<2> &a, const Point<2> &b, const Point<2> &P)
 {
   const double length = a.distance(b), area = 0.5 * std::abs(cross(b - a, P - a));
   const double to_P = std::max(a.distance(P), b.distance(P));
@@ -100,8 +98,8 @@ OscillationConstants::OscillationConstants(const CellShape &shape)
 
 namespace
 {
-using Vector2 = dealii::Tensor<1, 2>;
-using Matrix2 = dealii::Tensor<2, 2>;
+using Vector2 = Tensor<1, 2>;
+using Matrix2 = Tensor<2, 2>;
 
 Vector2 rotated(const Vector2 &a)
 {
@@ -130,7 +128,7 @@ Matrix2 second_moments(const CellShape &shape)
   Matrix2 sum;
   for (unsigned int k = 0; k < 4; ++k)
   {
-    const dealii::Point<2> centre = shape.centre(k);
+    const Point<2> centre = shape.centre(k);
     for (const auto &v : {shape.corners[k], shape.corners[(k + 1) % 4], shape.crossing})
       sum += shape.areas[k] / 12. * outer_product(v - centre, v - centre);
     const Vector2 arm = centre - shape.centre();
@@ -144,7 +142,7 @@ struct LinearForce
 {
   LinearForce(const CellShape &shape, const std::array<Vector2, 4> &nodal)
   {
-    const dealii::Point<2> centre = shape.centre();
+    const Point<2> centre = shape.centre();
     for (unsigned int a = 0; a < 4; ++a)
     {
       mean += nodal[a] / shape.area();
@@ -210,13 +208,13 @@ public:
               space,
               scene.kinks,
               n_points,
-              dealii::update_values | dealii::update_quadrature_points | dealii::update_JxW_values)
+              update_values | update_quadrature_points | update_JxW_values)
   {
   }
   template <typename CellIterator>
   const ForceAtPoints &sample(const CellIterator &cell)
   {
-    const dealii::FEValues<2> &values = values_.reinit(cell);
+    const FEValues<2> &values = values_.reinit(cell);
     const auto &points = values.get_quadrature_points();
     if (sample_.values.size() != points.size())
     {
@@ -239,7 +237,7 @@ public:
   }
 
 private:
-  const dealii::Function<2> &force_;
+  const Function<2> &force_;
   CellValues<2> values_;
   ForceAtPoints sample_;
 };
@@ -259,7 +257,7 @@ CellLoad checked_load(const CellShape &shape,
 }
 } // namespace
 
-Components CellLoad::stress(const CellShape &shape, const dealii::Point<2> &reference) const
+Components CellLoad::stress(const CellShape &shape, const Point<2> &reference) const
 {
   const double xi = reference[0], eta = reference[1];
   const double s1 = -0.5 * slope[0] * (xi * xi - 1.) - slope[1] * xi * eta;
@@ -336,10 +334,10 @@ double add_couple(const CellShape &shape, const double moment, CellLoad &load)
   return std::abs(moment) / std::sqrt(inertia);
 }
 
-std::vector<dealii::Triangulation<2>::active_cell_iterator>
+std::vector<Triangulation<2>::active_cell_iterator>
 cells_in_order(const DisplacementSpace<2> &space)
 {
-  std::vector<dealii::Triangulation<2>::active_cell_iterator> cells;
+  std::vector<Triangulation<2>::active_cell_iterator> cells;
   cells.reserve(space.mesh().triangulation().n_active_cells());
   for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
     cells.push_back(cell);

@@ -12,7 +12,7 @@ namespace Signorini
 {
 namespace
 {
-using Vector2 = dealii::Tensor<1, 2>;
+using Vector2 = Tensor<1, 2>;
 using Triangle = RulePart::Triangle;
 
 double twice_area(const Triangle &x)
@@ -58,7 +58,7 @@ TriangleRule quartic_rule()
  * 2. */
 TriangleRule make_collapsed_rule(const unsigned int n)
 {
-  const dealii::QGauss<1> gauss(n);
+  const QGauss<1> gauss(n);
   TriangleRule rule;
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j)
@@ -91,7 +91,7 @@ std::vector<Triangle> cut(const std::vector<Triangle> &triangles, const KinkLine
     const double size = std::sqrt(std::abs(twice_area(x)));
     for (const double sign : {1., -1.})
     {
-      std::vector<dealii::Point<2>> polygon;
+      std::vector<Point<2>> polygon;
       for (unsigned int i = 0; i < 3; ++i)
       {
         const auto &a = x[i], &b = x[(i + 1) % 3];
@@ -135,7 +135,7 @@ std::vector<RulePart> parts_of(const Triangle &whole,
 }
 
 /** Returns the barycentric coordinates of a point in a triangle. */
-std::array<double, 3> barycentric(const Triangle &triangle, const dealii::Point<2> &x)
+std::array<double, 3> barycentric(const Triangle &triangle, const Point<2> &x)
 {
   std::array<double, 3> lambda;
   for (unsigned int v = 0; v < 3; ++v)
@@ -183,7 +183,7 @@ struct CellMap
   }
   /** Returns the reference coordinates of a point, by Newton's method: one step on parallelograms.
    */
-  dealii::Point<2> inverse(const Vector2 &offset) const
+  Point<2> inverse(const Vector2 &offset) const
   {
     double s = 0., t = 0.;
     for (unsigned int step = 0; step < 20; ++step)
@@ -200,8 +200,7 @@ struct CellMap
     return {s, t};
   }
   /** Returns the gradients of the shape functions of the corners. */
-  std::array<Vector2, 4> gradients(const dealii::Point<2> &reference,
-                                   const Jacobian &jacobian) const
+  std::array<Vector2, 4> gradients(const Point<2> &reference, const Jacobian &jacobian) const
   {
     const double s = reference[0], t = reference[1];
     const Vector2 &d_s = jacobian.d_s, &d_t = jacobian.d_t;
@@ -219,12 +218,12 @@ struct CellMap
     return result;
   }
 
-  Jacobian bilinear(const dealii::Point<2> &reference) const
+  Jacobian bilinear(const Point<2> &reference) const
   {
     return {e + reference[1] * g, f + reference[0] * g};
   }
   /** Returns the Jacobian of the curved cell. */
-  Jacobian biquadratic(const dealii::Point<2> &reference) const
+  Jacobian biquadratic(const Point<2> &reference) const
   {
     Jacobian sum = bilinear(reference);
     const auto a = quadratics(reference[0]), b = quadratics(reference[1]);
@@ -237,7 +236,7 @@ struct CellMap
     return sum;
   }
   /** Returns the vector from the point of the quadrilateral to that of the curved cell. */
-  Vector2 bulge(const dealii::Point<2> &reference) const
+  Vector2 bulge(const Point<2> &reference) const
   {
     Vector2 sum;
     const auto a = quadratics(reference[0]), b = quadratics(reference[1]);
@@ -265,7 +264,7 @@ void bend(const CellMap &map, StressPoint &point)
 
 /** Returns the smallest eigenvalue of Hooke's law in the orthonormal components (s11, s22, sqrt(2)
  * s12). */
-double min_eigenvalue_of(const dealii::Tensor<2, 3> &matrix)
+double min_eigenvalue_of(const Tensor<2, 3> &matrix)
 {
   if (matrix[0][2] == 0. && matrix[1][2] == 0.)
   {
@@ -273,23 +272,23 @@ double min_eigenvalue_of(const dealii::Tensor<2, 3> &matrix)
     const double radius = std::hypot(0.5 * (matrix[0][0] - matrix[1][1]), matrix[0][1]);
     return std::min(mean - radius, 2. * matrix[2][2]);
   }
-  dealii::SymmetricTensor<2, 3> orthonormal;
+  SymmetricTensor<2, 3> orthonormal;
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = i; j < 3; ++j)
       orthonormal[i][j] =
         matrix[i][j] * (i == 2 ? std::sqrt(2.) : 1.) * (j == 2 ? std::sqrt(2.) : 1.);
-  return dealii::eigenvalues(orthonormal)[2];
+  return eigenvalues(orthonormal)[2];
 }
 } // namespace
 
-Law::Law(const dealii::SymmetricTensor<4, 2> &hooke)
+Law::Law(const SymmetricTensor<4, 2> &hooke)
 {
   constexpr std::array<std::array<unsigned int, 2>, 3> pairs = {{{{0, 0}}, {{1, 1}}, {{0, 1}}}};
-  dealii::Tensor<2, 3> matrix;
+  Tensor<2, 3> matrix;
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
       stiffness[i][j] = matrix[i][j] = hooke[pairs[i][0]][pairs[i][1]][pairs[j][0]][pairs[j][1]];
-  const dealii::Tensor<2, 3> inverse = dealii::invert(matrix);
+  const Tensor<2, 3> inverse = invert(matrix);
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
       compliance[i][j] = inverse[i][j];
@@ -328,8 +327,8 @@ std::array<std::array<EdgePoint, 2>, 4> edge_points(const CellShape &shape)
       point.position = s;
       point.offset = (1. - s) * (shape.corners[k] - shape.corners[0]) +
                      s * (shape.corners[next] - shape.corners[0]);
-      const dealii::Point<2> reference((1. - s) * corners[k][0] + s * corners[next][0],
-                                       (1. - s) * corners[k][1] + s * corners[next][1]);
+      const Point<2> reference((1. - s) * corners[k][0] + s * corners[next][0],
+                               (1. - s) * corners[k][1] + s * corners[next][1]);
       point.gradients = map.gradients(reference, map.bilinear(reference));
     }
   return points;

@@ -10,7 +10,7 @@ namespace Signorini
 {
 namespace
 {
-using Vector2 = dealii::Tensor<1, 2>;
+using Vector2 = Tensor<1, 2>;
 
 /** Returns the outward normal of an edge with the direction d, counter-clockwise, times its length.
  */
@@ -129,7 +129,7 @@ Components push_forward(const Components &s, const Vector2 &a1, const Vector2 &a
 }
 } // namespace
 
-CellShape::CellShape(const std::array<dealii::Point<2>, 4> &corners)
+CellShape::CellShape(const std::array<Point<2>, 4> &corners)
   : corners(corners)
 {
   const Vector2 first = corners[2] - corners[0], second = corners[3] - corners[1];
@@ -160,14 +160,14 @@ double CellShape::diameter() const
   return largest;
 }
 
-dealii::Point<2> CellShape::centre(const unsigned int k) const
+Point<2> CellShape::centre(const unsigned int k) const
 {
   return crossing + ((corners[k] - crossing) + (corners[(k + 1) % 4] - crossing)) / 3.;
 }
 
-dealii::Point<2> CellShape::centre() const
+Point<2> CellShape::centre() const
 {
-  dealii::Tensor<1, 2> sum;
+  Tensor<1, 2> sum;
   for (unsigned int k = 0; k < 4; ++k)
     sum += areas[k] / area() * (centre(k) - crossing);
   return crossing + sum;

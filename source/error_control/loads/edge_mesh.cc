@@ -30,19 +30,18 @@ EdgeFreedom freedom_of(const Role role)
 }
 
 /** Sets the bulges of a cell. */
-void find_bulges(const dealii::Mapping<2> &mapping,
-                 const dealii::Triangulation<2>::active_cell_iterator &cell,
+void find_bulges(const Mapping<2> &mapping,
+                 const Triangulation<2>::active_cell_iterator &cell,
                  EdgeCell &here)
 {
-  const std::array<dealii::Point<2>, 5> middles = {
+  const std::array<Point<2>, 5> middles = {
     {{0.5, 0.}, {1., 0.5}, {0.5, 1.}, {0., 0.5}, {0.5, 0.5}}};
   const auto &x = here.corners;
   const double size = x[0].distance(x[2]);
   for (unsigned int i = 0; i < 5; ++i)
   {
-    const dealii::Tensor<1, 2> chord = i < 4
-                                         ? 0.5 * (x[i] - x[0]) + 0.5 * (x[(i + 1) % 4] - x[0])
-                                         : 0.25 * ((x[1] - x[0]) + (x[2] - x[0]) + (x[3] - x[0]));
+    const Tensor<1, 2> chord = i < 4 ? 0.5 * (x[i] - x[0]) + 0.5 * (x[(i + 1) % 4] - x[0])
+                                     : 0.25 * ((x[1] - x[0]) + (x[2] - x[0]) + (x[3] - x[0]));
     here.bulges[i] = (mapping.transform_unit_to_real_cell(cell, middles[i]) - x[0]) - chord;
     here.is_curved = here.is_curved || here.bulges[i].norm() > 1e-12 * size;
   }
@@ -93,8 +92,8 @@ void EdgeMesh::collect_cells(const DisplacementSpace<2> &space, const Scene<2> &
       if (edge == none)
       {
         edge = edges_.size();
-        const dealii::Tensor<1, 2> d = here.corners[(k + 1) % 4] - here.corners[k];
-        dealii::Tensor<1, 2> normal;
+        const Tensor<1, 2> d = here.corners[(k + 1) % 4] - here.corners[k];
+        Tensor<1, 2> normal;
         normal[0] = d[1] / d.norm();
         normal[1] = -d[0] / d.norm();
         Edge &new_edge = edges_.emplace_back(Edge{{{here.vertices[k], here.vertices[(k + 1) % 4]}},

@@ -55,13 +55,13 @@ constexpr std::array<std::array<double, 3>, 7> places = {{{{0.96, 0.02, 0.02}},
                                                           {{0.49, 0.49, 0.02}},
                                                           {{1. / 3., 1. / 3., 1. / 3.}}}};
 
-double doubled_area(const dealii::Point<2> &a, const dealii::Point<2> &b, const dealii::Point<2> &c)
+double doubled_area(const Point<2> &a, const Point<2> &b, const Point<2> &c)
 {
   return cross(b - a, c - a);
 }
 
 /** Returns whether a point is inside, and not closer to an edge than rounding. */
-bool is_inside(const LawTriangle &x, const dealii::Point<2> &point)
+bool is_inside(const LawTriangle &x, const Point<2> &point)
 {
   const double least = 1e-6 * doubled_area(x[0], x[1], x[2]);
   return doubled_area(point, x[1], x[2]) > least && doubled_area(x[0], point, x[2]) > least &&
@@ -86,16 +86,16 @@ LawSampling::LawSampling(const Material<2> &material, const std::size_t n_cells)
 {
 }
 
-LawSampling::Sample LawSampling::sample(const dealii::Point<2> &x) const
+LawSampling::Sample LawSampling::sample(const Point<2> &x) const
 {
-  const dealii::SymmetricTensor<4, 2> C = material_.relative_hooke(x);
-  const dealii::Tensor<2, 3> matrix({{C[0][0][0][0], C[0][0][1][1], C[0][0][0][1]},
-                                     {C[1][1][0][0], C[1][1][1][1], C[1][1][0][1]},
-                                     {C[0][1][0][0], C[0][1][1][1], C[0][1][0][1]}});
+  const SymmetricTensor<4, 2> C = material_.relative_hooke(x);
+  const Tensor<2, 3> matrix({{C[0][0][0][0], C[0][0][1][1], C[0][0][0][1]},
+                             {C[1][1][0][0], C[1][1][1][1], C[1][1][0][1]},
+                             {C[0][1][0][0], C[0][1][1][1], C[0][1][0][1]}});
   const double norm = matrix.norm();
   return {x,
           {{std::log(norm),
-            std::log(dealii::invert(matrix).norm()),
+            std::log(invert(matrix).norm()),
             matrix[0][0] / norm,
             matrix[1][1] / norm,
             matrix[2][2] / norm,
@@ -104,7 +104,7 @@ LawSampling::Sample LawSampling::sample(const dealii::Point<2> &x) const
             matrix[1][2] / norm}}};
 }
 
-LawSampling::Samples LawSampling::scan(const std::array<dealii::Point<2>, 4> &corners) const
+LawSampling::Samples LawSampling::scan(const std::array<Point<2>, 4> &corners) const
 {
   Samples samples;
   samples.reserve(intervals_ * intervals_);
@@ -157,13 +157,13 @@ std::vector<RulePart> LawSampling::divide(const LawTriangle &whole,
     for (const auto &lambda : places)
       range.add(sample(x[0] + lambda[1] * (x[1] - x[0]) + lambda[2] * (x[2] - x[0])).features);
     const unsigned int k = longest_edge(x);
-    const dealii::Point<2> &a = x[k], &b = x[(k + 1) % 3], &c = x[(k + 2) % 3];
+    const Point<2> &a = x[k], &b = x[(k + 1) % 3], &c = x[(k + 2) % 3];
     if (!range.is_large() || a.distance(b) < least)
     {
       parts.push_back({x, !range.is_large()});
       continue;
     }
-    const dealii::Point<2> middle = a + 0.5 * (b - a);
+    const Point<2> middle = a + 0.5 * (b - a);
     open.push_back({{{a, middle, c}}, inside});
     open.push_back({{{middle, b, c}}, std::move(inside)});
   }

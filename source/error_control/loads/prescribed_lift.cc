@@ -15,22 +15,22 @@ namespace Signorini
 {
 namespace
 {
-using Vector2 = dealii::Tensor<1, 2>;
+using Vector2 = Tensor<1, 2>;
 
 constexpr unsigned int n_nodes = 9;
 
 /** Returns Chebyshev's points with both ends of [0,1]. */
-std::vector<dealii::Point<1>> nodes()
+std::vector<Point<1>> nodes()
 {
-  std::vector<dealii::Point<1>> points;
+  std::vector<Point<1>> points;
   for (unsigned int i = 0; i < n_nodes; ++i)
-    points.emplace_back(0.5 * (1. - std::cos(dealii::numbers::PI * i / (n_nodes - 1))));
+    points.emplace_back(0.5 * (1. - std::cos(numbers::PI * i / (n_nodes - 1))));
   return points;
 }
 
-const std::vector<dealii::Polynomials::Polynomial<double>> &basis()
+const std::vector<Polynomials::Polynomial<double>> &basis()
 {
-  static const auto polynomials = dealii::Polynomials::generate_complete_Lagrange_basis(nodes());
+  static const auto polynomials = Polynomials::generate_complete_Lagrange_basis(nodes());
   return polynomials;
 }
 
@@ -65,7 +65,7 @@ PrescribedLift::EdgeRest::EdgeRest(const unsigned int k, const unsigned int n_pi
   for (unsigned int piece = 0; piece < n_pieces; ++piece)
   {
     Values &values = pieces.emplace_back();
-    for (const dealii::Point<1> &point : points)
+    for (const Point<1> &point : points)
       values.push_back(r((piece + point[0]) / n_pieces));
   }
 }
@@ -139,7 +139,7 @@ PrescribedLift::PrescribedLift(const Scene<2> &scene, const EdgeMesh &mesh, cons
       if (!is_prescribed(edge))
         continue;
       const unsigned int next = (k + 1) % 4;
-      const dealii::Function<2> &prescribed = *scene.boundary[edge.side].data;
+      const Function<2> &prescribed = *scene.boundary[edge.side].data;
       const Rest r = [&](const double s) {
         dealii::Vector<double> u(2);
         prescribed.vector_value(cell.corners[k] + s * (cell.corners[next] - cell.corners[k]), u);
@@ -171,9 +171,9 @@ std::vector<KinkLine<2>> PrescribedLift::lines(const unsigned int cell, const Ed
       const double s = static_cast<double>(piece) / rest.pieces.size();
       const unsigned int a = rest.k, b = (a + 1) % 4, c = (a + 2) % 4, d = (a + 3) % 4;
       // Lines of bilinear coordinates are straight.
-      const dealii::Point<2> from = x[a] + s * (x[b] - x[a]), to = x[d] + s * (x[c] - x[d]);
+      const Point<2> from = x[a] + s * (x[b] - x[a]), to = x[d] + s * (x[c] - x[d]);
       const Vector2 along = (to - from) / from.distance(to), normal({along[1], -along[0]});
-      lines.push_back({normal, normal * (from - dealii::Point<2>())});
+      lines.push_back({normal, normal * (from - Point<2>())});
     }
   return lines;
 }
@@ -206,7 +206,7 @@ double PrescribedLift::work(const unsigned int cell, const CellMoments &moments)
 {
   if (!cells_[cell])
     return 0.;
-  const dealii::QGauss<1> rule(6);
+  const QGauss<1> rule(6);
   double sum = 0.;
   for (const EdgeRest &rest : rests_.at(cell))
     for (unsigned int piece = 0; piece < rest.pieces.size(); ++piece)

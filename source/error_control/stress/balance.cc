@@ -15,7 +15,7 @@ namespace Signorini
 {
 namespace
 {
-using Vector2 = dealii::Tensor<1, 2>;
+using Vector2 = Tensor<1, 2>;
 
 constexpr unsigned int no_cell = static_cast<unsigned int>(-1);
 
@@ -31,8 +31,8 @@ void add_resultant(const EdgeCell &cell,
                    const Resultant<2> &resultant,
                    std::vector<double> &moments)
 {
-  const dealii::Point<2> &a = cell.corners[k], &b = cell.corners[(k + 1) % 4];
-  const dealii::Point<2> middle = a + 0.5 * (b - a);
+  const Point<2> &a = cell.corners[k], &b = cell.corners[(k + 1) % 4];
+  const Point<2> middle = a + 0.5 * (b - a);
   Vector2 normal({b[1] - a[1], a[0] - b[0]});
   normal /= normal.norm();
   // Half of the force at either end, and a couple that is normal to the edge.
@@ -268,8 +268,8 @@ double balance_entry(const EdgeCell &cell, const unsigned int j, const unsigned 
 {
   if (row < 2)
     return j % 2 == row ? 1. : 0.;
-  const dealii::Tensor<1, 2> arm = (cell.corners[(j / 4 + j % 4 / 2) % 4] - cell.corners[0]) /
-                                   cell.corners[0].distance(cell.corners[2]);
+  const Tensor<1, 2> arm = (cell.corners[(j / 4 + j % 4 / 2) % 4] - cell.corners[0]) /
+                           cell.corners[0].distance(cell.corners[2]);
   return j % 2 == 0 ? -arm[1] : arm[0];
 }
 
@@ -309,7 +309,7 @@ std::vector<std::array<double, 3>> free_motions(const EdgeMesh &mesh, const Edge
 {
   // A motion moves x by (a - w y, b + w x)/size, x and y from corner 0 of the cell.
   const double size = frame_cell.corners[0].distance(frame_cell.corners[2]);
-  dealii::SymmetricTensor<2, 3> work;
+  SymmetricTensor<2, 3> work;
   for (const EdgeCell &cell : mesh.cells())
     for (unsigned int k = 0; k < 4; ++k)
     {
@@ -318,13 +318,13 @@ std::vector<std::array<double, 3>> free_motions(const EdgeMesh &mesh, const Edge
         continue;
       for (const unsigned int corner : {k, (k + 1) % 4})
       {
-        const dealii::Tensor<1, 2> arm = (cell.corners[corner] - frame_cell.corners[0]) / size;
+        const Tensor<1, 2> arm = (cell.corners[corner] - frame_cell.corners[0]) / size;
         for (unsigned int d = 0; d < (edge.freedom == EdgeFreedom::any ? 2 : 1); ++d)
         {
-          dealii::Tensor<1, 2> n = edge.normal;
+          Tensor<1, 2> n = edge.normal;
           if (edge.freedom == EdgeFreedom::any)
-            n = dealii::Point<2>::unit_vector(d);
-          const dealii::Tensor<1, 3> row({n[0], n[1], arm[0] * n[1] - arm[1] * n[0]});
+            n = Point<2>::unit_vector(d);
+          const Tensor<1, 3> row({n[0], n[1], arm[0] * n[1] - arm[1] * n[0]});
           work += symmetrize(outer_product(row, row));
         }
       }
@@ -352,7 +352,7 @@ std::vector<double> optimal_change(const EdgeMesh &mesh,
   if (!(largest > 0.) || !std::isfinite(largest))
     return {};
   const double scale = 1. / largest;
-  dealii::DynamicSparsityPattern entries(n, n);
+  DynamicSparsityPattern entries(n, n);
   for_all_entries(mesh, energies, free, scale, [&](const auto i, const auto j, const double) {
     entries.add(i, j);
   });
@@ -364,9 +364,9 @@ std::vector<double> optimal_change(const EdgeMesh &mesh,
   };
   for_multipliers_of_first_cell(
     [&](const auto i, const auto j, const double) { entries.add(i, j); });
-  dealii::SparsityPattern pattern;
+  SparsityPattern pattern;
   pattern.copy_from(entries);
-  dealii::SparseMatrix<double> matrix(pattern);
+  SparseMatrix<double> matrix(pattern);
   for_all_entries(mesh, energies, free, scale, [&](const auto i, const auto j, const double value) {
     matrix.add(i, j, value);
   });
@@ -378,9 +378,9 @@ std::vector<double> optimal_change(const EdgeMesh &mesh,
   dealii::Vector<double> x(rhs), residual(n);
   try
   {
-    dealii::SparseDirectUMFPACK().solve(matrix, x);
+    SparseDirectUMFPACK().solve(matrix, x);
   }
-  catch (const dealii::ExceptionBase &)
+  catch (const ExceptionBase &)
   {
     return {};
   }

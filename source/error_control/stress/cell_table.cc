@@ -60,7 +60,7 @@ CellTable::CellTable(const EdgeMesh &mesh,
 unsigned int CellTable::classify(const unsigned int cell)
 {
   const auto &corners = mesh_.cells()[cell].corners;
-  const std::array<dealii::Tensor<1, 2>, 3> edges = {
+  const std::array<Tensor<1, 2>, 3> edges = {
     {corners[1] - corners[0], corners[2] - corners[0], corners[3] - corners[0]}};
   const double tolerance = 1e-12 * edges[1].norm();
   const auto is_same = [&](const auto &others) {
@@ -268,7 +268,7 @@ void EquilibratedStress::update(const std::vector<CellIntegrals> &integrals,
 namespace
 {
 /** Returns the strain of a function with the given gradient in one component. */
-Components strain_of_component(const dealii::Tensor<1, 2> &gradient, const unsigned int component)
+Components strain_of_component(const Tensor<1, 2> &gradient, const unsigned int component)
 {
   return component == 0 ? Components{{gradient[0], 0., gradient[1]}}
                         : Components{{0., gradient[1], gradient[0]}};
@@ -363,13 +363,13 @@ const BubbleForm *BubbleForms::of(const unsigned int cell) const
 
 namespace
 {
-using Vector2 = dealii::Tensor<1, 2>;
+using Vector2 = Tensor<1, 2>;
 
 /** Returns the middles of the edges of a cell counter-clockwise, and its centre. */
-dealii::Quadrature<2> bubble_points()
+Quadrature<2> bubble_points()
 {
-  return dealii::Quadrature<2>(
-    std::vector<dealii::Point<2>>{{0.5, 0.}, {1., 0.5}, {0.5, 1.}, {0., 0.5}, {0.5, 0.5}});
+  return Quadrature<2>(
+    std::vector<Point<2>>{{0.5, 0.}, {1., 0.5}, {0.5, 1.}, {0., 0.5}, {0.5, 0.5}});
 }
 } // namespace
 

@@ -12,7 +12,7 @@ namespace Signorini
 {
 namespace
 {
-using Vector2 = dealii::Tensor<1, 2>;
+using Vector2 = Tensor<1, 2>;
 
 Vector2 entry(const std::vector<double> &moments, const unsigned int at)
 {
@@ -37,8 +37,8 @@ struct EdgeTraction
    * @param second_end the corner of the cell that is the second end of the edge. Its hat function
    * is the share of the length on straight edges.
    */
-  EdgeTraction(const dealii::FEFaceValues<2> &values,
-               const dealii::Function<2> &traction,
+  EdgeTraction(const FEFaceValues<2> &values,
+               const Function<2> &traction,
                const Edge &edge,
                const unsigned int second_end)
   {
@@ -108,8 +108,7 @@ void add_traction_sides(const DisplacementSpace<2> &space,
                          space,
                          scene.kinks,
                          n,
-                         dealii::update_values | dealii::update_quadrature_points |
-                           dealii::update_JxW_values);
+                         update_values | update_quadrature_points | update_JxW_values);
   };
   const unsigned int n_fine = std::max(n_points, n_fine_points(mesh, scene));
   FaceValues<2> values = make_values(n_points), finer = make_values(n_fine);
@@ -123,9 +122,8 @@ void add_traction_sides(const DisplacementSpace<2> &space,
         const unsigned int number = mesh.edge_of_line(face->index());
         const Edge &edge = mesh.edges()[number];
         const bool reversed = edge.vertices[0] != face->vertex_index(0);
-        const unsigned int second_end =
-          dealii::GeometryInfo<2>::face_to_cell_vertices(f, reversed ? 0 : 1);
-        const dealii::Function<2> &t = *scene.boundary[face->boundary_id()].data;
+        const unsigned int second_end = GeometryInfo<2>::face_to_cell_vertices(f, reversed ? 0 : 1);
+        const Function<2> &t = *scene.boundary[face->boundary_id()].data;
         EdgeTraction traction(values.reinit(cell, f), t, edge, second_end);
         if (n_fine > n_points && !is_constant(t))
         {

@@ -17,7 +17,7 @@ namespace Signorini
 {
 namespace
 {
-using Vector2 = dealii::Tensor<1, 2>;
+using Vector2 = Tensor<1, 2>;
 
 /** Adds half of the moments of a traction that is sampled at the points of an edge. */
 void add_edge(const std::array<EdgePoint, 2> &points,
@@ -173,7 +173,7 @@ std::vector<EdgeMoments::CornerForces> EquilibratedStress::residuals()
     CellStiffness<2> stiffness(data_.space, data_.scene);
     for (std::size_t i = begin; i < end; ++i)
     {
-      const dealii::FullMatrix<double> &K = stiffness(cells[i]);
+      const FullMatrix<double> &K = stiffness(cells[i]);
       const CornerValues u = deformation(mesh_.cells()[i]);
       for (unsigned int a = 0; a < 4; ++a)
         for (unsigned int c = 0; c < 2; ++c)

@@ -12,7 +12,7 @@ namespace Signorini
 {
 namespace
 {
-using Vector2 = dealii::Tensor<1, 2>;
+using Vector2 = Tensor<1, 2>;
 
 /** Returns the position in a star of the first component that a spoke has at its centre (end 0) or
  * outer end (1). */
@@ -45,7 +45,7 @@ std::array<StarEntry, 8> entries(const Star &star, const unsigned int j)
 }
 
 /** Returns one column per moment that the star may change. */
-dealii::FullMatrix<double> free_moments(const EdgeMesh &mesh, const Star &star)
+FullMatrix<double> free_moments(const EdgeMesh &mesh, const Star &star)
 {
   std::vector<std::pair<unsigned int, Vector2>> columns;
   for (unsigned int j = 0; j < star.spokes.size(); ++j)
@@ -58,7 +58,7 @@ dealii::FullMatrix<double> free_moments(const EdgeMesh &mesh, const Star &star)
         for (unsigned int c = 0; c < 2; ++c)
           columns.emplace_back(in_star(j, end), Vector2({c == 0 ? 1. : 0., c == 1 ? 1. : 0.}));
   }
-  dealii::FullMatrix<double> basis(4 * star.spokes.size(), columns.size());
+  FullMatrix<double> basis(4 * star.spokes.size(), columns.size());
   for (unsigned int i = 0; i < columns.size(); ++i)
     for (unsigned int c = 0; c < 2; ++c)
       basis(columns[i].first + c, i) = columns[i].second[c];
@@ -66,13 +66,13 @@ dealii::FullMatrix<double> free_moments(const EdgeMesh &mesh, const Star &star)
 }
 
 /** Returns the forces and moments of the cells of a star: three rows per cell. */
-dealii::FullMatrix<double> balances(const EdgeMesh &mesh, const Star &star)
+FullMatrix<double> balances(const EdgeMesh &mesh, const Star &star)
 {
-  dealii::FullMatrix<double> rows(3 * star.cells.size(), 4 * star.spokes.size());
+  FullMatrix<double> rows(3 * star.cells.size(), 4 * star.spokes.size());
   for (unsigned int j = 0; j < star.cells.size(); ++j)
   {
     const EdgeCell &cell = mesh.cells()[star.cells[j].cell];
-    const dealii::Point<2> &centre = cell.corners[star.cells[j].number];
+    const Point<2> &centre = cell.corners[star.cells[j].number];
     const double size = cell.corners[0].distance(cell.corners[2]);
     for (const StarEntry &entry : entries(star, j))
     {
@@ -91,12 +91,12 @@ dealii::FullMatrix<double> balances(const EdgeMesh &mesh, const Star &star)
  * the centre and at its outer end r_j, the cells are in balance if a_j + b_j and r_j x b_j are the
  * same for all j: one force in two components, one moment, and for every spoke a couple along it.
  */
-dealii::FullMatrix<double> balanced_inside(const EdgeMesh &mesh, const Star &star)
+FullMatrix<double> balanced_inside(const EdgeMesh &mesh, const Star &star)
 {
   const unsigned int n = star.spokes.size();
   const EdgeCell &first = mesh.cells()[star.cells[0].cell];
   const double length = first.corners[0].distance(first.corners[2]);
-  dealii::FullMatrix<double> Z(4 * n, n + 3);
+  FullMatrix<double> Z(4 * n, n + 3);
   for (unsigned int j = 0; j < n; ++j)
   {
     // Spoke j is edge k of cell j, from the centre outwards.
@@ -120,10 +120,9 @@ dealii::FullMatrix<double> balanced_inside(const EdgeMesh &mesh, const Star &sta
 }
 
 /** Returns A B. Matrices are small: a call of a linear algebra library takes longer. */
-dealii::FullMatrix<double> product(const dealii::FullMatrix<double> &A,
-                                   const dealii::FullMatrix<double> &B)
+FullMatrix<double> product(const FullMatrix<double> &A, const FullMatrix<double> &B)
 {
-  dealii::FullMatrix<double> C(A.m(), B.n());
+  FullMatrix<double> C(A.m(), B.n());
   for (unsigned int i = 0; i < C.m(); ++i)
     for (unsigned int k = 0; k < A.n(); ++k)
       if (const double factor = A(i, k); factor != 0.)
@@ -133,16 +132,16 @@ dealii::FullMatrix<double> product(const dealii::FullMatrix<double> &A,
 }
 
 /** Returns the changes of moments that disturb the balance of no cell of a star, as columns. */
-dealii::FullMatrix<double> basis(const EdgeMesh &mesh, const Star &star)
+FullMatrix<double> basis(const EdgeMesh &mesh, const Star &star)
 {
   if (star.is_closed())
     return balanced_inside(mesh, star);
-  const dealii::FullMatrix<double> free = free_moments(mesh, star);
+  const FullMatrix<double> free = free_moments(mesh, star);
   return product(free, null_space(product(balances(mesh, star), free)));
 }
 
 /** Returns X with A X = B for a positive definite A, by Cholesky's method. */
-dealii::FullMatrix<double> solve(dealii::FullMatrix<double> A, dealii::FullMatrix<double> B)
+FullMatrix<double> solve(FullMatrix<double> A, FullMatrix<double> B)
 {
   const unsigned int n = A.m(), m = B.n();
   for (unsigned int i = 0; i < n; ++i)
@@ -216,7 +215,7 @@ void add_solution(const Star &star,
 }
 } // namespace
 
-dealii::FullMatrix<double> null_space(dealii::FullMatrix<double> matrix)
+FullMatrix<double> null_space(FullMatrix<double> matrix)
 {
   const unsigned int m = matrix.m(), n = matrix.n();
   std::vector<unsigned int> column(n);
@@ -250,7 +249,7 @@ dealii::FullMatrix<double> null_space(dealii::FullMatrix<double> matrix)
           matrix(i, j) -= factor * matrix(rank, j);
       }
   }
-  dealii::FullMatrix<double> basis(n, n - rank);
+  FullMatrix<double> basis(n, n - rank);
   for (unsigned int j = rank; j < n; ++j)
   {
     basis(column[j], j - rank) = 1.;
@@ -325,11 +324,11 @@ std::vector<unsigned int> StarSolver::key(const Star &star, const CellEnergies &
 std::vector<double> StarSolver::solve_star(const Star &star, const CellEnergies &energies) const
 {
   const unsigned int n = 4 * star.spokes.size();
-  const dealii::FullMatrix<double> Z = basis(mesh_, star);
+  const FullMatrix<double> Z = basis(mesh_, star);
   std::vector<double> rows(n * n, 0.);
   if (Z.n() == 0)
     return rows;
-  dealii::FullMatrix<double> S(n, n);
+  FullMatrix<double> S(n, n);
   for (unsigned int j = 0; j < star.cells.size(); ++j)
   {
     const CellEnergy &energy = energies(star.cells[j].cell);
@@ -339,9 +338,9 @@ std::vector<double> StarSolver::solve_star(const Star &star, const CellEnergies 
         S(a.in_star, b.in_star) +=
           a.sign * b.sign * energy[CompositeCell::n_moments * a.in_cell + b.in_cell];
   }
-  dealii::FullMatrix<double> Zt(Z.n(), Z.m());
+  FullMatrix<double> Zt(Z.n(), Z.m());
   Zt.copy_transposed(Z);
-  const dealii::FullMatrix<double> matrix = product(Z, solve(product(product(Zt, S), Z), Zt));
+  const FullMatrix<double> matrix = product(Z, solve(product(product(Zt, S), Z), Zt));
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j)
       rows[i * n + j] = matrix(i, j);

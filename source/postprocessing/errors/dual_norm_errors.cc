@@ -31,15 +31,15 @@ struct SampledFunction
 };
 
 /** Samples p between consecutive @p cuts, sorted arc lengths, with n points on each interval. */
-SampledFunction sample(const dealii::Function<2> &p,
+SampledFunction sample(const Function<2> &p,
                        const Side<2> &side,
                        const std::vector<double> &cuts,
                        const unsigned int n_points)
 {
-  const dealii::Quadrature<1> rule = split_quadrature(dealii::QGauss<1>(n_points), cuts);
+  const Quadrature<1> rule = split_quadrature(QGauss<1>(n_points), cuts);
   SampledFunction samples;
-  std::vector<dealii::Point<2>> points;
-  for (const dealii::Point<1> &s : rule.get_points())
+  std::vector<Point<2>> points;
+  for (const Point<1> &s : rule.get_points())
   {
     samples.arc_lengths.push_back(s[0]);
     points.push_back(side.point(s[0]));
@@ -77,7 +77,7 @@ std::vector<double> cut_side(const Side<2> &side,
 /** Samples p - p_H (or R^H p - p_H) on the patches [first, last) of a side, at points of every
  * patch and of every cell of the grid. */
 SampledFunction sample_difference(const MultiplierSpace<2> &space,
-                                  const dealii::Function<2> &p,
+                                  const Function<2> &p,
                                   const Kinks<2> &kinks,
                                   const Pressure &P,
                                   const dealii::Vector<double> *projected_p,
@@ -93,9 +93,9 @@ SampledFunction sample_difference(const MultiplierSpace<2> &space,
   std::sort(cuts.begin(), cuts.end());
   SampledFunction samples = projected_p == nullptr
                               ? sample(p, side, cuts, 6)
-                              : sample(dealii::Functions::ZeroFunction<2>(), side, cuts, 2);
+                              : sample(Functions::ZeroFunction<2>(), side, cuts, 2);
   const SampledFunction ones =
-    sample(dealii::Functions::ConstantFunction<2>(1.), side, cuts, projected_p == nullptr ? 6 : 2);
+    sample(Functions::ConstantFunction<2>(1.), side, cuts, projected_p == nullptr ? 6 : 2);
   unsigned int tau = first;
   for (std::size_t q = 0; q < samples.arc_lengths.size(); ++q)
   {
@@ -236,7 +236,7 @@ DistributedVector test_on_contact(const DisplacementSpace<2> &space,
                                   const Function &values_on)
 {
   const ContactSurface<2> &surface = multipliers.surface();
-  const dealii::FEValuesExtractors::Vector displacement(0);
+  const FEValuesExtractors::Vector displacement(0);
   TraceValues<2> traces(space);
   DistributedVector b = space.make_vector();
   for (const Piece<2> &piece : surface.pieces())
@@ -252,7 +252,7 @@ DistributedVector test_on_contact(const DisplacementSpace<2> &space,
           b(indices[j]) +=
             q[k] * rule.weights[k] * (values[displacement].value(j, k) * rule.normals[k]);
   }
-  b.compress(dealii::VectorOperation::add);
+  b.compress(VectorOperation::add);
   return b;
 }
 
@@ -275,7 +275,7 @@ double dual_norm(const DisplacementSpace<2> &space,
   DistributedVector right_hand_side = space.make_vector();
   for (const auto i : space.locally_owned())
     right_hand_side(i) = condensed(i);
-  right_hand_side.compress(dealii::VectorOperation::insert);
+  right_hand_side.compress(VectorOperation::insert);
   DistributedVector v = space.make_vector();
   inverse.solve(v, right_hand_side);
   return std::sqrt(std::max(v * right_hand_side, 0.));
@@ -343,9 +343,9 @@ double trace_defect(const Scene<2> &scene,
                                        return exact_normal_displacement(scene, rule);
                                      });
   const auto gram = dual_gram_matrix(multipliers.surface());
-  dealii::LAPACKFullMatrix<double> S(gram.m(), gram.n());
+  LAPACKFullMatrix<double> S(gram.m(), gram.n());
   S = gram;
-  S.set_property(dealii::LAPACKSupport::symmetric);
+  S.set_property(LAPACKSupport::symmetric);
   S.compute_cholesky_factorization();
   dealii::Vector<double> x = b;
   S.solve(x);
@@ -386,7 +386,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
     interpolation_trace(space, scene, multipliers.surface(), interpolant);
   numbers.bound_30 = errors.post_h1;
 
-  const dealii::TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
+  const TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
   const auto inverse = factorise(A_1, 1., linear_solver);
   // a(u, φ_j) = f(φ_j) + [p, B φ_j].
   DistributedVector defect = test_on_contact(space, multipliers, n_points, exact_p);

@@ -56,30 +56,30 @@ struct Fields
 template <int dim>
 struct ExactValues
 {
-  void evaluate(const dealii::Function<dim> &exact, const std::vector<dealii::Point<dim>> &points)
+  void evaluate(const Function<dim> &exact, const std::vector<Point<dim>> &points)
   {
     values.resize(points.size(), dealii::Vector<double>(dim));
-    gradients.resize(points.size(), std::vector<dealii::Tensor<1, dim>>(dim));
+    gradients.resize(points.size(), std::vector<Tensor<1, dim>>(dim));
     exact.vector_value_list(points, values);
     exact.vector_gradient_list(points, gradients);
   }
-  dealii::Tensor<1, dim> value(const unsigned int q) const
+  Tensor<1, dim> value(const unsigned int q) const
   {
-    dealii::Tensor<1, dim> u;
+    Tensor<1, dim> u;
     for (unsigned int c = 0; c < dim; ++c)
       u[c] = values[q][c];
     return u;
   }
-  dealii::Tensor<2, dim> gradient(const unsigned int q) const
+  Tensor<2, dim> gradient(const unsigned int q) const
   {
-    dealii::Tensor<2, dim> du;
+    Tensor<2, dim> du;
     for (unsigned int c = 0; c < dim; ++c)
       du[c] = gradients[q][c];
     return du;
   }
 
   std::vector<dealii::Vector<double>> values;
-  std::vector<std::vector<dealii::Tensor<1, dim>>> gradients;
+  std::vector<std::vector<Tensor<1, dim>>> gradients;
 };
 
 /** Integrates over one cell after the other; every chunk of cells has its own object. */
@@ -87,7 +87,7 @@ template <int dim>
 class ErrorIntegrals
 {
 public:
-  using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
+  using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
 
   explicit ErrorIntegrals(const Fields<dim> &fields)
     : fields_(fields)
@@ -95,19 +95,18 @@ public:
                    fields.space,
                    fields.scene.kinks,
                    fields.n_points,
-                   dealii::update_values | dealii::update_gradients |
-                     dealii::update_quadrature_points | dealii::update_JxW_values |
-                     dealii::update_inverse_jacobians)
+                   update_values | update_gradients | update_quadrature_points | update_JxW_values |
+                     update_inverse_jacobians)
   {
     const unsigned int n_generations =
       std::min<unsigned int>(Squares().post.size(), fields.space.mesh().n_nested_ancestors());
     for (unsigned int g = 1; g <= n_generations; ++g)
-      interpolations_.emplace_back(fields.space, dealii::QGauss<dim>(fields.n_points), g);
+      interpolations_.emplace_back(fields.space, QGauss<dim>(fields.n_points), g);
   }
   Squares integrate(const CellIterator &cell)
   {
-    const dealii::FEValues<dim> &values = cell_values_.reinit(cell);
-    const dealii::FEValuesExtractors::Vector displacement(0);
+    const FEValues<dim> &values = cell_values_.reinit(cell);
+    const FEValuesExtractors::Vector displacement(0);
     const unsigned int n = values.n_quadrature_points;
     u_.resize(n);
     du_.resize(n);
@@ -122,8 +121,8 @@ public:
     for (unsigned int q = 0; q < n; ++q)
     {
       const double weight = values.JxW(q);
-      const dealii::Tensor<2, dim> gradient = exact_.gradient(q) - du_[q];
-      const dealii::SymmetricTensor<2, dim> strain = symmetrize(gradient);
+      const Tensor<2, dim> gradient = exact_.gradient(q) - du_[q];
+      const SymmetricTensor<2, dim> strain = symmetrize(gradient);
       squares.l2 += (exact_.value(q) - u_[q]).norm_square() * weight;
       squares.h1_seminorm += gradient.norm_square() * weight;
       squares.energy +=
@@ -137,7 +136,7 @@ public:
 
 private:
   /** Returns ‖u - v‖_1² on the cell. */
-  double distance(const FieldValues<dim> &v, const dealii::FEValues<dim> &values) const
+  double distance(const FieldValues<dim> &v, const FEValues<dim> &values) const
   {
     double square = 0.;
     for (const unsigned int q : values.quadrature_point_indices())
@@ -151,8 +150,8 @@ private:
   CellValues<dim> cell_values_;
   std::vector<PatchInterpolation<dim>> interpolations_;
   ExactValues<dim> exact_;
-  std::vector<dealii::Tensor<1, dim>> u_, e_;
-  std::vector<dealii::Tensor<2, dim>> du_, de_;
+  std::vector<Tensor<1, dim>> u_, e_;
+  std::vector<Tensor<2, dim>> du_, de_;
 };
 
 /** Returns the sum over this rank's cells, added up in their order whatever the number of threads.
@@ -186,7 +185,7 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
   interpolant_minus_U -= U;
   const Squares squares = integrate_errors<dim>({space, scene, U, interpolant_minus_U, n_points});
   const auto root_of_sum = [&](const double square) {
-    return std::sqrt(dealii::Utilities::MPI::sum(square, communicator));
+    return std::sqrt(Utilities::MPI::sum(square, communicator));
   };
   DisplacementErrors errors;
   errors.l2 = root_of_sum(squares.l2);
@@ -278,7 +277,7 @@ struct EdgePoints
   {
     // These are two points for the half of a period of the highest mode.
     constexpr unsigned int n_intervals = RectangleNorm::n_modes / 4, n_points = 8;
-    const dealii::QGauss<1> gauss(n_points);
+    const QGauss<1> gauss(n_points);
     for (unsigned int i = 0; i < n_intervals; ++i)
       for (unsigned int q = 0; q < n_points; ++q)
       {
@@ -290,12 +289,12 @@ struct EdgePoints
   std::vector<double> positions, weights;
 };
 
-dealii::FullMatrix<double> coefficients_on(const Side<3> &side, const dealii::Function<3> &p)
+FullMatrix<double> coefficients_on(const Side<3> &side, const Function<3> &p)
 {
   const std::array<double, 2> lengths = side.lengths();
   const EdgePoints x(lengths[0]), y(lengths[1]);
-  dealii::FullMatrix<double> weighted(x.positions.size(), y.positions.size());
-  std::vector<dealii::Point<3>> points(y.positions.size());
+  FullMatrix<double> weighted(x.positions.size(), y.positions.size());
+  std::vector<Point<3>> points(y.positions.size());
   std::vector<double> values(y.positions.size());
   for (std::size_t a = 0; a < x.positions.size(); ++a)
   {
@@ -344,7 +343,7 @@ namespace
 std::vector<double> exact_ends(const Scene<2> &scene, const unsigned int number)
 {
   const Side<2> &side = scene.geometry.sides[number];
-  const dealii::Function<2> &p = *scene.boundary[number].exact_pressure;
+  const Function<2> &p = *scene.boundary[number].exact_pressure;
   const std::vector<double> cuts = scene.kinks.cut(side, 0., side.length());
   std::vector<double> ends;
   for (std::size_t i = 1; i + 1 < cuts.size(); ++i)

@@ -171,7 +171,7 @@ RecoveredPressure<2>::Neighbour RecoveredPressure<2>::neighbour(const unsigned i
 }
 
 template <>
-double RecoveredPressure<2>::operator()(const unsigned int patch, const dealii::Point<1> &s) const
+double RecoveredPressure<2>::operator()(const unsigned int patch, const Point<1> &s) const
 {
   if (!space_.is_piecewise_constant())
     return std::min(0., space_.value(P_, patch, s));
@@ -294,7 +294,7 @@ RecoveredPressure<3>::RecoveredPressure(const MultiplierSpace<3> &space, const P
 }
 
 template <>
-double RecoveredPressure<3>::operator()(const unsigned int patch, const dealii::Point<2> &s) const
+double RecoveredPressure<3>::operator()(const unsigned int patch, const Point<2> &s) const
 {
   const Place &place = places_[patch];
   const PatchGrid &grid = grids_[place.grid];
@@ -371,7 +371,7 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
   forces.loads = space.dual(loads);
   DistributedVector contact = space.make_vector();
   D.add_product(P, contact);
-  contact.compress(dealii::VectorOperation::add);
+  contact.compress(VectorOperation::add);
   forces.contact = space.dual(contact);
   forces.residual = forces.internal;
   forces.residual -= forces.loads;

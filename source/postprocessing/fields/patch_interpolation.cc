@@ -28,18 +28,18 @@ unsigned int bit(const unsigned int number, const unsigned int d)
   return (number >> d) & 1U;
 }
 /** Returns the nodes of the element of degree p in one dimension, ascending from 0 to 1. */
-std::vector<dealii::Point<1>> nodes_on_line(const unsigned int degree)
+std::vector<Point<1>> nodes_on_line(const unsigned int degree)
 {
-  std::vector<dealii::Point<1>> nodes = dealii::FE_Q<1>(degree).get_unit_support_points();
+  std::vector<Point<1>> nodes = FE_Q<1>(degree).get_unit_support_points();
   std::sort(nodes.begin(), nodes.end(), [](const auto &a, const auto &b) { return a[0] < b[0]; });
   return nodes;
 }
 
 /** Returns these nodes on n cells next to each other, which fill [0, 1]. */
-std::vector<dealii::Point<1>> nodes_on_line(const unsigned int degree, const unsigned int n_cells)
+std::vector<Point<1>> nodes_on_line(const unsigned int degree, const unsigned int n_cells)
 {
-  std::vector<dealii::Point<1>> nodes = {dealii::Point<1>(0.)};
-  const std::vector<dealii::Point<1>> on_cell = nodes_on_line(degree);
+  std::vector<Point<1>> nodes = {Point<1>(0.)};
+  const std::vector<Point<1>> on_cell = nodes_on_line(degree);
   for (unsigned int c = 0; c < n_cells; ++c)
     for (unsigned int i = 1; i < on_cell.size(); ++i)
       nodes.emplace_back((c + on_cell[i][0]) / n_cells);
@@ -48,12 +48,11 @@ std::vector<dealii::Point<1>> nodes_on_line(const unsigned int degree, const uns
 
 /** Returns for every node of an element the number of nodes before it in each direction. */
 template <int dim>
-std::vector<std::array<unsigned int, dim>>
-places_of_nodes(const dealii::FiniteElement<dim> &element)
+std::vector<std::array<unsigned int, dim>> places_of_nodes(const FiniteElement<dim> &element)
 {
-  const std::vector<dealii::Point<1>> line = nodes_on_line(element.degree);
+  const std::vector<Point<1>> line = nodes_on_line(element.degree);
   std::vector<std::array<unsigned int, dim>> places;
-  for (const dealii::Point<dim> &node : element.base_element(0).get_unit_support_points())
+  for (const Point<dim> &node : element.base_element(0).get_unit_support_points())
   {
     places.emplace_back();
     for (unsigned int d = 0; d < dim; ++d)
@@ -66,14 +65,14 @@ places_of_nodes(const dealii::FiniteElement<dim> &element)
 
 template <int dim>
 PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
-                                            const dealii::Quadrature<dim> &usual_rule,
+                                            const Quadrature<dim> &usual_rule,
                                             const unsigned int n_generations)
   : space_(space)
   , n_generations_(n_generations)
   , n_cells_(1U << n_generations)
   , degree_(n_cells_ * space.element().degree)
   , nodes_of_cell_(places_of_nodes(space.element()))
-  , polynomials_(dealii::Polynomials::generate_complete_Lagrange_basis(
+  , polynomials_(Polynomials::generate_complete_Lagrange_basis(
       nodes_on_line(space.element().degree, n_cells_)))
   , usual_points_(usual_rule.get_points())
   , ancestor_(space.dofs().end())
@@ -82,10 +81,10 @@ PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
   , nodal_values_(polynomials_.n())
 {
   Assert(space.mesh().n_nested_ancestors() >= n_generations,
-         dealii::ExcMessage("patch interpolation needs the levels before"));
+         ExcMessage("patch interpolation needs the levels before"));
   if constexpr (dim == 3)
     if (usual_rule.size() > 0 && usual_rule.is_tensor_product())
-      tensor_.emplace(dealii::Polynomials::generate_complete_Lagrange_basis(
+      tensor_.emplace(Polynomials::generate_complete_Lagrange_basis(
                         nodes_on_line(space.element().degree, n_cells_)),
                       usual_rule.get_tensor_basis(),
                       n_cells_);
@@ -96,7 +95,7 @@ PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
 template <int dim>
 void PatchInterpolation<dim>::make_tables()
 {
-  const unsigned int n_places = dealii::Utilities::pow(n_cells_, dim);
+  const unsigned int n_places = Utilities::pow(n_cells_, dim);
   for (unsigned int i = 0; i < n_places; ++i)
   {
     Place place;
@@ -118,24 +117,23 @@ unsigned int PatchInterpolation<dim>::lexicographic(const Place &place,
 
 template <int dim>
 typename PatchInterpolation<dim>::ShapeTable
-PatchInterpolation<dim>::make_table(const std::vector<dealii::Point<dim>> &points,
-                                    const Place &place) const
+PatchInterpolation<dim>::make_table(const std::vector<Point<dim>> &points, const Place &place) const
 {
   ShapeTable table;
   std::vector<double> values(polynomials_.n());
-  std::vector<dealii::Tensor<1, dim>> gradients(polynomials_.n());
+  std::vector<Tensor<1, dim>> gradients(polynomials_.n());
   // Second and third derivatives are not computed.
-  std::vector<dealii::Tensor<2, dim>> second;
-  std::vector<dealii::Tensor<3, dim>> third;
-  std::vector<dealii::Tensor<4, dim>> fourth;
-  for (const dealii::Point<dim> &point : points)
+  std::vector<Tensor<2, dim>> second;
+  std::vector<Tensor<3, dim>> third;
+  std::vector<Tensor<4, dim>> fourth;
+  for (const Point<dim> &point : points)
   {
-    dealii::Point<dim> point_in_ancestor;
+    Point<dim> point_in_ancestor;
     for (unsigned int d = 0; d < dim; ++d)
       point_in_ancestor[d] = (point[d] + place[d]) / n_cells_;
     polynomials_.evaluate(point_in_ancestor, values, gradients, second, third, fourth);
     table.values.insert(table.values.end(), values.begin(), values.end());
-    for (const dealii::Tensor<1, dim> &gradient : gradients)
+    for (const Tensor<1, dim> &gradient : gradients)
       table.gradients.push_back(gradient / n_cells_);
   }
   return table;
@@ -143,7 +141,7 @@ PatchInterpolation<dim>::make_table(const std::vector<dealii::Point<dim>> &point
 
 template <int dim>
 const typename PatchInterpolation<dim>::ShapeTable &
-PatchInterpolation<dim>::table(const dealii::Quadrature<dim> &quadrature,
+PatchInterpolation<dim>::table(const Quadrature<dim> &quadrature,
                                const bool is_usual,
                                const Place &place)
 {
@@ -204,8 +202,8 @@ PatchInterpolation<dim>::collect_values(const Displacement &U, const CellIterato
 }
 
 template <int dim>
-const std::vector<dealii::Tensor<1, dim>> &PatchInterpolation<dim>::values(const Displacement &U,
-                                                                           const CellIterator &cell)
+const std::vector<Tensor<1, dim>> &PatchInterpolation<dim>::values(const Displacement &U,
+                                                                   const CellIterator &cell)
 {
   const Place place = collect_values(U, cell);
   if constexpr (dim == 3)
@@ -216,7 +214,7 @@ const std::vector<dealii::Tensor<1, dim>> &PatchInterpolation<dim>::values(const
     }
   const ShapeTable &shapes = tables_[lexicographic(place, n_cells_)];
   const unsigned int n_nodes = nodal_values_.size();
-  result_.values.assign(usual_points_.size(), dealii::Tensor<1, dim>());
+  result_.values.assign(usual_points_.size(), Tensor<1, dim>());
   for (unsigned int q = 0; q < usual_points_.size(); ++q)
     for (unsigned int k = 0; k < n_nodes; ++k)
       result_.values[q] += shapes.values[q * n_nodes + k] * nodal_values_[k];
@@ -227,8 +225,8 @@ template <int dim>
 void PatchInterpolation<dim>::sum_up(const ShapeTable &shapes, const unsigned int n_points)
 {
   const unsigned int n_nodes = nodal_values_.size();
-  result_.values.assign(n_points, dealii::Tensor<1, dim>());
-  result_.gradients.assign(n_points, dealii::Tensor<2, dim>());
+  result_.values.assign(n_points, Tensor<1, dim>());
+  result_.gradients.assign(n_points, Tensor<2, dim>());
   for (unsigned int q = 0; q < n_points; ++q)
     for (unsigned int k = 0; k < n_nodes; ++k)
     {
@@ -240,10 +238,10 @@ void PatchInterpolation<dim>::sum_up(const ShapeTable &shapes, const unsigned in
 template <int dim>
 const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const Displacement &U,
                                                           const CellIterator &cell,
-                                                          const dealii::FEValues<dim> &fe_values)
+                                                          const FEValues<dim> &fe_values)
 {
   const Place place = collect_values(U, cell);
-  const dealii::Quadrature<dim> &rule = fe_values.get_quadrature();
+  const Quadrature<dim> &rule = fe_values.get_quadrature();
   const bool is_usual = rule.get_points() == usual_points_;
   bool done = false;
   if constexpr (dim == 3)
@@ -256,8 +254,7 @@ const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const Displacement &U,
     sum_up(table(rule, is_usual, place), rule.size());
   // du_i/dx_j = Σ_k du_i/dxi_k dxi_k/dx_j
   for (unsigned int q = 0; q < rule.size(); ++q)
-    result_.gradients[q] =
-      result_.gradients[q] * dealii::Tensor<2, dim>(fe_values.inverse_jacobian(q));
+    result_.gradients[q] = result_.gradients[q] * Tensor<2, dim>(fe_values.inverse_jacobian(q));
   return result_;
 }
 
@@ -274,13 +271,13 @@ constexpr unsigned int n_next_nodes = dim == 2 ? 9 : 27;
 
 /** Its vertices and the middles between them, lexicographically. */
 template <int dim>
-dealii::Quadrature<dim> next_nodes()
+Quadrature<dim> next_nodes()
 {
-  std::vector<dealii::Point<dim>> points(n_next_nodes<dim>);
+  std::vector<Point<dim>> points(n_next_nodes<dim>);
   for (unsigned int i = 0; i < points.size(); ++i)
     for (unsigned int d = 0, rest = i; d < dim; ++d, rest /= 3)
       points[i][d] = 0.5 * (rest % 3);
-  return dealii::Quadrature<dim>(points);
+  return Quadrature<dim>(points);
 }
 
 /** The place of vertex v of child c among these. */
@@ -307,7 +304,7 @@ CoarseDisplacement<dim>::CoarseDisplacement(const DisplacementSpace<dim> &space,
   {
     const auto number = static_cast<std::size_t>(cell->index());
     first_vertices_[number] = cell->vertex(0);
-    const std::vector<dealii::Tensor<1, dim>> &values = interpolation.values(U, cell);
+    const std::vector<Tensor<1, dim>> &values = interpolation.values(U, cell);
     for (unsigned int q = 0; q < n_next_nodes<dim>; ++q)
       for (unsigned int d = 0; d < dim; ++d)
         values_[(number * n_next_nodes<dim> + q) * dim + d] = static_cast<float>(values[q][d]);

@@ -15,11 +15,9 @@ template <int dim>
 std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const Displacement &U)
 {
   std::vector<double> means;
-  const dealii::QGauss<dim> gauss(2);
-  dealii::FEValues<dim> values(space.mesh().mapping(),
-                               space.element(),
-                               gauss,
-                               dealii::update_gradients | dealii::update_JxW_values);
+  const QGauss<dim> gauss(2);
+  FEValues<dim> values(
+    space.mesh().mapping(), space.element(), gauss, update_gradients | update_JxW_values);
   std::vector<double> divergences(gauss.size());
   using CellId = std::pair<int, int>;
   const auto group = [&](const auto &cell) {
@@ -30,8 +28,7 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
     values.reinit(cell);
-    values[dealii::FEValuesExtractors::Vector(0)].get_function_divergences(U.entries(),
-                                                                           divergences);
+    values[FEValuesExtractors::Vector(0)].get_function_divergences(U.entries(), divergences);
     auto &sums = integral_and_volume[group(cell)];
     for (const unsigned int q : values.quadrature_point_indices())
     {
@@ -55,20 +52,20 @@ template std::vector<double> mean_dilatations(const DisplacementSpace<3> &, cons
 namespace
 {
 /** Returns Σ_k row[k] v[k * stride]. */
-dealii::Tensor<1, 3> along(const double *const row,
-                           const unsigned int n,
-                           const dealii::Tensor<1, 3> *const v,
-                           const std::size_t stride)
+Tensor<1, 3> along(const double *const row,
+                   const unsigned int n,
+                   const Tensor<1, 3> *const v,
+                   const std::size_t stride)
 {
   double x = 0., y = 0., z = 0.;
   for (unsigned int k = 0; k < n; ++k)
   {
-    const dealii::Tensor<1, 3> &value = v[k * stride];
+    const Tensor<1, 3> &value = v[k * stride];
     x += row[k] * value[0];
     y += row[k] * value[1];
     z += row[k] * value[2];
   }
-  dealii::Tensor<1, 3> sum;
+  Tensor<1, 3> sum;
   sum[0] = x;
   sum[1] = y;
   sum[2] = z;
@@ -76,10 +73,9 @@ dealii::Tensor<1, 3> along(const double *const row,
 }
 } // namespace
 
-TensorEvaluation::TensorEvaluation(
-  const std::vector<dealii::Polynomials::Polynomial<double>> &basis,
-  const std::array<dealii::Quadrature<1>, 3> &rule,
-  const unsigned int n_cells)
+TensorEvaluation::TensorEvaluation(const std::vector<Polynomials::Polynomial<double>> &basis,
+                                   const std::array<Quadrature<1>, 3> &rule,
+                                   const unsigned int n_cells)
   : n_nodes_(basis.size())
 {
   std::vector<double> value_and_derivative(2);
@@ -106,7 +102,7 @@ TensorEvaluation::TensorEvaluation(
 void TensorEvaluation::evaluate(const std::vector<Vector3> &nodal_values,
                                 const std::array<unsigned int, 3> &place,
                                 std::vector<Vector3> &values,
-                                std::vector<dealii::Tensor<2, 3>> &gradients)
+                                std::vector<Tensor<2, 3>> &gradients)
 {
   const unsigned int n = n_nodes_;
   const auto [n_x, n_y, n_z] = n_points_;
@@ -150,10 +146,10 @@ void TensorEvaluation::evaluate(const std::vector<Vector3> &nodal_values,
 
 template <int dim>
 Stress3D stress_in_3d(const Material<dim> &material,
-                      const dealii::Point<dim> &x,
-                      const dealii::SymmetricTensor<2, dim> &strain)
+                      const Point<dim> &x,
+                      const SymmetricTensor<2, dim> &strain)
 {
-  const dealii::SymmetricTensor<2, dim> stress = material.hooke(x) * strain;
+  const SymmetricTensor<2, dim> stress = material.hooke(x) * strain;
   Stress3D in_space;
   for (unsigned int i = 0; i < dim; ++i)
     for (unsigned int j = i; j < dim; ++j)
@@ -171,14 +167,14 @@ double von_mises(const Stress3D &stress)
 std::array<double, 3> principal_stresses(const Stress3D &stress)
 {
   // Jacobi's method keeps all digits where eigenvalues are equal.
-  const auto pairs = dealii::eigenvectors(stress, dealii::SymmetricTensorEigenvectorMethod::jacobi);
+  const auto pairs = eigenvectors(stress, SymmetricTensorEigenvectorMethod::jacobi);
   return {pairs[0].first, pairs[1].first, pairs[2].first};
 }
 
 template Stress3D stress_in_3d(const Material<2> &,
-                               const dealii::Point<2> &,
-                               const dealii::SymmetricTensor<2, 2> &);
+                               const Point<2> &,
+                               const SymmetricTensor<2, 2> &);
 template Stress3D stress_in_3d(const Material<3> &,
-                               const dealii::Point<3> &,
-                               const dealii::SymmetricTensor<2, 3> &);
+                               const Point<3> &,
+                               const SymmetricTensor<2, 3> &);
 } // namespace Signorini

@@ -37,7 +37,7 @@ public:
   }
   double frequency(const unsigned int i) const
   {
-    return i * dealii::numbers::PI / length_;
+    return i * numbers::PI / length_;
   }
   /** Returns the mode p that equals mode i on the middles of the intervals; n if mode i vanishes
    * there. */
@@ -59,7 +59,7 @@ public:
    * frequency. */
   double density(const unsigned int p) const
   {
-    return 8. * sine(p) * sine(p) / (dealii::numbers::PI * n_);
+    return 8. * sine(p) * sine(p) / (numbers::PI * n_);
   }
   /** Returns the first frequency that is not summed by itself. */
   double end() const
@@ -70,7 +70,7 @@ public:
 private:
   double sine(const unsigned int p) const
   {
-    return std::sin(0.5 * p * dealii::numbers::PI / n_);
+    return std::sin(0.5 * p * numbers::PI / n_);
   }
 
   double length_;
@@ -91,20 +91,20 @@ double corner_tail(const double A, const double B)
 }
 
 /** Returns cos(p π (a + 1/2)/n), row p and column a. */
-dealii::FullMatrix<double> cosine_transform(const unsigned int n)
+FullMatrix<double> cosine_transform(const unsigned int n)
 {
-  dealii::FullMatrix<double> cosines(n, n);
+  FullMatrix<double> cosines(n, n);
   for (unsigned int p = 0; p < n; ++p)
     for (unsigned int a = 0; a < n; ++a)
-      cosines(p, a) = std::cos(dealii::numbers::PI * p * (a + 0.5) / n);
+      cosines(p, a) = std::cos(numbers::PI * p * (a + 0.5) / n);
   return cosines;
 }
 
 /** Returns the columns of the cells of every patch added up. */
-dealii::FullMatrix<double> sum_over_patches(const dealii::FullMatrix<double> &cell_columns,
-                                            const std::vector<unsigned int> &ends)
+FullMatrix<double> sum_over_patches(const FullMatrix<double> &cell_columns,
+                                    const std::vector<unsigned int> &ends)
 {
-  dealii::FullMatrix<double> sums(cell_columns.m(), ends.size() - 1);
+  FullMatrix<double> sums(cell_columns.m(), ends.size() - 1);
   for (unsigned int p = 0; p < sums.m(); ++p)
     for (unsigned int i = 0; i < sums.n(); ++i)
       for (unsigned int a = ends[i]; a < ends[i + 1]; ++a)
@@ -131,18 +131,18 @@ double common_divisor(double a, double b, const double rounding)
 }
 
 /** Returns A B Cᵀ. */
-dealii::FullMatrix<double> transform(const dealii::FullMatrix<double> &A,
-                                     const dealii::FullMatrix<double> &B,
-                                     const dealii::FullMatrix<double> &C)
+FullMatrix<double> transform(const FullMatrix<double> &A,
+                             const FullMatrix<double> &B,
+                             const FullMatrix<double> &C)
 {
-  dealii::FullMatrix<double> product(A.m(), B.n()), result(A.m(), C.m());
+  FullMatrix<double> product(A.m(), B.n()), result(A.m(), C.m());
   A.mmult(product, B);
   product.mTmult(result, C);
   return result;
 }
 
 /** Adds the remainder of the modes beyond those of both edges. */
-void add_tails(const EdgeModes &first, const EdgeModes &second, dealii::FullMatrix<double> &sums)
+void add_tails(const EdgeModes &first, const EdgeModes &second, FullMatrix<double> &sums)
 {
   const auto add = [&](const EdgeModes &along, const EdgeModes &across, const bool transposed) {
     for (unsigned int i = 0; i < along.size(); ++i)
@@ -182,7 +182,7 @@ RectangleNorm::coefficients(const std::array<std::vector<double>, 2> &positions,
     {
       const double c = std::sqrt((i == 0 ? 1. : 2.) / lengths_[d]);
       for (std::size_t a = 0; a < positions[d].size(); ++a)
-        cosines[d](i, a) = c * std::cos(dealii::numbers::PI * i * positions[d][a] / lengths_[d]);
+        cosines[d](i, a) = c * std::cos(numbers::PI * i * positions[d][a] / lengths_[d]);
     }
   }
   return transform(cosines[0], weighted_values, cosines[1]);
@@ -293,10 +293,10 @@ std::array<std::vector<unsigned int>, 2> equal_cells(const PatchGrid &grid)
   return numbers;
 }
 
-dealii::FullMatrix<double> values_on(const PatchGrid &grid, const dealii::Vector<double> &P)
+FullMatrix<double> values_on(const PatchGrid &grid, const dealii::Vector<double> &P)
 {
   const auto ends = equal_cells(grid);
-  dealii::FullMatrix<double> values(ends[0].back(), ends[1].back());
+  FullMatrix<double> values(ends[0].back(), ends[1].back());
   for (unsigned int i = 0; i < grid.n(0); ++i)
     for (unsigned int j = 0; j < grid.n(1); ++j)
       for (unsigned int a = ends[0][i]; a < ends[0][i + 1]; ++a)
@@ -305,9 +305,9 @@ dealii::FullMatrix<double> values_on(const PatchGrid &grid, const dealii::Vector
   return values;
 }
 
-dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<3> &surface)
+FullMatrix<double> dual_gram_matrix(const ContactSurface<3> &surface)
 {
-  dealii::FullMatrix<double> gram(surface.patches().size(), surface.patches().size());
+  FullMatrix<double> gram(surface.patches().size(), surface.patches().size());
   for (const PatchGrid &grid : patch_grids(surface.patches()))
   {
     const auto side_data = rectangle_norm_on(grid).gram_matrix(equal_cells(grid));
@@ -318,7 +318,7 @@ dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<3> &surface)
   return gram;
 }
 
-dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers)
+FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers)
 {
   return dual_gram_matrix(multipliers.surface());
 }

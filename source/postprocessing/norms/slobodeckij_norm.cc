@@ -25,11 +25,11 @@ double bessel_K_0(const double x)
 }
 
 /** Returns the Gauss rule that integrates polynomials of the given degree on [0, 1]. */
-const dealii::QGauss<1> &rule_of_degree(const unsigned int degree)
+const QGauss<1> &rule_of_degree(const unsigned int degree)
 {
-  static const std::vector<dealii::QGauss<1>> rules = []() {
+  static const std::vector<QGauss<1>> rules = []() {
     constexpr unsigned int most = 40;
-    std::vector<dealii::QGauss<1>> all;
+    std::vector<QGauss<1>> all;
     for (unsigned int n = 1; n <= most; ++n)
       all.emplace_back(n);
     return all;
@@ -66,7 +66,7 @@ public:
   }
 
   /** Adds the integrals to the matrix, for two patches also in the other order. */
-  void add_to(dealii::FullMatrix<double> &gram)
+  void add_to(FullMatrix<double> &gram)
   {
     std::array<double, 4> breaks = {{I_[0] - J_[1], I_[0] - J_[0], I_[1] - J_[1], I_[1] - J_[0]}};
     std::sort(breaks.begin(), breaks.end());
@@ -110,7 +110,7 @@ private:
     }
     // A has the degree degree_ + 1. The kernel is analytic on the ellipse with ρ = 3 + 8^{1/2},
     // and eight points more leave ρ^-16 of it.
-    const dealii::QGauss<1> &rule = rule_of_degree(degree_ + 1 + 16);
+    const QGauss<1> &rule = rule_of_degree(degree_ + 1 + 16);
     for (unsigned int q = 0; q < rule.size(); ++q)
     {
       const double x = from + (to - from) * rule.point(q)[0];
@@ -122,7 +122,7 @@ private:
   void add_products(const double x, const double factor)
   {
     const double from = std::max(I_[0], J_[0] + x), to = std::min(I_[1], J_[1] + x);
-    const dealii::QGauss<1> &rule = rule_of_degree(degree_);
+    const QGauss<1> &rule = rule_of_degree(degree_);
     for (unsigned int q = 0; q < rule.size(); ++q)
     {
       const double s = from + (to - from) * rule.point(q)[0];
@@ -140,7 +140,7 @@ private:
   {
     values.resize(space_.unknowns_on(patch).size());
     for (unsigned int i = 0; i < values.size(); ++i)
-      values[i] = space_.shape_value(patch, i, dealii::Point<1>(s));
+      values[i] = space_.shape_value(patch, i, Point<1>(s));
   }
 
   const MultiplierSpace<2> &space_;
@@ -151,7 +151,7 @@ private:
   unsigned int degree_;
   /** The intervals of s and of -+t. */
   std::array<double, 2> I_, J_;
-  dealii::FullMatrix<double> block_;
+  FullMatrix<double> block_;
   std::vector<double> on_first_, on_second_;
 };
 
@@ -167,7 +167,7 @@ bool has_equal_patches(const ContactSurface<2> &surface)
 
 DualKernel::DualKernel(const double period)
   : period_(period)
-  , omega_(2. * dealii::numbers::PI / period)
+  , omega_(2. * numbers::PI / period)
 {
 }
 
@@ -178,7 +178,7 @@ double DualKernel::distance(const double x) const
 
 double DualKernel::operator()(const double x) const
 {
-  using dealii::numbers::PI;
+  using numbers::PI;
   constexpr double min_period_with_images = PI, negligible = 40.;
   // Where ends of patches are equal up to rounding, rules may have a point there.
   const double r = std::max(distance(x), 1e-18 * period_);
@@ -206,14 +206,14 @@ double DualKernel::operator()(const double x) const
   return 1. / period_ - std::log(2. * std::sin(0.5 * omega_ * r)) / PI + 2. / period_ * sum;
 }
 
-dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers)
+FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers)
 {
   const ContactSurface<2> &surface = multipliers.surface();
   if (multipliers.nodes() == MultiplierSpace<2>::Nodes::gauss &&
       multipliers.is_piecewise_constant() && has_equal_patches(surface))
     return dual_gram_matrix(surface);
   const unsigned int m = multipliers.n_multipliers();
-  dealii::FullMatrix<double> gram(m, m);
+  FullMatrix<double> gram(m, m);
   for_each_side(surface.patches(), [&](const unsigned int first, const unsigned int last) {
     const Side<2> &side = surface.side(surface.patches()[first]);
     const DualKernel kernel((side.is_closed() ? 1. : 2.) * side.length());
@@ -258,7 +258,7 @@ PairMatrix pair_matrix(const unsigned int d)
     add_square({al[0], al[1], be[2], be[3]}, mixed, matrix);
     return matrix;
   }
-  static const dealii::QGauss<1> gauss(12);
+  static const QGauss<1> gauss(12);
   for (unsigned int p = 0; p < gauss.size(); ++p)
     for (unsigned int q = 0; q < gauss.size(); ++q)
     {
@@ -272,9 +272,9 @@ PairMatrix pair_matrix(const unsigned int d)
 }
 
 /** Returns the Gram matrix of the seminorm. */
-dealii::FullMatrix<double> seminorm_matrix(const unsigned int n_cells)
+FullMatrix<double> seminorm_matrix(const unsigned int n_cells)
 {
-  dealii::FullMatrix<double> matrix(n_cells + 1, n_cells + 1);
+  FullMatrix<double> matrix(n_cells + 1, n_cells + 1);
   for (unsigned int c = 0; c < n_cells; ++c)
   {
     matrix(c, c) += 1.;
@@ -312,7 +312,7 @@ SlobodeckijNorm::SlobodeckijNorm(const double length, const unsigned int n_cells
     factor_(c, c + 1) += h / 6.;
     factor_(c + 1, c) += h / 6.;
   }
-  factor_.set_property(dealii::LAPACKSupport::symmetric);
+  factor_.set_property(LAPACKSupport::symmetric);
   factor_.compute_cholesky_factorization();
 }
 

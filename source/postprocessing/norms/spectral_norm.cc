@@ -49,23 +49,22 @@ public:
   explicit ValuesByShape(const DisplacementSpace<dim> &space)
     : shape_(space.mesh().mapping(),
              no_functions_,
-             dealii::QIterated<dim>(dealii::QTrapezoid<1>(), 2),
-             dealii::update_jacobians)
+             QIterated<dim>(QTrapezoid<1>(), 2),
+             update_jacobians)
   {
   }
 
-  const dealii::FEValues<dim> &
-  reinit(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell)
+  const FEValues<dim> &reinit(const typename DoFHandler<dim>::active_cell_iterator &cell)
   {
-    const dealii::FiniteElement<dim> &element = cell->get_fe();
+    const FiniteElement<dim> &element = cell->get_fe();
     const unsigned int n = points_for_ratio(ratio_of_determinants(cell), element.degree);
-    std::unique_ptr<dealii::FEValues<dim>> &values = values_[{element.degree, n}];
+    std::unique_ptr<FEValues<dim>> &values = values_[{element.degree, n}];
     if (values == nullptr)
-      values = std::make_unique<dealii::FEValues<dim>>(
-        shape_.get_mapping(),
-        element,
-        dealii::QGauss<dim>(n),
-        dealii::update_values | dealii::update_gradients | dealii::update_JxW_values);
+      values =
+        std::make_unique<FEValues<dim>>(shape_.get_mapping(),
+                                        element,
+                                        QGauss<dim>(n),
+                                        update_values | update_gradients | update_JxW_values);
     values->reinit(cell);
     return *values;
   }
@@ -73,8 +72,7 @@ public:
 private:
   /** Returns the ratio of the largest to the smallest determinant, at the vertices and the middles
    * between them. */
-  double
-  ratio_of_determinants(const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
+  double ratio_of_determinants(const typename Triangulation<dim>::active_cell_iterator &cell)
   {
     shape_.reinit(cell);
     double smallest = shape_.jacobian(0).determinant(), largest = smallest;
@@ -86,27 +84,27 @@ private:
     return largest / smallest;
   }
 
-  dealii::FE_Nothing<dim> no_functions_;
-  dealii::FEValues<dim> shape_;
+  FE_Nothing<dim> no_functions_;
+  FEValues<dim> shape_;
   /** The values by the degree and the number of points per direction. */
-  std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<dealii::FEValues<dim>>> values_;
+  std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<FEValues<dim>>> values_;
 };
 } // namespace
 
 template <int dim>
-dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space)
+TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space)
 {
-  dealii::TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
+  TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
   ValuesByShape<dim> values_by_shape(space);
-  dealii::FullMatrix<double> cell_matrix;
-  std::vector<dealii::types::global_dof_index> indices;
+  FullMatrix<double> cell_matrix;
+  std::vector<types::global_dof_index> indices;
   MatrixScatter<dim> scatter(space, A_1);
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
     if (!cell->is_locally_owned())
       continue;
-    const dealii::FEValues<dim> &values = values_by_shape.reinit(cell);
-    const dealii::FiniteElement<dim> &element = cell->get_fe();
+    const FEValues<dim> &values = values_by_shape.reinit(cell);
+    const FiniteElement<dim> &element = cell->get_fe();
     const unsigned int n = element.n_dofs_per_cell();
     cell_matrix.reinit(n, n);
     indices.resize(n);
@@ -131,20 +129,18 @@ dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const Displacemen
     cell->get_dof_indices(indices);
     scatter.add(cell_matrix, indices);
   }
-  A_1.compress(dealii::VectorOperation::add);
+  A_1.compress(VectorOperation::add);
   return A_1;
 }
 
-template dealii::TrilinosWrappers::SparseMatrix
-assemble_h1_gram_matrix(const DisplacementSpace<2> &);
-template dealii::TrilinosWrappers::SparseMatrix
-assemble_h1_gram_matrix(const DisplacementSpace<3> &);
+template TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<2> &);
+template TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<3> &);
 
 // |||.|||_{-1/2,Γ_c} by cosine or Fourier series, side by side.
 
 namespace
 {
-using dealii::numbers::PI;
+using numbers::PI;
 
 /**
  * Sums up amount * sin(k θ) (or cos) for k = 1..n_modes over many θ. With k = a + A b,
@@ -186,8 +182,8 @@ private:
   /** Computes cos(i step θ) and sin(i step θ), row i. Unit vectors are rotated by step
    * θ; their errors add up to 1e-16 per row only. */
   void tabulate(const unsigned int step,
-                dealii::FullMatrix<double> &cosines,
-                dealii::FullMatrix<double> &sines) const
+                FullMatrix<double> &cosines,
+                FullMatrix<double> &sines) const
   {
     for (unsigned int q = 0; q < theta_.size(); ++q)
     {
@@ -210,8 +206,8 @@ private:
     if (n == 0)
       return;
     used_ = true;
-    dealii::FullMatrix<double> fine_cos(block, n), fine_sin(block, n);
-    dealii::FullMatrix<double> coarse_cos(n_blocks_, n), coarse_sin(n_blocks_, n);
+    FullMatrix<double> fine_cos(block, n), fine_sin(block, n);
+    FullMatrix<double> coarse_cos(n_blocks_, n), coarse_sin(n_blocks_, n);
     tabulate(1, fine_cos, fine_sin);
     tabulate(block, coarse_cos, coarse_sin);
     for (unsigned int b = 0; b < n_blocks_; ++b)
@@ -231,7 +227,7 @@ private:
   unsigned int n_blocks_;
   bool used_ = false;
   /** The sum for k = a + A b in row b and column a. */
-  dealii::FullMatrix<double> products_;
+  FullMatrix<double> products_;
   std::vector<double> theta_, amount_;
 };
 } // namespace
@@ -347,11 +343,11 @@ double SpectralNorm::primal_norm(const Vector &f, const unsigned int n_pieces) c
   return std::sqrt(square + omega_ * mean / (2. * double(n_modes_) * (n_modes_ + 1.)));
 }
 
-dealii::FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &ends) const
+FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &ends) const
 {
   const unsigned int m = ends.size() - 1;
   const unsigned int n_last = n_tail_modes(m);
-  dealii::FullMatrix<double> weighted(m, 1 + (closed_ ? 2 : 1) * n_modes_);
+  FullMatrix<double> weighted(m, 1 + (closed_ ? 2 : 1) * n_modes_);
   Vector unit(m);
   for (unsigned int i = 0; i < m; ++i)
   {
@@ -368,7 +364,7 @@ dealii::FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &
       weighted(i, c) = std::sqrt(square) * q[c];
     }
   }
-  dealii::FullMatrix<double> gram(m, m);
+  FullMatrix<double> gram(m, m);
   weighted.mTmult(gram, weighted);
   return gram;
 }
@@ -383,10 +379,10 @@ std::vector<double> patch_ends(const std::vector<Patch<2>> &patches,
   return ends;
 }
 
-dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface)
+FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface)
 {
   const std::vector<Patch<2>> &patches = surface.patches();
-  dealii::FullMatrix<double> gram(patches.size(), patches.size());
+  FullMatrix<double> gram(patches.size(), patches.size());
   for_each_side(patches, [&](const unsigned int first, const unsigned int last) {
     const SpectralNorm norm = spectral_norm_on(surface.side(patches[first]));
     gram.fill(norm.gram_matrix(patch_ends(patches, first, last)), first, first, 0, 0);
@@ -398,9 +394,9 @@ dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface)
 
 namespace
 {
-dealii::LAPACKFullMatrix<double> to_lapack(const dealii::FullMatrix<double> &matrix)
+LAPACKFullMatrix<double> to_lapack(const FullMatrix<double> &matrix)
 {
-  dealii::LAPACKFullMatrix<double> copy(matrix.m(), matrix.n());
+  LAPACKFullMatrix<double> copy(matrix.m(), matrix.n());
   copy = matrix;
   return copy;
 }
@@ -412,7 +408,7 @@ double measure_inf_sup(const DisplacementSpace<dim> &space,
                        const Coupling &condensed_D,
                        const LinearSolver linear_solver)
 {
-  const dealii::TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
+  const TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
   const auto inverse = factorise(A_1, 1., linear_solver, contact_unknowns(condensed_D));
   double seconds = 0.;
   auto DA_1D = to_lapack(make_compliance(*inverse, condensed_D, seconds)->dense());

@@ -11,9 +11,9 @@ namespace Signorini
 namespace
 {
 template <int dim>
-dealii::Tensor<1, dim> to_tensor(const AnswerVector &x)
+Tensor<1, dim> to_tensor(const AnswerVector &x)
 {
-  dealii::Tensor<1, dim> tensor;
+  Tensor<1, dim> tensor;
   for (unsigned int d = 0; d < dim; ++d)
     tensor[d] = x[d];
   return tensor;
@@ -30,7 +30,7 @@ void set_growth(const std::vector<SingularPlace<dim>> &places,
   // A constant stress has no singular part.
   constexpr double rounding = 1e-6;
   if (!largest.away || largest.value > (1. + rounding) * largest.away->value)
-    largest.grows_at = growth_at(dealii::Point<dim>(to_tensor<dim>(point)), places, multipliers, P);
+    largest.grows_at = growth_at(Point<dim>(to_tensor<dim>(point)), places, multipliers, P);
 }
 
 /** Returns the sum of the forces. Its line of action is given by the point nearest to the mean of
@@ -40,10 +40,10 @@ SideForce total_force(const std::vector<SideForce> &parts)
 {
   Resultant<dim> sum;
   double sizes = 0.;
-  dealii::Tensor<1, dim> centre;
+  Tensor<1, dim> centre;
   for (const SideForce &part : parts)
   {
-    const dealii::Tensor<1, dim> force = to_tensor<dim>(part.resultant.force);
+    const Tensor<1, dim> force = to_tensor<dim>(part.resultant.force);
     sum.force += force;
     sum.moment += to_tensor<Moment<dim>::dimension>(part.resultant.moment);
     if (part.through)
@@ -55,7 +55,7 @@ SideForce total_force(const std::vector<SideForce> &parts)
   }
   SideForce total = {{}, {sum.force, sum.moment}, {}};
   if (sizes > 0.)
-    total.through = point_of_action(sum, dealii::Point<dim>(centre / sizes), sizes);
+    total.through = point_of_action(sum, Point<dim>(centre / sizes), sizes);
   return total;
 }
 
@@ -76,18 +76,18 @@ std::optional<PeakPressure> describe_peak(const MultiplierSpace<dim> &multiplier
 }
 
 /** Returns positions between 0 and 1 on a piece. */
-std::vector<dealii::Point<1>> sample_positions(std::integral_constant<int, 2> /*dim*/)
+std::vector<Point<1>> sample_positions(std::integral_constant<int, 2> /*dim*/)
 {
   constexpr unsigned int n_intervals = 16;
-  std::vector<dealii::Point<1>> positions;
+  std::vector<Point<1>> positions;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     positions.emplace_back(static_cast<double>(i) / n_intervals);
   return positions;
 }
-std::vector<dealii::Point<2>> sample_positions(std::integral_constant<int, 3> /*dim*/)
+std::vector<Point<2>> sample_positions(std::integral_constant<int, 3> /*dim*/)
 {
   constexpr unsigned int n_intervals = 4;
-  std::vector<dealii::Point<2>> positions;
+  std::vector<Point<2>> positions;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     for (unsigned int j = 0; j <= n_intervals; ++j)
       positions.emplace_back(static_cast<double>(i) / n_intervals,

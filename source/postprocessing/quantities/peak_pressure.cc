@@ -95,7 +95,7 @@ std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<2> &multiplie
     constexpr double larger = 1. + 1e-9;
     const auto compare = [&](const MeanParabola::Value &candidate) {
       const Side<2> &side = surface.side(patch);
-      const dealii::Point<2> x = side.point(candidate.s);
+      const Point<2> x = side.point(candidate.s);
       if ((!peak || candidate.value > larger * peak->value) && !any_contains(outside_of, x))
         peak = {candidate.value, {side.name(), candidate.s, x}, means[tau], {}};
     };
@@ -121,13 +121,13 @@ namespace
 /** A pressure at a point of a side. */
 struct PressureAt
 {
-  dealii::Point<2> s;
+  Point<2> s;
   double value;
 };
 
 /** Returns whether a material is its own mirror image in a plane at right angles to an axis:
  * entries of Hooke's tensor with an odd number of indices of this axis vanish. */
-bool is_symmetric(const dealii::SymmetricTensor<4, 3> &E, const unsigned int axis)
+bool is_symmetric(const SymmetricTensor<4, 3> &E, const unsigned int axis)
 {
   const double negligible = 1e-12 * E.norm();
   for (unsigned int i = 0; i < 3; ++i)
@@ -142,15 +142,15 @@ bool is_symmetric(const dealii::SymmetricTensor<4, 3> &E, const unsigned int axi
 
 /** Returns whether a roller meets the contact side at a point of its edge. Then the body with its
  * mirror image is a body of twice the size, and the pressure goes on symmetrically. */
-bool is_mirror(const Scene<3> &scene, const dealii::Point<3> &x)
+bool is_mirror(const Scene<3> &scene, const Point<3> &x)
 {
   const double rounding = 1e-9 * scene.geometry.diameter();
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
   {
     const Side<3> &side = scene.geometry.sides[i];
-    const dealii::Tensor<1, 3> n = side.normal(dealii::Point<2>());
+    const Tensor<1, 3> n = side.normal(Point<2>());
     if (scene.boundary[i].role != Role::roller ||
-        std::abs((x - side.point(dealii::Point<2>())) * n) > rounding)
+        std::abs((x - side.point(Point<2>())) * n) > rounding)
       continue;
     unsigned int axis = 0;
     for (unsigned int d = 1; d < 3; ++d)
@@ -171,8 +171,8 @@ Mirrors mirrors_of(const PatchGrid &grid, const Scene<3> &scene)
   for (unsigned int d = 0; d < 2; ++d)
     for (unsigned int end = 0; end < 2; ++end)
     {
-      dealii::Point<2> s(0.5 * (grid.ends[0].front() + grid.ends[0].back()),
-                         0.5 * (grid.ends[1].front() + grid.ends[1].back()));
+      Point<2> s(0.5 * (grid.ends[0].front() + grid.ends[0].back()),
+                 0.5 * (grid.ends[1].front() + grid.ends[1].back()));
       s[d] = end == 0 ? grid.ends[d].front() : grid.ends[d].back();
       mirrors[d][end] = is_mirror(scene, side.point(s));
     }
@@ -237,7 +237,7 @@ std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<3> &multiplie
     constexpr double larger = 1. + 1e-9;
     const Patch<3> &patch = surface.patches()[tau];
     const Side<3> &side = surface.side(patch);
-    const dealii::Point<3> x = side.point(candidate.s);
+    const Point<3> x = side.point(candidate.s);
     if ((!peak || candidate.value > larger * peak->value) && !any_contains(outside_of, x))
       peak = {candidate.value, {side.name(), 0., x}, -P[tau], {}};
   };
@@ -315,9 +315,7 @@ std::optional<PointOfPressure> max_on_patch(const unsigned int patch,
 {
   const Patch<2> &tau = multipliers.surface().patches()[patch];
   const Side<2> &side = multipliers.surface().side(tau);
-  const auto pressure = [&](const double s) {
-    return -multipliers.value(P, patch, dealii::Point<1>(s));
-  };
+  const auto pressure = [&](const double s) { return -multipliers.value(P, patch, Point<1>(s)); };
   const bool is_constant = multipliers.unknowns_on(patch).size() == 1;
   const unsigned int n_intervals = 16 * multipliers.unknowns_on(patch).size();
   const double step = tau.measure / n_intervals;

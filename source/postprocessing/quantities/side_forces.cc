@@ -12,13 +12,13 @@ namespace Signorini
 namespace
 {
 /** Returns the shift of the line of action of F by a moment: F × M / |F|². */
-dealii::Tensor<1, 2> shift(const dealii::Tensor<1, 2> &F, const Moment<2> &moment)
+Tensor<1, 2> shift(const Tensor<1, 2> &F, const Moment<2> &moment)
 {
-  return moment[0] / F.norm_square() * dealii::Tensor<1, 2>({F[1], -F[0]});
+  return moment[0] / F.norm_square() * Tensor<1, 2>({F[1], -F[0]});
 }
-dealii::Tensor<1, 3> shift(const dealii::Tensor<1, 3> &F, const Moment<3> &moment)
+Tensor<1, 3> shift(const Tensor<1, 3> &F, const Moment<3> &moment)
 {
-  return dealii::cross_product_3d(F, moment) / F.norm_square();
+  return cross_product_3d(F, moment) / F.norm_square();
 }
 } // namespace
 
@@ -34,7 +34,7 @@ std::vector<SideForce> contact_forces(const MultiplierSpace<dim> &multipliers,
     Resultant<dim> resultant;
     std::optional<AnswerVector> through;
     double total = 0.;
-    dealii::Tensor<1, dim> centre;
+    Tensor<1, dim> centre;
     for (const Piece<dim> &piece : surface.pieces())
       if (surface.patches()[piece.patch].side == side)
       {
@@ -48,7 +48,7 @@ std::vector<SideForce> contact_forces(const MultiplierSpace<dim> &multipliers,
         }
       }
     if (total != 0.)
-      through = point_of_action(resultant, dealii::Point<dim>(centre / total), std::abs(total));
+      through = point_of_action(resultant, Point<dim>(centre / total), std::abs(total));
     forces.push_back(
       {scene.geometry.sides[side].name(), {resultant.force, resultant.moment}, through});
   }
@@ -56,12 +56,12 @@ std::vector<SideForce> contact_forces(const MultiplierSpace<dim> &multipliers,
 }
 
 template <int dim>
-std::optional<dealii::Point<dim>> point_of_action(const Resultant<dim> &resultant,
-                                                  const dealii::Point<dim> &centre,
-                                                  const double scale)
+std::optional<Point<dim>> point_of_action(const Resultant<dim> &resultant,
+                                          const Point<dim> &centre,
+                                          const double scale)
 {
   constexpr double negligible = 1e-10;
-  const dealii::Tensor<1, dim> &F = resultant.force;
+  const Tensor<1, dim> &F = resultant.force;
   if (!(F.norm() > negligible * scale))
     return {};
   // x = centre + t (F2, -F1) has the moment centre × F + t |F|²; in 3-D F × M / |F|².
@@ -71,15 +71,11 @@ std::optional<dealii::Point<dim>> point_of_action(const Resultant<dim> &resultan
 template std::vector<SideForce> contact_forces(const MultiplierSpace<2> &,
                                                const Scene<2> &,
                                                const Pressure &);
-template std::optional<dealii::Point<2>> point_of_action(const Resultant<2> &,
-                                                         const dealii::Point<2> &,
-                                                         double);
+template std::optional<Point<2>> point_of_action(const Resultant<2> &, const Point<2> &, double);
 template std::vector<SideForce> contact_forces(const MultiplierSpace<3> &,
                                                const Scene<3> &,
                                                const Pressure &);
-template std::optional<dealii::Point<3>> point_of_action(const Resultant<3> &,
-                                                         const dealii::Point<3> &,
-                                                         double);
+template std::optional<Point<3>> point_of_action(const Resultant<3> &, const Point<3> &, double);
 
 // The division of reactions among the sides that hold the body.
 
@@ -93,15 +89,15 @@ struct Holder
   /** Whether it is a roller, which acts along its normal only. */
   bool roller;
   /** The sum of the unit normals of its faces at the node. */
-  dealii::Tensor<1, dim> normal;
+  Tensor<1, dim> normal;
 };
 
 /** A node that is held, by one or more sides. */
 template <int dim>
 struct HeldNode
 {
-  dealii::Point<dim> point;
-  dealii::Tensor<1, dim> reaction;
+  Point<dim> point;
+  Tensor<1, dim> reaction;
   std::vector<Holder<dim>> holders;
 };
 
@@ -112,25 +108,23 @@ bool holds(const Role role)
 
 /** Returns a vector at right angles to a face, by its vertices. */
 template <int dim, typename Face>
-dealii::Tensor<1, dim> across_face(const Face &face)
+Tensor<1, dim> across_face(const Face &face)
 {
   if constexpr (dim == 2)
   {
-    const dealii::Tensor<1, 2> edge = face->vertex(1) - face->vertex(0);
-    return dealii::Tensor<1, 2>({edge[1], -edge[0]});
+    const Tensor<1, 2> edge = face->vertex(1) - face->vertex(0);
+    return Tensor<1, 2>({edge[1], -edge[0]});
   }
   else
-    return dealii::cross_product_3d(face->vertex(3) - face->vertex(0),
-                                    face->vertex(2) - face->vertex(1));
+    return cross_product_3d(face->vertex(3) - face->vertex(0), face->vertex(2) - face->vertex(1));
 }
 
 /** Returns the outward unit normal of a boundary face between its vertices. */
 template <int dim>
-dealii::Tensor<1, dim>
-face_normal(const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
-            const unsigned int f)
+Tensor<1, dim> face_normal(const typename Triangulation<dim>::active_cell_iterator &cell,
+                           const unsigned int f)
 {
-  dealii::Tensor<1, dim> normal = across_face<dim>(cell->face(f));
+  Tensor<1, dim> normal = across_face<dim>(cell->face(f));
   if (normal * (cell->face(f)->center() - cell->center()) < 0.)
     normal *= -1.;
   return normal / normal.norm();
@@ -139,7 +133,7 @@ face_normal(const typename dealii::Triangulation<dim>::active_cell_iterator &cel
 template <int dim>
 void add_holder(const unsigned int side,
                 const Role role,
-                const dealii::Tensor<1, dim> &normal,
+                const Tensor<1, dim> &normal,
                 HeldNode<dim> &node)
 {
   for (Holder<dim> &holder : node.holders)
@@ -153,12 +147,13 @@ void add_holder(const unsigned int side,
 
 /** Returns the held nodes of this rank by their first degree of freedom. */
 template <int dim>
-std::map<dealii::types::global_dof_index, HeldNode<dim>>
-held_nodes(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const NodalForces &forces)
+std::map<types::global_dof_index, HeldNode<dim>> held_nodes(const DisplacementSpace<dim> &space,
+                                                            const Scene<dim> &scene,
+                                                            const NodalForces &forces)
 {
-  std::map<dealii::types::global_dof_index, HeldNode<dim>> nodes;
+  std::map<types::global_dof_index, HeldNode<dim>> nodes;
   NodePositions<dim> positions(space);
-  std::vector<dealii::types::global_dof_index> indices;
+  std::vector<types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (!cell->is_artificial() && cell->at_boundary())
       for (const unsigned int f : cell->face_indices())
@@ -166,10 +161,10 @@ held_nodes(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const N
         const auto face = cell->face(f);
         if (!face->at_boundary() || !holds(scene.boundary[face->boundary_id()].role))
           continue;
-        const dealii::FiniteElement<dim> &element = cell->get_fe();
+        const FiniteElement<dim> &element = cell->get_fe();
         indices.resize(element.n_dofs_per_cell());
         cell->get_dof_indices(indices);
-        const std::vector<dealii::Point<dim>> &points = positions(cell);
+        const std::vector<Point<dim>> &points = positions(cell);
         for (unsigned int k = 0; k < points.size(); ++k)
         {
           const unsigned int first = element.component_to_system_index(0, k);
@@ -190,15 +185,15 @@ held_nodes(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const N
 }
 
 /** Returns the shares of two holders in the reaction, in 2-D. */
-std::vector<dealii::Tensor<1, 2>> shares(const dealii::Tensor<1, 2> &reaction,
-                                         const std::vector<Holder<2>> &holders)
+std::vector<Tensor<1, 2>> shares(const Tensor<1, 2> &reaction,
+                                 const std::vector<Holder<2>> &holders)
 {
   const Holder<2> &first = holders[0], &second = holders[1];
-  const dealii::Tensor<1, 2> n = first.normal / first.normal.norm(),
-                             m = second.normal / second.normal.norm();
+  const Tensor<1, 2> n = first.normal / first.normal.norm(),
+                     m = second.normal / second.normal.norm();
   const double sine = n[0] * m[1] - n[1] * m[0];
   const bool parallel = std::abs(sine) < 1e-6;
-  dealii::Tensor<1, 2> share;
+  Tensor<1, 2> share;
   if (first.roller && second.roller && !parallel)
     share = (reaction[0] * m[1] - reaction[1] * m[0]) / sine * n;
   else if (first.roller == second.roller)
@@ -210,16 +205,16 @@ std::vector<dealii::Tensor<1, 2>> shares(const dealii::Tensor<1, 2> &reaction,
 
 /** Returns the shares of the holders in the reaction, in 3-D: rollers, whose normals are at right
  * angles on a box, take the components along them; the others share the rest. */
-std::vector<dealii::Tensor<1, 3>> shares(const dealii::Tensor<1, 3> &reaction,
-                                         const std::vector<Holder<3>> &holders)
+std::vector<Tensor<1, 3>> shares(const Tensor<1, 3> &reaction,
+                                 const std::vector<Holder<3>> &holders)
 {
-  std::vector<dealii::Tensor<1, 3>> parts(holders.size());
-  dealii::Tensor<1, 3> rest = reaction;
+  std::vector<Tensor<1, 3>> parts(holders.size());
+  Tensor<1, 3> rest = reaction;
   double n_others = 0.;
   for (std::size_t i = 0; i < holders.size(); ++i)
     if (holders[i].roller)
     {
-      const dealii::Tensor<1, 3> n = holders[i].normal / holders[i].normal.norm();
+      const Tensor<1, 3> n = holders[i].normal / holders[i].normal.norm();
       parts[i] = (rest * n) * n;
       rest -= parts[i];
     }
@@ -232,11 +227,11 @@ std::vector<dealii::Tensor<1, 3>> shares(const dealii::Tensor<1, 3> &reaction,
   return parts;
 }
 
-dealii::Point<2> middle_of(const Side<2> &side)
+Point<2> middle_of(const Side<2> &side)
 {
   return side.point(0.5 * side.length());
 }
-dealii::Point<3> middle_of(const Side<3> &side)
+Point<3> middle_of(const Side<3> &side)
 {
   return side.centre();
 }
@@ -258,7 +253,7 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space,
       by_side[node.holders[0].side].add(node.reaction, node.point);
       continue;
     }
-    const std::vector<dealii::Tensor<1, dim>> parts = shares(node.reaction, node.holders);
+    const std::vector<Tensor<1, dim>> parts = shares(node.reaction, node.holders);
     for (std::size_t i = 0; i < parts.size(); ++i)
       by_side[node.holders[i].side].add(parts[i], node.point);
   }

@@ -19,7 +19,7 @@ namespace Signorini
 {
 namespace
 {
-using dealii::numbers::PI;
+using numbers::PI;
 
 /** The largest singular exponent: closer to one, refinement changes stresses by less than rounding.
  */
@@ -57,7 +57,7 @@ std::array<Role, 2> roles_at(const Scene<dim> &scene, const std::array<unsigned 
 
 /** Returns whether the patch of a side that is nearest to a point presses. */
 template <int dim>
-bool presses_at(const dealii::Point<dim> &x,
+bool presses_at(const Point<dim> &x,
                 const unsigned int side,
                 const MultiplierSpace<dim> &multipliers,
                 const Pressure &P)
@@ -81,10 +81,10 @@ bool presses_at(const dealii::Point<dim> &x,
 }
 
 /** Returns the block of Hooke's tensor in the plane of two axes. */
-dealii::SymmetricTensor<4, 2> in_plane(const dealii::SymmetricTensor<4, 3> &hooke,
-                                       const std::array<unsigned int, 2> &axes)
+SymmetricTensor<4, 2> in_plane(const SymmetricTensor<4, 3> &hooke,
+                               const std::array<unsigned int, 2> &axes)
 {
-  dealii::SymmetricTensor<4, 2> plane;
+  SymmetricTensor<4, 2> plane;
   for (unsigned int i = 0; i < 2; ++i)
     for (unsigned int j = i; j < 2; ++j)
       for (unsigned int k = 0; k < 2; ++k)
@@ -96,7 +96,7 @@ dealii::SymmetricTensor<4, 2> in_plane(const dealii::SymmetricTensor<4, 3> &hook
 /** Returns the axis of a box along the normal of a side. */
 unsigned int axis_of(const Side<3> &side)
 {
-  const dealii::Tensor<1, 3> n = side.normal(dealii::Point<2>());
+  const Tensor<1, 3> n = side.normal(Point<2>());
   unsigned int axis = 0;
   for (unsigned int d = 1; d < 3; ++d)
     if (std::abs(n[d]) > std::abs(n[axis]))
@@ -106,9 +106,9 @@ unsigned int axis_of(const Side<3> &side)
 } // namespace
 
 template <int dim>
-dealii::Point<dim> SingularPlace<dim>::nearest(const dealii::Point<dim> &x) const
+Point<dim> SingularPlace<dim>::nearest(const Point<dim> &x) const
 {
-  const dealii::Tensor<1, dim> edge = ends[1] - ends[0];
+  const Tensor<1, dim> edge = ends[1] - ends[0];
   const double square = edge.norm_square();
   return ends[0] + (square > 0. ? std::clamp((x - ends[0]) * edge / square, 0., 1.) : 0.) * edge;
 }
@@ -154,14 +154,14 @@ std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene)
       const std::array<Role, 2> roles = roles_at(scene, {{i, j}});
       if (axes[0] == axes[1] || cannot_be_singular(0.5 * PI, roles))
         continue;
-      dealii::Point<3> middle = box.lower + 0.5 * (box.upper - box.lower);
+      Point<3> middle = box.lower + 0.5 * (box.upper - box.lower);
       middle[axes[0]] = box.sides[i].centre()[axes[0]];
       middle[axes[1]] = box.sides[j].centre()[axes[1]];
       const double kappa = kolosov_constant(in_plane(scene.material->relative_hooke(middle), axes));
       if (min_exponent(0.5 * PI, roles, kappa) >= max_singular_exponent)
         continue;
       const unsigned int along = 3 - axes[0] - axes[1];
-      std::array<dealii::Point<3>, 2> ends = {{middle, middle}};
+      std::array<Point<3>, 2> ends = {{middle, middle}};
       ends[0][along] = box.lower[along];
       ends[1][along] = box.upper[along];
       places.push_back({ends, {{i, j}}, 0.5 * PI, kappa, share_of_sides * box.shortest_extent()});
@@ -170,14 +170,14 @@ std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene)
 }
 
 template <int dim>
-bool any_contains(const std::vector<SingularPlace<dim>> &places, const dealii::Point<dim> &x)
+bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim> &x)
 {
   return std::any_of(
     places.begin(), places.end(), [&x](const auto &place) { return place.contains(x); });
 }
 
 template <int dim>
-std::optional<GrowthPlace> growth_at(const dealii::Point<dim> &x,
+std::optional<GrowthPlace> growth_at(const Point<dim> &x,
                                      const std::vector<SingularPlace<dim>> &places,
                                      const MultiplierSpace<dim> &multipliers,
                                      const Pressure &P)
@@ -203,13 +203,13 @@ std::optional<GrowthPlace> growth_at(const dealii::Point<dim> &x,
 
 template struct SingularPlace<2>;
 template struct SingularPlace<3>;
-template bool any_contains(const std::vector<SingularPlace<2>> &, const dealii::Point<2> &);
-template bool any_contains(const std::vector<SingularPlace<3>> &, const dealii::Point<3> &);
-template std::optional<GrowthPlace> growth_at(const dealii::Point<2> &,
+template bool any_contains(const std::vector<SingularPlace<2>> &, const Point<2> &);
+template bool any_contains(const std::vector<SingularPlace<3>> &, const Point<3> &);
+template std::optional<GrowthPlace> growth_at(const Point<2> &,
                                               const std::vector<SingularPlace<2>> &,
                                               const MultiplierSpace<2> &,
                                               const Pressure &);
-template std::optional<GrowthPlace> growth_at(const dealii::Point<3> &,
+template std::optional<GrowthPlace> growth_at(const Point<3> &,
                                               const std::vector<SingularPlace<3>> &,
                                               const MultiplierSpace<3> &,
                                               const Pressure &);
@@ -223,7 +223,7 @@ template <int dim>
 struct StressAt
 {
   double value = 0.;
-  dealii::Point<dim> point;
+  Point<dim> point;
   MeshAt mesh;
 };
 
@@ -240,9 +240,9 @@ struct CellResults
    * Adds the measure of a cell.
    * @param strain in the middle of the cell.
    */
-  void add_cell(const double cell_data, const dealii::SymmetricTensor<2, dim> &strain)
+  void add_cell(const double cell_data, const SymmetricTensor<2, dim> &strain)
   {
-    const auto principal = dealii::eigenvalues(strain);
+    const auto principal = eigenvalues(strain);
     measure += cell_data;
     if (std::max(principal[0], -principal[dim - 1]) > large_strain)
       strained += cell_data;
@@ -263,14 +263,14 @@ struct StressField
 
 /** Returns the middle of the reference cell and its corners. */
 template <int dim>
-dealii::Quadrature<dim> middle_and_corners()
+Quadrature<dim> middle_and_corners()
 {
-  std::vector<dealii::Point<dim>> points(1);
+  std::vector<Point<dim>> points(1);
   for (unsigned int d = 0; d < dim; ++d)
     points[0][d] = 0.5;
-  for (const unsigned int v : dealii::GeometryInfo<dim>::vertex_indices())
-    points.push_back(dealii::GeometryInfo<dim>::unit_cell_vertex(v));
-  return dealii::Quadrature<dim>(points);
+  for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+    points.push_back(GeometryInfo<dim>::unit_cell_vertex(v));
+  return Quadrature<dim>(points);
 }
 
 /** Takes the larger one; of equals (a symmetric body has some) the one further left, then further
@@ -281,7 +281,7 @@ void take_larger(const StressAt<dim> &candidate, StressAt<dim> &largest)
   constexpr double rounding = 1e-9;
   const double excess = candidate.value - largest.value;
   const bool equal = std::abs(excess) <= rounding * largest.value;
-  const dealii::Tensor<1, dim> step = candidate.point - largest.point;
+  const Tensor<1, dim> step = candidate.point - largest.point;
   bool comes_first = false;
   for (unsigned int d = dim; d-- > 0;)
     comes_first = step[d] < 0. || (step[d] == 0. && comes_first);
@@ -303,8 +303,8 @@ void add(const CellResults<dim> &part, CellResults<dim> &results)
  * no value. */
 template <int dim>
 void compare(const StressField<dim> &field,
-             const dealii::Point<dim> &x,
-             const dealii::SymmetricTensor<2, dim> &strain,
+             const Point<dim> &x,
+             const SymmetricTensor<2, dim> &strain,
              const MeshAt &mesh,
              CellResults<dim> &results)
 {
@@ -322,11 +322,11 @@ void compare(const StressField<dim> &field,
 
 /** Returns the middle of the reference cell and the nodes of an element. */
 template <int dim>
-dealii::Quadrature<dim> middle_and_nodes(const dealii::FiniteElement<dim> &element)
+Quadrature<dim> middle_and_nodes(const FiniteElement<dim> &element)
 {
-  std::vector<dealii::Point<dim>> points = element.base_element(0).get_unit_support_points();
+  std::vector<Point<dim>> points = element.base_element(0).get_unit_support_points();
   points.insert(points.begin(), middle_and_corners<dim>().point(0));
-  return dealii::Quadrature<dim>(points);
+  return Quadrature<dim>(points);
 }
 
 /** Returns the results of a chunk of cells of several degrees, with the largest stress at the nodes
@@ -334,20 +334,19 @@ dealii::Quadrature<dim> middle_and_nodes(const dealii::FiniteElement<dim> &eleme
 template <int dim>
 CellResults<dim> results_at_nodes(const Cells<dim> &cells, const StressField<dim> &field)
 {
-  const dealii::FEValuesExtractors::Vector displacement(0);
+  const FEValuesExtractors::Vector displacement(0);
   CellResults<dim> results;
-  std::map<unsigned int, std::unique_ptr<dealii::FEValues<dim>>> values_by_degree;
-  std::vector<dealii::SymmetricTensor<2, dim>> strains;
+  std::map<unsigned int, std::unique_ptr<FEValues<dim>>> values_by_degree;
+  std::vector<SymmetricTensor<2, dim>> strains;
   for (const auto &cell : cells)
   {
-    const dealii::FiniteElement<dim> &element = cell->get_fe();
-    std::unique_ptr<dealii::FEValues<dim>> &values = values_by_degree[element.degree];
+    const FiniteElement<dim> &element = cell->get_fe();
+    std::unique_ptr<FEValues<dim>> &values = values_by_degree[element.degree];
     if (values == nullptr)
-      values = std::make_unique<dealii::FEValues<dim>>(field.space.mesh().mapping(),
-                                                       element,
-                                                       middle_and_nodes(element),
-                                                       dealii::update_gradients |
-                                                         dealii::update_quadrature_points);
+      values = std::make_unique<FEValues<dim>>(field.space.mesh().mapping(),
+                                               element,
+                                               middle_and_nodes(element),
+                                               update_gradients | update_quadrature_points);
     values->reinit(cell);
     strains.resize(values->n_quadrature_points);
     (*values)[displacement].get_function_symmetric_gradients(field.U.entries(), strains);
@@ -366,11 +365,10 @@ CellResults<dim> results_of(const Cells<dim> &cells, const StressField<dim> &fie
   const DisplacementSpace<dim> &space = field.space;
   if (space.has_several_elements())
     return results_at_nodes(cells, field);
-  dealii::FEValues<dim> values(space.mesh().mapping(),
-                               space.element(),
-                               middle_and_corners<dim>(),
-                               dealii::update_gradients | dealii::update_inverse_jacobians |
-                                 dealii::update_quadrature_points);
+  FEValues<dim> values(space.mesh().mapping(),
+                       space.element(),
+                       middle_and_corners<dim>(),
+                       update_gradients | update_inverse_jacobians | update_quadrature_points);
   PatchInterpolation<dim> interpolation(
     space, values.get_quadrature(), space.mesh().has_parents() ? 1 : 0);
   CellResults<dim> results;
@@ -380,7 +378,7 @@ CellResults<dim> results_of(const Cells<dim> &cells, const StressField<dim> &fie
     const FieldValues<dim> &u = interpolation.evaluate(field.U, cell, values);
     for (const unsigned int q : values.quadrature_point_indices())
     {
-      dealii::SymmetricTensor<2, dim> strain = symmetrize(u.gradients[q]);
+      SymmetricTensor<2, dim> strain = symmetrize(u.gradients[q]);
       if (!field.dilatation.empty())
         replace_trace(strain, field.dilatation[cell->active_cell_index()]);
       compare(field, values.quadrature_point(q), strain, {}, results);
@@ -411,7 +409,7 @@ StressMaximum max_over_ranks(const StressAt<dim> &mine, MPI_Comm communicator)
   for (unsigned int d = 0; d < dim; ++d)
     numbers[1 + d] = mine.point[d];
   StressAt<dim> largest;
-  for (const auto &rank_numbers : dealii::Utilities::MPI::all_gather(communicator, numbers))
+  for (const auto &rank_numbers : Utilities::MPI::all_gather(communicator, numbers))
   {
     StressAt<dim> other;
     other.value = rank_numbers[0];
@@ -443,8 +441,8 @@ VonMises largest_von_mises(const DisplacementSpace<dim> &space,
   VonMises stress = {max_over_ranks(mine.all, communicator), {}, {}};
   if (!places.empty())
     stress.away = max_over_ranks(mine.away, communicator);
-  stress.strained_share = dealii::Utilities::MPI::sum(mine.strained, communicator) /
-                          dealii::Utilities::MPI::sum(mine.measure, communicator);
+  stress.strained_share = Utilities::MPI::sum(mine.strained, communicator) /
+                          Utilities::MPI::sum(mine.measure, communicator);
   return stress;
 }
 

@@ -10,7 +10,7 @@
 
 namespace Signorini
 {
-using dealii::numbers::PI;
+using numbers::PI;
 
 // C1: p = -(2 + cos(pi x)), slack 0.
 Scene<2> make_c1()
@@ -40,14 +40,14 @@ Scene<2> make_c3()
   const double xi1 = (std::sqrt(5.) - 1.) / 4.;
   LiftFamily family;
   family.p = cubic_pressure(10., xi1);
-  family.slack = quadratic_slack(dealii::numbers::SQRT1_2);
-  family.kinks_at_x = {xi1, dealii::numbers::SQRT1_2};
+  family.slack = quadratic_slack(numbers::SQRT1_2);
+  family.kinks_at_x = {xi1, numbers::SQRT1_2};
   return make_lift_scene(family, make_lame_material(1., 1.));
 }
 
 namespace
 {
-constexpr double xi = dealii::numbers::SQRT1_2;
+constexpr double xi = numbers::SQRT1_2;
 const double eta = 1. / std::sqrt(3.);
 
 /** Returns -A (1 - t²/a²)_+^3 with two derivatives. */
@@ -58,7 +58,7 @@ std::array<double, 3> bump(const double A, const double a, const double t)
 
 /** Returns u1 = x q(y), u2 = B(y) d(x), q = p2/L, d = (p1 - p1(0))/L, B = y - y^3, lambda = mu = 1,
  * L = 3. */
-FieldAtPoint corner_field(const dealii::Point<2> &point)
+FieldAtPoint corner_field(const Point<2> &point)
 {
   constexpr double lambda = 1., mu = 1., L = 3.;
   const double x = point[0], y = point[1];
@@ -81,10 +81,10 @@ Scene<2> make_c4()
   scene.geometry = make_rectangle({0., 0.}, {1., 1.}, {1, 1});
   std::vector<Side<2>> &sides = scene.geometry.sides;
   const std::size_t left = scene.geometry.find_side("left");
-  const dealii::Point<2> division(0., 0.75), normal(-1., 0.);
+  const Point<2> division(0., 0.75), normal(-1., 0.);
   sides.emplace_back("upper left", Curve(division, sides[left].end(), normal));
   sides[left] = Side<2>("left", Curve(sides[left].start(), division, normal));
-  scene.geometry.number_after_refinement = [sides](dealii::Triangulation<2> &triangulation) {
+  scene.geometry.number_after_refinement = [sides](Triangulation<2> &triangulation) {
     number_boundary(sides, triangulation);
   };
 
@@ -95,7 +95,7 @@ Scene<2> make_c4()
   scene.material = make_lame_material(1., 1.);
   condition("top").role = Role::clamped;
   condition("right") = {
-    Role::traction, traction_of(corner_field, scene.material, dealii::Point<2>(1., 0.)), nullptr};
+    Role::traction, traction_of(corner_field, scene.material, Point<2>(1., 0.)), nullptr};
   condition("bottom") = {Role::contact,
                          function_of(quadratic_slack(xi)),
                          function_of([](const double x) { return bump(2., xi, x)[0]; })};

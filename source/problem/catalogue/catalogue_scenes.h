@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/scene/scene.h>
 
 #include <array>
@@ -47,7 +48,7 @@ struct ExactField
 };
 
 template <int dim>
-using FieldOf = std::function<ExactField<dim>(const dealii::Point<dim> &)>;
+using FieldOf = std::function<ExactField<dim>(const Point<dim> &)>;
 
 using FieldAtPoint = ExactField<2>;
 using Field = FieldOf<2>;
@@ -67,10 +68,10 @@ FunctionPointer<3> body_force_of(const FieldOf<3> &field);
 /** Returns t = sigma n as a deal.II function. */
 FunctionPointer<2> traction_of(const Field &field,
                                std::shared_ptr<const Material<2>> material,
-                               const dealii::Tensor<1, 2> &normal);
+                               const Tensor<1, 2> &normal);
 FunctionPointer<3> traction_of(const FieldOf<3> &field,
                                std::shared_ptr<const Material<3>> material,
-                               const dealii::Tensor<1, 3> &normal);
+                               const Tensor<1, 3> &normal);
 /** Returns a profile in the coordinate @p d as a deal.II function. */
 FunctionPointer<2> function_of(const Profile &profile, unsigned int d = 0);
 
@@ -160,7 +161,7 @@ struct LiftFamily
   Profile slack;
   /** The Voigt matrix C[i][j], strains (e11, e22, 2 e12); by default lambda = mu = 1. */
   std::array<std::array<double, 3>, 3> C = {{{{3., 1., 0.}}, {{1., 3., 0.}}, {{0., 0., 1.}}}};
-  std::function<Modulus(const dealii::Point<2> &)> modulus = [](const dealii::Point<2> &) {
+  std::function<Modulus(const Point<2> &)> modulus = [](const Point<2> &) {
     return Modulus{1., 0., 0.};
   };
   std::vector<double> kinks_at_x;

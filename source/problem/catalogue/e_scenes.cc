@@ -47,7 +47,7 @@ Scene<2> make_scene_of(const Geometry<2> &geometry,
 /** Returns the ray from the origin at @p angle, continued to a line. */
 KinkLine<2> line_at_angle(const double angle)
 {
-  return {dealii::Tensor<1, 2>({-std::sin(angle), std::cos(angle)}), 0.};
+  return {Tensor<1, 2>({-std::sin(angle), std::cos(angle)}), 0.};
 }
 
 Jet sum(const Jet &u, const double factor, const Jet &v)

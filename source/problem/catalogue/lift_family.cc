@@ -28,7 +28,7 @@ Voigt multiply(const std::array<Voigt, 3> &C, const Voigt &e)
   return s;
 }
 
-Jet lift(const LiftFamily &family, const dealii::Point<2> &x)
+Jet lift(const LiftFamily &family, const Point<2> &x)
 {
   const auto &C = family.C;
   const Derivatives U = family.U(x[0]), V = family.V(x[0]), p = family.p(x[0]);
@@ -57,9 +57,7 @@ Jet lift(const LiftFamily &family, const dealii::Point<2> &x)
 }
 
 /** Returns f = -div(m C eps) = -(m C eps_{,k} + m_{,k} C eps) contracted. */
-std::array<double, 2> body_force(const LiftFamily &family,
-                                 const dealii::Point<2> &x,
-                                 const Jet &jet)
+std::array<double, 2> body_force(const LiftFamily &family, const Point<2> &x, const Jet &jet)
 {
   const Modulus m = family.modulus(x);
   const auto &du = jet.field.du;
@@ -79,7 +77,7 @@ std::array<double, 2> body_force(const LiftFamily &family,
 Scene<2> make_lift_scene(const LiftFamily &family,
                          const std::shared_ptr<const Material<2>> &material)
 {
-  const Field field = [family](const dealii::Point<2> &x) {
+  const Field field = [family](const Point<2> &x) {
     Jet jet = lift(family, x);
     jet.field.f = body_force(family, x, jet);
     return jet.field;
@@ -88,9 +86,7 @@ Scene<2> make_lift_scene(const LiftFamily &family,
     field,
     material,
     [family](const double x) { return -family.U(x)[0] + family.slack(x); },
-    [family](const double x) {
-      return family.modulus(dealii::Point<2>(x, 0.))[0] * family.p(x)[0];
-    },
+    [family](const double x) { return family.modulus(Point<2>(x, 0.))[0] * family.p(x)[0]; },
     family.kinks_at_x);
 }
 

@@ -15,30 +15,28 @@ namespace Signorini
 namespace
 {
 template <int dim>
-class DisplacementField : public dealii::Function<dim>
+class DisplacementField : public Function<dim>
 {
 public:
   explicit DisplacementField(FieldOf<dim> field)
-    : dealii::Function<dim>(dim)
+    : Function<dim>(dim)
     , field_(std::move(field))
   {
   }
-  double value(const dealii::Point<dim> &x, const unsigned int component) const override
+  double value(const Point<dim> &x, const unsigned int component) const override
   {
     return field_(x).u[component];
   }
-  void vector_value(const dealii::Point<dim> &x, dealii::Vector<double> &values) const override
+  void vector_value(const Point<dim> &x, dealii::Vector<double> &values) const override
   {
     const ExactField<dim> at_x = field_(x);
     std::copy(at_x.u.begin(), at_x.u.end(), values.begin());
   }
-  dealii::Tensor<1, dim> gradient(const dealii::Point<dim> &x,
-                                  const unsigned int component) const override
+  Tensor<1, dim> gradient(const Point<dim> &x, const unsigned int component) const override
   {
     return row(field_(x), component);
   }
-  void vector_gradient(const dealii::Point<dim> &x,
-                       std::vector<dealii::Tensor<1, dim>> &gradients) const override
+  void vector_gradient(const Point<dim> &x, std::vector<Tensor<1, dim>> &gradients) const override
   {
     const ExactField<dim> at_x = field_(x);
     for (unsigned int c = 0; c < dim; ++c)
@@ -46,9 +44,9 @@ public:
   }
 
 private:
-  static dealii::Tensor<1, dim> row(const ExactField<dim> &at_x, const unsigned int c)
+  static Tensor<1, dim> row(const ExactField<dim> &at_x, const unsigned int c)
   {
-    dealii::Tensor<1, dim> gradient;
+    Tensor<1, dim> gradient;
     for (unsigned int d = 0; d < dim; ++d)
       gradient[d] = at_x.du[c][d];
     return gradient;
@@ -58,19 +56,19 @@ private:
 };
 
 template <int dim>
-class BodyForce : public dealii::Function<dim>
+class BodyForce : public Function<dim>
 {
 public:
   explicit BodyForce(FieldOf<dim> field)
-    : dealii::Function<dim>(dim)
+    : Function<dim>(dim)
     , field_(std::move(field))
   {
   }
-  double value(const dealii::Point<dim> &x, const unsigned int component) const override
+  double value(const Point<dim> &x, const unsigned int component) const override
   {
     return field_(x).f[component];
   }
-  void vector_value(const dealii::Point<dim> &x, dealii::Vector<double> &values) const override
+  void vector_value(const Point<dim> &x, dealii::Vector<double> &values) const override
   {
     const ExactField<dim> at_x = field_(x);
     std::copy(at_x.f.begin(), at_x.f.end(), values.begin());
@@ -81,47 +79,47 @@ private:
 };
 
 template <int dim>
-class Traction : public dealii::Function<dim>
+class Traction : public Function<dim>
 {
 public:
   Traction(FieldOf<dim> field,
            std::shared_ptr<const Material<dim>> material,
-           const dealii::Tensor<1, dim> &normal)
-    : dealii::Function<dim>(dim)
+           const Tensor<1, dim> &normal)
+    : Function<dim>(dim)
     , field_(std::move(field))
     , material_(std::move(material))
     , normal_(normal)
   {
   }
-  double value(const dealii::Point<dim> &x, const unsigned int component) const override
+  double value(const Point<dim> &x, const unsigned int component) const override
   {
     return traction(x)[component];
   }
-  void vector_value(const dealii::Point<dim> &x, dealii::Vector<double> &values) const override
+  void vector_value(const Point<dim> &x, dealii::Vector<double> &values) const override
   {
-    const dealii::Tensor<1, dim> t = traction(x);
+    const Tensor<1, dim> t = traction(x);
     for (unsigned int d = 0; d < dim; ++d)
       values[d] = t[d];
   }
 
 private:
-  dealii::Tensor<1, dim> traction(const dealii::Point<dim> &x) const
+  Tensor<1, dim> traction(const Point<dim> &x) const
   {
     const ExactField<dim> at_x = field_(x);
-    dealii::SymmetricTensor<2, dim> strain;
+    SymmetricTensor<2, dim> strain;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j <= i; ++j)
         strain[i][j] = 0.5 * (at_x.du[i][j] + at_x.du[j][i]);
-    const dealii::SymmetricTensor<2, dim> stress = material_->hooke(x) * strain;
+    const SymmetricTensor<2, dim> stress = material_->hooke(x) * strain;
     return stress * normal_;
   }
 
   FieldOf<dim> field_;
   std::shared_ptr<const Material<dim>> material_;
-  dealii::Tensor<1, dim> normal_;
+  Tensor<1, dim> normal_;
 };
 
-class ProfileFunction : public dealii::Function<2>
+class ProfileFunction : public Function<2>
 {
 public:
   ProfileFunction(Profile profile, const unsigned int d)
@@ -129,7 +127,7 @@ public:
     , d_(d)
   {
   }
-  double value(const dealii::Point<2> &x, const unsigned int) const override
+  double value(const Point<2> &x, const unsigned int) const override
   {
     return profile_(x[d_]);
   }
@@ -158,7 +156,7 @@ FunctionPointer<2> body_force_of(const Field &field)
 
 FunctionPointer<2> traction_of(const Field &field,
                                std::shared_ptr<const Material<2>> material,
-                               const dealii::Tensor<1, 2> &normal)
+                               const Tensor<1, 2> &normal)
 {
   return std::make_shared<Traction<2>>(field, std::move(material), normal);
 }
@@ -175,7 +173,7 @@ FunctionPointer<3> body_force_of(const FieldOf<3> &field)
 
 FunctionPointer<3> traction_of(const FieldOf<3> &field,
                                std::shared_ptr<const Material<3>> material,
-                               const dealii::Tensor<1, 3> &normal)
+                               const Tensor<1, 3> &normal)
 {
   return std::make_shared<Traction<3>>(field, std::move(material), normal);
 }
@@ -226,14 +224,14 @@ Scene<2> make_manufactured_scene(const Field &field,
 
 namespace
 {
-class AngleFunction : public dealii::Function<2>
+class AngleFunction : public Function<2>
 {
 public:
   explicit AngleFunction(Profile profile)
     : profile_(std::move(profile))
   {
   }
-  double value(const dealii::Point<2> &x, const unsigned int) const override
+  double value(const Point<2> &x, const unsigned int) const override
   {
     return profile_(std::atan2(x[1], x[0]));
   }
@@ -278,7 +276,7 @@ PolarDerivatives product(const std::array<double, 3> &u, const std::array<double
 
 Field field_of(const PolarField &polar, const double lambda, const double mu)
 {
-  return [=](const dealii::Point<2> &x) {
+  return [=](const Point<2> &x) {
     const double r = x.norm(), theta = std::atan2(x[1], x[0]);
     return r < 1e-100 ? FieldAtPoint{} : to_cartesian(polar(r, theta), r, theta, lambda, mu);
   };

@@ -14,7 +14,7 @@ namespace Signorini
 {
 namespace
 {
-constexpr double xi = dealii::numbers::SQRT1_2;
+constexpr double xi = numbers::SQRT1_2;
 } // namespace
 
 // A1: p = -10 (xi-x)_+^3, slack (x-xi)_+^2, xi = 1/sqrt(2).
@@ -40,7 +40,7 @@ Scene<2> make_a1l()
 // A2: p = -2 q_+^3, q = sin(3 pi x + 1), slack 0.2 (-q)_+^2: three transitions.
 Scene<2> make_a2()
 {
-  constexpr double omega = 3. * dealii::numbers::PI;
+  constexpr double omega = 3. * numbers::PI;
   LiftFamily family;
   family.p = [](const double x) {
     const double q = std::sin(omega * x + 1.), dq = omega * std::cos(omega * x + 1.);
@@ -52,7 +52,7 @@ Scene<2> make_a2()
     return 0.2 * q * q;
   };
   for (const double k : {1., 2., 3.})
-    family.kinks_at_x.push_back((k - 1. / dealii::numbers::PI) / 3.);
+    family.kinks_at_x.push_back((k - 1. / numbers::PI) / 3.);
   return make_lift_scene(family, make_lame_material(1., 1.));
 }
 
@@ -87,9 +87,9 @@ namespace
 LiftFamily contact_of_a1()
 {
   LiftFamily family;
-  family.p = cubic_pressure(10., dealii::numbers::SQRT1_2);
-  family.slack = quadratic_slack(dealii::numbers::SQRT1_2);
-  family.kinks_at_x = {dealii::numbers::SQRT1_2};
+  family.p = cubic_pressure(10., numbers::SQRT1_2);
+  family.slack = quadratic_slack(numbers::SQRT1_2);
+  family.kinks_at_x = {numbers::SQRT1_2};
   return family;
 }
 } // namespace
@@ -110,7 +110,7 @@ Scene<2> make_o1()
 Scene<2> make_v1()
 {
   LiftFamily family = contact_of_a1();
-  family.modulus = [](const dealii::Point<2> &x) {
+  family.modulus = [](const Point<2> &x) {
     const double phase = 2. * x[0] + x[1];
     return Modulus{1. + 0.5 * std::sin(phase), std::cos(phase), 0.5 * std::cos(phase)};
   };

@@ -32,22 +32,22 @@ constexpr double lambda =
 constexpr double mu = youngs_modulus / (2. * (1. + poissons_ratio));
 
 /** The centre of the disc and its radius, which coincide with lines of no mesh. */
-const double xc = 0.5707106781186547, yc = 0.4422649730810374, s = 1. / dealii::numbers::E;
+const double xc = 0.5707106781186547, yc = 0.4422649730810374, s = 1. / numbers::E;
 
-double distance_from_centre(const dealii::Point<3> &x)
+double distance_from_centre(const Point<3> &x)
 {
   return std::hypot(x[0] - xc, x[1] - yc);
 }
 
 /** Returns W. */
-double bump(const dealii::Point<3> &x)
+double bump(const Point<3> &x)
 {
   const double r = distance_from_centre(x);
   return std::max(0., 1. - r * r / (s * s));
 }
 
 /** Returns a. */
-double foundation(const dealii::Point<3> &x)
+double foundation(const Point<3> &x)
 {
   return -0.05 * (1. + x[0] * (1. - x[0]) + x[1] * (1. - x[1]));
 }
@@ -58,7 +58,7 @@ struct Shape
   double value, first, second;
 };
 
-ExactField<3> d3_field(const dealii::Point<3> &x)
+ExactField<3> d3_field(const Point<3> &x)
 {
   const double z = x[2], W = bump(x), r2 = std::pow(distance_from_centre(x), 2);
   const double a = foundation(x), a_x = -0.05 * (1. - 2. * x[0]), a_y = -0.05 * (1. - 2. * x[1]);
@@ -84,14 +84,14 @@ ExactField<3> d3_field(const dealii::Point<3> &x)
 }
 
 /** Returns Young's modulus of V3. */
-double modulus_of_v3(const dealii::Point<3> &x)
+double modulus_of_v3(const Point<3> &x)
 {
   return 1. + 0.5 * x[0] + x[1] * x[2];
 }
 
 /** Returns the field of V3: f = -div(E sigma) = E f_D3 - sigma grad E, where D3 has the modulus
  * one. */
-ExactField<3> v3_field(const dealii::Point<3> &x)
+ExactField<3> v3_field(const Point<3> &x)
 {
   ExactField<3> field = d3_field(x);
   const std::array<double, 3> gradient = {0.5, x[2], x[1]};
@@ -106,38 +106,38 @@ ExactField<3> v3_field(const dealii::Point<3> &x)
   return field;
 }
 
-double pressure_of_d3(const dealii::Point<3> &x)
+double pressure_of_d3(const Point<3> &x)
 {
   const double W = bump(x);
   return -0.3 * (lambda + 2. * mu) * W * W * W;
 }
 
-double gap_of_d3(const dealii::Point<3> &x)
+double gap_of_d3(const Point<3> &x)
 {
   const double beyond = std::max(0., distance_from_centre(x) - s);
   return -foundation(x) + 0.5 * beyond * beyond;
 }
 
 /** A function with one component. */
-class ScalarFunction : public dealii::Function<3>
+class ScalarFunction : public Function<3>
 {
 public:
-  explicit ScalarFunction(double (*formula)(const dealii::Point<3> &))
+  explicit ScalarFunction(double (*formula)(const Point<3> &))
     : formula_(formula)
   {
   }
-  double value(const dealii::Point<3> &x, const unsigned int = 0) const override
+  double value(const Point<3> &x, const unsigned int = 0) const override
   {
     return formula_(x);
   }
 
 private:
-  double (*formula_)(const dealii::Point<3> &);
+  double (*formula_)(const Point<3> &);
 };
 
 Scene<3> contact_on_disc(const FieldOf<3> &field,
                          const char *modulus,
-                         double (*pressure)(const dealii::Point<3> &))
+                         double (*pressure)(const Point<3> &))
 {
   const auto number = [](const char *text) { return Expression<3>(text, {}, "catalogue"); };
   Scene<3> scene;
@@ -169,7 +169,7 @@ Scene<3> make_d3()
 
 Scene<3> make_v3()
 {
-  return contact_on_disc(v3_field, "1 + x/2 + y*z", [](const dealii::Point<3> &x) {
+  return contact_on_disc(v3_field, "1 + x/2 + y*z", [](const Point<3> &x) {
     return modulus_of_v3(x) * pressure_of_d3(x);
   });
 }

@@ -68,7 +68,7 @@ FieldAtPoint cut_off(const UncutField &uncut, const double y)
 
 Field field_of(const StressFunctionOf &Z)
 {
-  return [Z](const dealii::Point<2> &x) {
+  return [Z](const Point<2> &x) {
     // +0.0: on the branch cut the value from above is meant.
     return cut_off(uncut_field(Z(Complex(x[0], std::abs(x[1]))), x[1]), x[1]);
   };
@@ -87,9 +87,7 @@ Scene<2> make_westergaard_scene(const StressFunctionOf &Z,
 Profile opening_gap(const StressFunctionOf &Z, const double xi)
 {
   const Field field = field_of(Z);
-  return [=](const double x) {
-    return -field(dealii::Point<2>(x, 0.)).u[1] + 0.5 * std::max(x - xi, 0.);
-  };
+  return [=](const double x) { return -field(Point<2>(x, 0.)).u[1] + 0.5 * std::max(x - xi, 0.); };
 }
 
 const Profile flat = [](const double) { return 0.; };
@@ -116,7 +114,7 @@ Scene<2> make_b1_at(const double xi)
 
 /** B2 and B3: contact on (a, b), c0 = 2. */
 constexpr double c0 = 2.;
-const double a = 1. / std::sqrt(10.), b = dealii::numbers::E / 4.;
+const double a = 1. / std::sqrt(10.), b = numbers::E / 4.;
 const double middle = (a + b) / 2., radius = (b - a) / 2.;
 
 double ellipse(const double x)
@@ -137,9 +135,9 @@ StressFunction two_ends(const Complex &z)
 // A3: Z = -(iA/pi) (z-xi) log(z-xi), A = 2, xi = 1/sqrt(2): p = -A (xi-x)_+ has a kink.
 Scene<2> make_a3()
 {
-  constexpr double A = 2., xi = dealii::numbers::SQRT1_2;
+  constexpr double A = 2., xi = numbers::SQRT1_2;
   const StressFunctionOf Z = [=](const Complex &z) {
-    const Complex t = z - xi, factor(0., -A / dealii::numbers::PI);
+    const Complex t = z - xi, factor(0., -A / numbers::PI);
     if (t == Complex(0.))
       return StressFunction{};
     const Complex logarithm = std::log(t);
@@ -152,7 +150,7 @@ Scene<2> make_a3()
 
 Scene<2> make_b1()
 {
-  return make_b1_at(dealii::numbers::SQRT1_2);
+  return make_b1_at(numbers::SQRT1_2);
 }
 
 // B1q: the transition is always at the same place in its patch: in the middle (patches odd in
@@ -199,7 +197,7 @@ Scene<2> make_b4()
   const StressFunctionOf Z = power(2., xi, s);
   return make_westergaard_scene(Z,
                                 [](const double x) {
-                                  return -2. * std::sin(dealii::numbers::PI * s) *
+                                  return -2. * std::sin(numbers::PI * s) *
                                          std::pow(std::max(xi - x, 0.), s);
                                 },
                                 opening_gap(Z, xi),

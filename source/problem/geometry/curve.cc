@@ -14,19 +14,17 @@
 
 namespace Signorini
 {
-using dealii::numbers::PI;
+using numbers::PI;
 
 namespace
 {
-dealii::Tensor<1, 2> direction(const double angle)
+Tensor<1, 2> direction(const double angle)
 {
-  return dealii::Tensor<1, 2>({std::cos(angle), std::sin(angle)});
+  return Tensor<1, 2>({std::cos(angle), std::sin(angle)});
 }
 } // namespace
 
-Curve::Curve(const dealii::Point<2> &start,
-             const dealii::Point<2> &end,
-             const dealii::Tensor<1, 2> &normal)
+Curve::Curve(const Point<2> &start, const Point<2> &end, const Tensor<1, 2> &normal)
   : start_(start)
   , end_(end)
   , length_(start.distance(end))
@@ -34,7 +32,7 @@ Curve::Curve(const dealii::Point<2> &start,
 {
 }
 
-Curve Curve::arc(const dealii::Point<2> &centre,
+Curve Curve::arc(const Point<2> &centre,
                  const double radius,
                  const double first,
                  const double last,
@@ -101,12 +99,12 @@ bool Curve::has_corner(const double s) const
   return next != corners().end() && *next <= on_first_turn + margin;
 }
 
-std::vector<unsigned int> Curve::pieces_near(const dealii::Point<2> &x, const double distance) const
+std::vector<unsigned int> Curve::pieces_near(const Point<2> &x, const double distance) const
 {
   return chain_ ? chain_->pieces_near(x, distance) : std::vector<unsigned int>{0};
 }
 
-dealii::Point<2> Curve::point(const double s) const
+Point<2> Curve::point(const double s) const
 {
   if (chain_)
   {
@@ -119,7 +117,7 @@ dealii::Point<2> Curve::point(const double s) const
          circle_->radius * direction(circle_->first + circle_->turn * s / circle_->radius);
 }
 
-dealii::Tensor<1, 2> Curve::normal(const double s) const
+Tensor<1, 2> Curve::normal(const double s) const
 {
   if (chain_)
   {
@@ -131,7 +129,7 @@ dealii::Tensor<1, 2> Curve::normal(const double s) const
   return circle_->orientation * direction(circle_->first + circle_->turn * s / circle_->radius);
 }
 
-dealii::Tensor<1, 2> Curve::normal(const double s, const double towards) const
+Tensor<1, 2> Curve::normal(const double s, const double towards) const
 {
   if (!chain_)
     return normal(s);
@@ -139,14 +137,13 @@ dealii::Tensor<1, 2> Curve::normal(const double s, const double towards) const
   return chain_->piece(k).normal(s_on_piece);
 }
 
-dealii::Tensor<1, 2> Curve::normal_at(const dealii::Point<2> &x,
-                                      const dealii::Point<2> &inside) const
+Tensor<1, 2> Curve::normal_at(const Point<2> &x, const Point<2> &inside) const
 {
   const Curve &on = chain_ ? chain_->piece(chain_->place(arc_length(inside)).first) : *this;
   return on.normal(on.arc_length(x));
 }
 
-dealii::Tensor<1, 2> Curve::tangent(const double s, const double towards) const
+Tensor<1, 2> Curve::tangent(const double s, const double towards) const
 {
   if (chain_)
   {
@@ -155,17 +152,17 @@ dealii::Tensor<1, 2> Curve::tangent(const double s, const double towards) const
   }
   if (!circle_)
     return (end_ - start_) / length_;
-  const dealii::Tensor<1, 2> outwards = circle_->orientation * normal(s);
-  return circle_->turn * dealii::Tensor<1, 2>({-outwards[1], outwards[0]});
+  const Tensor<1, 2> outwards = circle_->orientation * normal(s);
+  return circle_->turn * Tensor<1, 2>({-outwards[1], outwards[0]});
 }
 
-double Curve::arc_length(const dealii::Point<2> &x) const
+double Curve::arc_length(const Point<2> &x) const
 {
   if (chain_)
     return chain_->arc_length(x);
   if (!circle_)
     return (x - start_) * (end_ - start_) / length_;
-  const dealii::Tensor<1, 2> from_centre = x - circle_->centre;
+  const Tensor<1, 2> from_centre = x - circle_->centre;
   double angle = circle_->turn * (std::atan2(from_centre[1], from_centre[0]) - circle_->first);
   // The end of an arc may come out a little before its start: only points far behind the middle of
   // the missing piece lie there.
@@ -175,7 +172,7 @@ double Curve::arc_length(const dealii::Point<2> &x) const
   return circle_->radius * angle;
 }
 
-std::vector<double> Curve::crossings(const dealii::Tensor<1, 2> &m,
+std::vector<double> Curve::crossings(const Tensor<1, 2> &m,
                                      const double position,
                                      const double from,
                                      const double to) const
@@ -191,11 +188,11 @@ std::vector<double> Curve::crossings(const dealii::Tensor<1, 2> &m,
   {
     const double slope = m * (end_ - start_) / length_;
     if (std::abs(slope) > 1e-14)
-      add((position - m * (start_ - dealii::Point<2>())) / slope);
+      add((position - m * (start_ - Point<2>())) / slope);
     return found;
   }
   // m.(centre + R e(angle)) = position
-  const double cosine = (position - m * (circle_->centre - dealii::Point<2>())) / circle_->radius;
+  const double cosine = (position - m * (circle_->centre - Point<2>())) / circle_->radius;
   if (std::abs(cosine) >= 1.)
     return found;
   const double around = 2. * PI * circle_->radius;
@@ -213,24 +210,24 @@ std::vector<double> Curve::crossings(const dealii::Tensor<1, 2> &m,
 
 // Transfinite interpolation in a cell with circular edges.
 
-dealii::Point<2> ArcCell::Edge::point(const double t) const
+Point<2> ArcCell::Edge::point(const double t) const
 {
   if (!centre)
     return start + t * (end - start);
   const double radius = centre->distance(start), at = angle + t * turn;
-  return *centre + radius * dealii::Tensor<1, 2>({std::cos(at), std::sin(at)});
+  return *centre + radius * Tensor<1, 2>({std::cos(at), std::sin(at)});
 }
 
-dealii::Tensor<1, 2> ArcCell::Edge::derivative(const double t) const
+Tensor<1, 2> ArcCell::Edge::derivative(const double t) const
 {
   if (!centre)
     return end - start;
   const double speed = centre->distance(start) * turn, at = angle + t * turn;
-  return speed * dealii::Tensor<1, 2>({-std::sin(at), std::cos(at)});
+  return speed * Tensor<1, 2>({-std::sin(at), std::cos(at)});
 }
 
-ArcCell::ArcCell(const std::array<dealii::Point<2>, 4> &corners,
-                 const std::array<std::optional<dealii::Point<2>>, 4> &centres)
+ArcCell::ArcCell(const std::array<Point<2>, 4> &corners,
+                 const std::array<std::optional<Point<2>>, 4> &centres)
 {
   for (unsigned int i = 0; i < 4; ++i)
   {
@@ -240,43 +237,42 @@ ArcCell::ArcCell(const std::array<dealii::Point<2>, 4> &corners,
     edge.centre = centres[i];
     if (!edge.centre)
       continue;
-    const dealii::Tensor<1, 2> a = edge.start - *edge.centre, b = edge.end - *edge.centre;
+    const Tensor<1, 2> a = edge.start - *edge.centre, b = edge.end - *edge.centre;
     edge.angle = std::atan2(a[1], a[0]);
     edge.turn = std::atan2(a[0] * b[1] - a[1] * b[0], a * b);
   }
 }
 
-std::unique_ptr<dealii::Manifold<2, 2>> ArcCell::clone() const
+std::unique_ptr<Manifold<2, 2>> ArcCell::clone() const
 {
   return std::make_unique<ArcCell>(*this);
 }
 
-dealii::Point<2> ArcCell::push_forward(const dealii::Point<2> &chart_point) const
+Point<2> ArcCell::push_forward(const Point<2> &chart_point) const
 {
   const double a = chart_point[0], b = chart_point[1];
-  dealii::Tensor<1, 2> x;
+  Tensor<1, 2> x;
   x += (1. - b) * edges_[0].point(a) + b * edges_[2].point(1. - a);
   x += a * edges_[1].point(b) + (1. - a) * edges_[3].point(1. - b);
   x -= (1. - a) * (1. - b) * edges_[0].start + a * (1. - b) * edges_[1].start;
   x -= a * b * edges_[2].start + (1. - a) * b * edges_[3].start;
-  return dealii::Point<2>(x);
+  return Point<2>(x);
 }
 
-dealii::DerivativeForm<1, 2, 2>
-ArcCell::push_forward_gradient(const dealii::Point<2> &chart_point) const
+DerivativeForm<1, 2, 2> ArcCell::push_forward_gradient(const Point<2> &chart_point) const
 {
   const double a = chart_point[0], b = chart_point[1];
-  const dealii::Tensor<1, 2> bottom = edges_[1].start - edges_[0].start,
-                             top = edges_[2].start - edges_[3].start,
-                             left = edges_[3].start - edges_[0].start,
-                             right = edges_[2].start - edges_[1].start;
-  const dealii::Tensor<1, 2> along_a = (1. - b) * (edges_[0].derivative(a) - bottom) -
-                                       b * (edges_[2].derivative(1. - a) + top) +
-                                       (edges_[1].point(b) - edges_[3].point(1. - b));
-  const dealii::Tensor<1, 2> along_b = a * (edges_[1].derivative(b) - right) -
-                                       (1. - a) * (edges_[3].derivative(1. - b) + left) +
-                                       (edges_[2].point(1. - a) - edges_[0].point(a));
-  dealii::DerivativeForm<1, 2, 2> gradient;
+  const Tensor<1, 2> bottom = edges_[1].start - edges_[0].start,
+                     top = edges_[2].start - edges_[3].start,
+                     left = edges_[3].start - edges_[0].start,
+                     right = edges_[2].start - edges_[1].start;
+  const Tensor<1, 2> along_a = (1. - b) * (edges_[0].derivative(a) - bottom) -
+                               b * (edges_[2].derivative(1. - a) + top) +
+                               (edges_[1].point(b) - edges_[3].point(1. - b));
+  const Tensor<1, 2> along_b = a * (edges_[1].derivative(b) - right) -
+                               (1. - a) * (edges_[3].derivative(1. - b) + left) +
+                               (edges_[2].point(1. - a) - edges_[0].point(a));
+  DerivativeForm<1, 2, 2> gradient;
   for (unsigned int d = 0; d < 2; ++d)
   {
     gradient[d][0] = along_a[d];
@@ -285,22 +281,22 @@ ArcCell::push_forward_gradient(const dealii::Point<2> &chart_point) const
   return gradient;
 }
 
-dealii::Point<2> ArcCell::pull_back(const dealii::Point<2> &x) const
+Point<2> ArcCell::pull_back(const Point<2> &x) const
 {
   constexpr unsigned int max_steps = 50;
   const double size = edges_[0].start.distance(edges_[2].start);
   const double rounding = 1e-15 * (size + x.norm());
-  dealii::Point<2> chart_point(0.5, 0.5);
+  Point<2> chart_point(0.5, 0.5);
   double distance = HUGE_VAL;
   for (unsigned int step = 0; step < max_steps; ++step)
   {
-    const dealii::Tensor<1, 2> residual = x - push_forward(chart_point);
+    const Tensor<1, 2> residual = x - push_forward(chart_point);
     // Newton's method continues until rounding ends it.
     if (residual.norm() < rounding ||
         (residual.norm() < 1e-12 * size && residual.norm() >= distance))
       return chart_point;
     distance = residual.norm();
-    const dealii::Tensor<2, 2> gradient(push_forward_gradient(chart_point));
+    const Tensor<2, 2> gradient(push_forward_gradient(chart_point));
     chart_point += invert(gradient) * residual;
     for (unsigned int d = 0; d < 2; ++d)
       chart_point[d] = std::min(std::max(chart_point[d], -0.5), 1.5);
@@ -321,7 +317,7 @@ bool ArcCell::is_valid(const unsigned int n, const double min_ratio) const
     for (unsigned int j = 0; j <= n; ++j)
     {
       const double determinant =
-        push_forward_gradient(dealii::Point<2>(double(i) / n, double(j) / n)).determinant();
+        push_forward_gradient(Point<2>(double(i) / n, double(j) / n)).determinant();
       lowest = std::min(lowest, determinant);
       highest = std::max(highest, determinant);
     }

@@ -33,7 +33,7 @@ std::vector<Curve> without_straight_joints(const std::vector<Curve> &pieces)
   return merged;
 }
 
-double cross_product(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
+double cross_product(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
 {
   return a[0] * b[1] - a[1] * b[0];
 }
@@ -44,7 +44,7 @@ Curve::Chain::Chain(const std::vector<Curve> &pieces)
   , starts_(1, 0.)
   , is_closed_(false)
 {
-  AssertThrow(!pieces_.empty(), dealii::ExcMessage("a chain has pieces"));
+  AssertThrow(!pieces_.empty(), ExcMessage("a chain has pieces"));
   for (const Curve &piece : pieces_)
     starts_.push_back(starts_.back() + piece.length());
   const auto hand = [](const Curve &piece) {
@@ -54,7 +54,7 @@ Curve::Chain::Chain(const std::vector<Curve> &pieces)
     AssertThrow(pieces_[k].n_pieces() == 1 && hand(pieces_[k]) * hand(pieces_[0]) > 0. &&
                   (k == 0 || pieces_[k - 1].end().distance(pieces_[k].start()) <=
                                max_gap_between_pieces * length()),
-                dealii::ExcMessage("pieces of a chain follow one another"));
+                ExcMessage("pieces of a chain follow one another"));
   is_closed_ = n_pieces() == 1 ? pieces_[0].is_closed()
                                : pieces_.back().end().distance(pieces_[0].start()) <=
                                    max_gap_between_pieces * length();
@@ -67,8 +67,7 @@ void Curve::Chain::find_corners()
 {
   const auto turns = [&](const unsigned int before, const unsigned int after) {
     const double s = pieces_[before].length();
-    const dealii::Tensor<1, 2> in = pieces_[before].tangent(s, s),
-                               out = pieces_[after].tangent(0., 0.);
+    const Tensor<1, 2> in = pieces_[before].tangent(s, s), out = pieces_[after].tangent(0., 0.);
     return std::abs(std::atan2(cross_product(in, out), in * out)) > min_corner_turn;
   };
   if (is_closed_ && n_pieces() > 1 && turns(n_pieces() - 1, 0))
@@ -78,7 +77,7 @@ void Curve::Chain::find_corners()
       corners_.push_back(starts_[k]);
 }
 
-double Curve::Chain::Box::distance_square(const dealii::Point<2> &x) const
+double Curve::Chain::Box::distance_square(const Point<2> &x) const
 {
   double sum = 0.;
   for (unsigned int d = 0; d < 2; ++d)
@@ -142,7 +141,7 @@ std::pair<unsigned int, double> Curve::Chain::place(double s, const double towar
   return {k, s - turns - starts_[k]};
 }
 
-Curve::Chain::Nearest Curve::Chain::on_piece(const unsigned int k, const dealii::Point<2> &x) const
+Curve::Chain::Nearest Curve::Chain::on_piece(const unsigned int k, const Point<2> &x) const
 {
   const Curve &piece = pieces_[k];
   const double s = std::clamp(piece.arc_length(x), 0., piece.length());
@@ -152,7 +151,7 @@ Curve::Chain::Nearest Curve::Chain::on_piece(const unsigned int k, const dealii:
 void Curve::Chain::search(const std::size_t n,
                           const unsigned int first,
                           const unsigned int last,
-                          const dealii::Point<2> &x,
+                          const Point<2> &x,
                           Nearest &nearest) const
 {
   if (boxes_[n].distance_square(x) >= nearest.distance_square)
@@ -173,7 +172,7 @@ void Curve::Chain::search(const std::size_t n,
       search(2 * n, first, middle, x, nearest);
 }
 
-double Curve::Chain::arc_length(const dealii::Point<2> &x) const
+double Curve::Chain::arc_length(const Point<2> &x) const
 {
   Nearest nearest = {0, 0., std::numeric_limits<double>::infinity()};
   search(1, 0, n_pieces(), x, nearest);
@@ -189,8 +188,7 @@ double Curve::Chain::arc_length(const dealii::Point<2> &x) const
   return s;
 }
 
-std::vector<unsigned int> Curve::Chain::pieces_near(const dealii::Point<2> &x,
-                                                    const double distance) const
+std::vector<unsigned int> Curve::Chain::pieces_near(const Point<2> &x, const double distance) const
 {
   struct Node
   {
@@ -218,7 +216,7 @@ std::vector<unsigned int> Curve::Chain::pieces_near(const dealii::Point<2> &x,
   return found;
 }
 
-std::vector<double> Curve::Chain::crossings(const dealii::Tensor<1, 2> &m,
+std::vector<double> Curve::Chain::crossings(const Tensor<1, 2> &m,
                                             const double position,
                                             const double from,
                                             const double to) const

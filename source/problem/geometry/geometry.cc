@@ -17,38 +17,37 @@ namespace Signorini
 namespace
 {
 /** Returns the outward normal of a side that has the body on its left. */
-dealii::Tensor<1, 2> normal_to_the_right(const dealii::Point<2> &start, const dealii::Point<2> &end)
+Tensor<1, 2> normal_to_the_right(const Point<2> &start, const Point<2> &end)
 {
-  const dealii::Tensor<1, 2> tangent = (end - start) / start.distance(end);
-  return dealii::Tensor<1, 2>({tangent[1], -tangent[0]});
+  const Tensor<1, 2> tangent = (end - start) / start.distance(end);
+  return Tensor<1, 2>({tangent[1], -tangent[0]});
 }
 
 /** Makes one coarse cell of a quadrilateral, in deal.II's lexicographic order of vertices. */
-void make_quadrilateral(const std::vector<dealii::Point<2>> &corners,
-                        dealii::Triangulation<2> &triangulation)
+void make_quadrilateral(const std::vector<Point<2>> &corners, Triangulation<2> &triangulation)
 {
-  dealii::CellData<2> cell;
+  CellData<2> cell;
   cell.vertices = {0, 1, 3, 2};
-  triangulation.create_triangulation(corners, {cell}, dealii::SubCellData());
+  triangulation.create_triangulation(corners, {cell}, SubCellData());
 }
 
 /** Makes one coarse cell per corner: corner, middle of the next side, centroid, middle of the last.
  */
-void make_fan(const std::vector<dealii::Point<2>> &corners, dealii::Triangulation<2> &triangulation)
+void make_fan(const std::vector<Point<2>> &corners, Triangulation<2> &triangulation)
 {
   const unsigned int n = corners.size();
-  std::vector<dealii::Point<2>> points = corners;
-  dealii::Point<2> centroid;
+  std::vector<Point<2>> points = corners;
+  Point<2> centroid;
   for (unsigned int i = 0; i < n; ++i)
   {
     points.push_back(corners[i] + 0.5 * (corners[(i + 1) % n] - corners[i]));
     centroid += corners[i] / n;
   }
   points.push_back(centroid);
-  std::vector<dealii::CellData<2>> cells(n);
+  std::vector<CellData<2>> cells(n);
   for (unsigned int i = 0; i < n; ++i)
     cells[i].vertices = {i, n + i, n + (i + n - 1) % n, 2 * n};
-  triangulation.create_triangulation(points, cells, dealii::SubCellData());
+  triangulation.create_triangulation(points, cells, SubCellData());
 }
 
 /** Returns the steps between n + 1 equidistant positions, of which the nearest one has moved to
@@ -124,8 +123,7 @@ unsigned int find_side_of(const Face &face, const std::vector<Side<2>> &sides)
 }
 } // namespace
 
-bool ends_inside_a_face(const std::vector<Side<2>> &sides,
-                        const dealii::Triangulation<2> &triangulation)
+bool ends_inside_a_face(const std::vector<Side<2>> &sides, const Triangulation<2> &triangulation)
 {
   for (const auto &face : triangulation.active_face_iterators())
     if (face->at_boundary() && find_side_of(face, sides) == sides.size())
@@ -133,7 +131,7 @@ bool ends_inside_a_face(const std::vector<Side<2>> &sides,
   return false;
 }
 
-void number_boundary(const std::vector<Side<2>> &sides, dealii::Triangulation<2> &triangulation)
+void number_boundary(const std::vector<Side<2>> &sides, Triangulation<2> &triangulation)
 {
   if (ends_inside_a_face(sides, triangulation))
     throw InputError("a side of this scene ends inside a face of the mesh, allowed: a finer mesh.");
@@ -144,11 +142,11 @@ void number_boundary(const std::vector<Side<2>> &sides, dealii::Triangulation<2>
 }
 
 template <int dim>
-dealii::Point<dim> Geometry<dim>::inner_point() const
+Point<dim> Geometry<dim>::inner_point() const
 {
   if (inside)
     return *inside;
-  dealii::Point<dim> mean;
+  Point<dim> mean;
   for (const Side<dim> &side : sides)
     mean += side.centre() / static_cast<double>(sides.size());
   return mean;
@@ -190,11 +188,11 @@ std::vector<std::string> Geometry<dim>::side_names() const
   return names;
 }
 
-Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
-                           const dealii::Point<2> &upper_right,
+Geometry<2> make_rectangle(const Point<2> &lower_left,
+                           const Point<2> &upper_right,
                            const std::vector<unsigned int> &cells)
 {
-  using P = dealii::Point<2>;
+  using P = Point<2>;
   const P lower_right(upper_right[0], lower_left[1]);
   const P upper_left(lower_left[0], upper_right[1]);
   Geometry<2> geometry;
@@ -206,23 +204,21 @@ Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
                     {"right", Curve(lower_right, upper_right, P(1., 0.))},
                     {"bottom", Curve(lower_left, lower_right, P(0., -1.))},
                     {"top", Curve(upper_left, upper_right, P(0., 1.))}};
-  geometry.make_coarse_mesh = [=](dealii::Triangulation<2> &triangulation) {
-    dealii::GridGenerator::subdivided_hyper_rectangle(
-      triangulation, cells, lower_left, upper_right, true);
+  geometry.make_coarse_mesh = [=](Triangulation<2> &triangulation) {
+    GridGenerator::subdivided_hyper_rectangle(triangulation, cells, lower_left, upper_right, true);
   };
-  geometry.make_mesh_with_lines = [=](dealii::Triangulation<2> &triangulation,
+  geometry.make_mesh_with_lines = [=](Triangulation<2> &triangulation,
                                       const unsigned int level,
                                       const std::array<std::vector<double>, 2> &lines) {
     std::vector<std::vector<double>> steps;
     for (unsigned int d = 0; d < 2; ++d)
       steps.push_back(steps_with_lines(lower_left[d], upper_right[d], cells[d] << level, lines[d]));
-    dealii::GridGenerator::subdivided_hyper_rectangle(
-      triangulation, steps, lower_left, upper_right, true);
+    GridGenerator::subdivided_hyper_rectangle(triangulation, steps, lower_left, upper_right, true);
   };
   return geometry;
 }
 
-Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
+Geometry<2> make_polygon(const std::vector<Point<2>> &vertices)
 {
   const std::size_t n = vertices.size();
   Geometry<2> geometry;
@@ -230,7 +226,7 @@ Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
   geometry.lower = geometry.upper = vertices[0];
   for (std::size_t i = 0; i < n; ++i)
   {
-    const dealii::Point<2> &next = vertices[(i + 1) % n];
+    const Point<2> &next = vertices[(i + 1) % n];
     geometry.sides.emplace_back("side" + std::to_string(i),
                                 Curve(vertices[i], next, normal_to_the_right(vertices[i], next)));
     for (unsigned int d = 0; d < 2; ++d)
@@ -239,8 +235,7 @@ Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
       geometry.upper[d] = std::max(geometry.upper[d], next[d]);
     }
   }
-  geometry.make_coarse_mesh = [vertices,
-                               sides = geometry.sides](dealii::Triangulation<2> &triangulation) {
+  geometry.make_coarse_mesh = [vertices, sides = geometry.sides](Triangulation<2> &triangulation) {
     if (vertices.size() == 4)
       make_quadrilateral(vertices, triangulation);
     else
@@ -250,8 +245,8 @@ Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices)
   return geometry;
 }
 
-Geometry<3> make_box(const dealii::Point<3> &lower,
-                     const dealii::Point<3> &upper,
+Geometry<3> make_box(const Point<3> &lower,
+                     const Point<3> &upper,
                      const std::vector<unsigned int> &cells)
 {
   const char *const names[] = {"left", "right", "front", "back", "bottom", "top"};
@@ -264,17 +259,16 @@ Geometry<3> make_box(const dealii::Point<3> &lower,
   {
     const unsigned int d = i / 2, first = (d + 1) % 3, second = (d + 2) % 3;
     const auto edge = [&](const unsigned int e) {
-      return (upper[e] - lower[e]) * dealii::Point<3>::unit_vector(e);
+      return (upper[e] - lower[e]) * Point<3>::unit_vector(e);
     };
-    dealii::Point<3> corner = lower;
+    Point<3> corner = lower;
     corner[d] = i % 2 == 0 ? lower[d] : upper[d];
     const double sign = i % 2 == 0 ? -1. : 1.;
     geometry.sides.emplace_back(
-      names[i],
-      Rectangle(corner, edge(first), edge(second), sign * dealii::Point<3>::unit_vector(d)));
+      names[i], Rectangle(corner, edge(first), edge(second), sign * Point<3>::unit_vector(d)));
   }
-  geometry.make_coarse_mesh = [=](dealii::Triangulation<3> &triangulation) {
-    dealii::GridGenerator::subdivided_hyper_rectangle(triangulation, cells, lower, upper, true);
+  geometry.make_coarse_mesh = [=](Triangulation<3> &triangulation) {
+    GridGenerator::subdivided_hyper_rectangle(triangulation, cells, lower, upper, true);
   };
   return geometry;
 }
@@ -284,18 +278,17 @@ template struct Geometry<3>;
 
 // Omega with circular sides.
 
-using dealii::numbers::PI;
-using Point = dealii::Point<2>;
+using numbers::PI;
 
 namespace
 {
-constexpr dealii::types::manifold_id circle = 0, interior = 1;
+constexpr types::manifold_id circle = 0, interior = 1;
 
 /** Attaches manifolds: edges on the circle stay on it; the inside of the cells is interpolated
  * between their edges. */
 void attach_manifolds(const std::vector<Side<2>> &sides,
-                      const Point &centre,
-                      dealii::Triangulation<2> &triangulation)
+                      const Point<2> &centre,
+                      Triangulation<2> &triangulation)
 {
   number_boundary(sides, triangulation);
   triangulation.reset_all_manifolds();
@@ -303,13 +296,15 @@ void attach_manifolds(const std::vector<Side<2>> &sides,
   for (const auto &face : triangulation.active_face_iterators())
     if (face->at_boundary() && sides[face->boundary_id()].radius() > 0.)
       face->set_manifold_id(circle);
-  triangulation.set_manifold(circle, dealii::SphericalManifold<2>(centre));
-  dealii::TransfiniteInterpolationManifold<2> transfinite;
+  triangulation.set_manifold(circle, SphericalManifold<2>(centre));
+  TransfiniteInterpolationManifold<2> transfinite;
   transfinite.initialize(triangulation);
   triangulation.set_manifold(interior, transfinite);
 }
 
-Geometry<2> make_curved(const unsigned int n_coarse_cells, const Point &lower, const Point &upper)
+Geometry<2> make_curved(const unsigned int n_coarse_cells,
+                        const Point<2> &lower,
+                        const Point<2> &upper)
 {
   Geometry<2> geometry;
   geometry.curved = true;
@@ -320,48 +315,50 @@ Geometry<2> make_curved(const unsigned int n_coarse_cells, const Point &lower, c
 }
 } // namespace
 
-Geometry<2> make_ring(const double inner_radius, const double outer_radius, const Point &centre)
+Geometry<2> make_ring(const double inner_radius, const double outer_radius, const Point<2> &centre)
 {
-  const Point corner(outer_radius, outer_radius);
-  Geometry<2> geometry = make_curved(8, Point(centre - corner), centre + corner);
+  const Point<2> corner(outer_radius, outer_radius);
+  Geometry<2> geometry = make_curved(8, Point<2>(centre - corner), centre + corner);
   geometry.star_shaped = false;
-  geometry.inside = centre + Point(0.5 * (inner_radius + outer_radius), 0.);
+  geometry.inside = centre + Point<2>(0.5 * (inner_radius + outer_radius), 0.);
   // The order is that of colorize = true.
   geometry.sides = {{"inner", Curve::arc(centre, inner_radius, -PI, PI, Body::outside)},
                     {"outer", Curve::arc(centre, outer_radius, -PI, PI, Body::inside)}};
-  geometry.make_coarse_mesh = [=](dealii::Triangulation<2> &triangulation) {
-    dealii::GridGenerator::hyper_shell(
+  geometry.make_coarse_mesh = [=](Triangulation<2> &triangulation) {
+    GridGenerator::hyper_shell(
       triangulation, centre, inner_radius, outer_radius, 8, /*colorize=*/true);
   };
   return geometry;
 }
 
-Geometry<2> make_half_disc(const double radius, const Point &centre)
+Geometry<2> make_half_disc(const double radius, const Point<2> &centre)
 {
   Geometry<2> geometry =
-    make_curved(4, Point(centre - Point(radius, radius)), centre + Point(radius, 0.));
-  geometry.sides = {
-    {"flat", Curve(Point(centre - Point(radius, 0.)), centre + Point(radius, 0.), Point(0., 1.))},
-    {"arc", Curve::arc(centre, radius, -PI, 0., Body::inside)}};
-  geometry.make_coarse_mesh = [=, sides = geometry.sides](dealii::Triangulation<2> &triangulation) {
+    make_curved(4, Point<2>(centre - Point<2>(radius, radius)), centre + Point<2>(radius, 0.));
+  geometry.sides = {{"flat",
+                     Curve(Point<2>(centre - Point<2>(radius, 0.)),
+                           centre + Point<2>(radius, 0.),
+                           Point<2>(0., 1.))},
+                    {"arc", Curve::arc(centre, radius, -PI, 0., Body::inside)}};
+  geometry.make_coarse_mesh = [=, sides = geometry.sides](Triangulation<2> &triangulation) {
     // deal.II's half disc lies to the right of the y-axis.
-    dealii::GridGenerator::half_hyper_ball(triangulation, Point(), radius);
+    GridGenerator::half_hyper_ball(triangulation, Point<2>(), radius);
     triangulation.reset_all_manifolds();
-    dealii::GridTools::rotate(-0.5 * PI, triangulation);
-    dealii::GridTools::shift(centre, triangulation);
+    GridTools::rotate(-0.5 * PI, triangulation);
+    GridTools::shift(centre, triangulation);
     attach_manifolds(sides, centre, triangulation);
   };
   return geometry;
 }
 
-Geometry<2> make_disc(const double radius, const Point &centre)
+Geometry<2> make_disc(const double radius, const Point<2> &centre)
 {
-  const Point corner(radius, radius);
-  Geometry<2> geometry = make_curved(5, Point(centre - corner), centre + corner);
+  const Point<2> corner(radius, radius);
+  Geometry<2> geometry = make_curved(5, Point<2>(centre - corner), centre + corner);
   geometry.inside = centre;
   geometry.sides = {{"arc", Curve::arc(centre, radius, -PI, PI, Body::inside)}};
-  geometry.make_coarse_mesh = [=, sides = geometry.sides](dealii::Triangulation<2> &triangulation) {
-    dealii::GridGenerator::hyper_ball(triangulation, centre, radius);
+  geometry.make_coarse_mesh = [=, sides = geometry.sides](Triangulation<2> &triangulation) {
+    GridGenerator::hyper_ball(triangulation, centre, radius);
     attach_manifolds(sides, centre, triangulation);
   };
   return geometry;
@@ -375,7 +372,7 @@ std::vector<KinkLine<dim>> lines_at(const std::array<std::vector<double>, dim> &
   std::vector<KinkLine<dim>> lines;
   for (unsigned int d = 0; d < dim; ++d)
     for (const double position : positions[d])
-      lines.push_back({dealii::Point<dim>::unit_vector(d), position});
+      lines.push_back({Point<dim>::unit_vector(d), position});
   return lines;
 }
 
@@ -395,7 +392,7 @@ void Kinks<dim>::add_ends_on(const Side<dim> &contact_side)
 }
 
 template <int dim>
-std::vector<double> Kinks<dim>::cut(const dealii::Point<dim> &a, const dealii::Point<dim> &b) const
+std::vector<double> Kinks<dim>::cut(const Point<dim> &a, const Point<dim> &b) const
 {
   std::vector<double> cuts = {0., 1.};
   for (const KinkLine<dim> &line : lines_)

@@ -19,10 +19,10 @@ namespace Signorini
 namespace
 {
 /** Returns the box around the sides. */
-std::array<dealii::Point<2>, 2> box_around(const std::vector<Side<2>> &sides)
+std::array<Point<2>, 2> box_around(const std::vector<Side<2>> &sides)
 {
-  std::array<dealii::Point<2>, 2> box = {{sides[0].start(), sides[0].start()}};
-  const auto include = [&box](const dealii::Point<2> &x) {
+  std::array<Point<2>, 2> box = {{sides[0].start(), sides[0].start()}};
+  const auto include = [&box](const Point<2> &x) {
     for (unsigned int d = 0; d < 2; ++d)
     {
       box[0][d] = std::min(box[0][d], x[d]);
@@ -39,8 +39,8 @@ std::array<dealii::Point<2>, 2> box_around(const std::vector<Side<2>> &sides)
         for (const double sign : {-1., 1.})
         {
           // The point of the circle that is farthest in this direction, if it is on the arc.
-          const dealii::Point<2> x =
-            piece.centre_of_circle() + sign * piece.radius() * dealii::Point<2>::unit_vector(d);
+          const Point<2> x =
+            piece.centre_of_circle() + sign * piece.radius() * Point<2>::unit_vector(d);
           const double s = piece.arc_length(x);
           if (s > 0. && s < piece.length())
             include(x);
@@ -55,7 +55,7 @@ OutlineMesh make_mesh(const std::vector<Side<2>> &sides,
                       const std::string &where)
 {
   // With shorter chords the cells next to arcs are less bent.
-  double step = 0.25 * dealii::numbers::PI;
+  double step = 0.25 * numbers::PI;
   for (unsigned int attempt = 0; attempt < 10; ++attempt, step *= 0.7)
     if (auto mesh = mesh_outline(sides, loops, mesh_size, step, max_coarse_cells, where))
       return *mesh;
@@ -66,16 +66,14 @@ OutlineMesh make_mesh(const std::vector<Side<2>> &sides,
 
 /** Returns the centre of the largest triangle: every third vertex behind the middles of its edges.
  */
-dealii::Point<2> point_inside(const OutlineMesh &mesh)
+Point<2> point_inside(const OutlineMesh &mesh)
 {
   double largest = 0.;
-  dealii::Point<2> inside;
-  for (const dealii::CellData<2> &cell : mesh.cells)
+  Point<2> inside;
+  for (const CellData<2> &cell : mesh.cells)
   {
-    const dealii::Tensor<1, 2> a =
-      mesh.vertices[cell.vertices[3]] - mesh.vertices[cell.vertices[0]];
-    const dealii::Tensor<1, 2> b =
-      mesh.vertices[cell.vertices[2]] - mesh.vertices[cell.vertices[1]];
+    const Tensor<1, 2> a = mesh.vertices[cell.vertices[3]] - mesh.vertices[cell.vertices[0]];
+    const Tensor<1, 2> b = mesh.vertices[cell.vertices[2]] - mesh.vertices[cell.vertices[1]];
     const double area = 0.5 * std::abs(a[0] * b[1] - a[1] * b[0]);
     // Of equal triangles the first one is taken, whatever rounding makes of them.
     if (area > (1. + 1e-9) * largest)
@@ -87,11 +85,11 @@ dealii::Point<2> point_inside(const OutlineMesh &mesh)
   return inside;
 }
 
-void make_triangulation(const OutlineMesh &mesh, dealii::Triangulation<2> &triangulation)
+void make_triangulation(const OutlineMesh &mesh, Triangulation<2> &triangulation)
 {
   triangulation.create_triangulation(mesh.vertices, mesh.cells, mesh.lines);
   for (std::size_t k = 0; k < mesh.circles.size(); ++k)
-    triangulation.set_manifold(k, dealii::SphericalManifold<2>(mesh.circles[k]));
+    triangulation.set_manifold(k, SphericalManifold<2>(mesh.circles[k]));
   for (std::size_t k = 0; k < mesh.curved_cells.size(); ++k)
     triangulation.set_manifold(mesh.circles.size() + k, mesh.curved_cells[k]);
 }
@@ -113,7 +111,7 @@ Geometry<2> make_outlined_body(const std::vector<Side<2>> &sides,
   geometry.curved = !mesh->circles.empty();
   geometry.star_shaped = false;
   geometry.inside = point_inside(*mesh);
-  geometry.make_coarse_mesh = [mesh](dealii::Triangulation<2> &triangulation) {
+  geometry.make_coarse_mesh = [mesh](Triangulation<2> &triangulation) {
     make_triangulation(*mesh, triangulation);
   };
   return geometry;
@@ -123,14 +121,14 @@ Geometry<2> make_outlined_body(const std::vector<Side<2>> &sides,
 
 namespace
 {
-using Vector2 = dealii::Tensor<1, 2>;
+using Vector2 = Tensor<1, 2>;
 
 /** The distance (in sizes of the body) below which two points are the same. */
 constexpr double same_point = 1e-9;
 
 struct FineChord
 {
-  dealii::Point<2> a, b;
+  Point<2> a, b;
   std::size_t side, loop;
 
   double lowest() const
@@ -151,7 +149,7 @@ double cross_of(const Vector2 &a, const Vector2 &b)
 std::vector<FineChord> fine_chords(const std::vector<Side<2>> &sides,
                                    const std::vector<Loop> &loops)
 {
-  constexpr double step = dealii::numbers::PI / 90.;
+  constexpr double step = numbers::PI / 90.;
   std::vector<FineChord> chords;
   for (std::size_t l = 0; l < loops.size(); ++l)
     for (std::size_t i = loops[l].first; i < loops[l].last; ++i)
@@ -168,7 +166,7 @@ std::vector<FineChord> fine_chords(const std::vector<Side<2>> &sides,
 }
 
 /** Returns the distance from a point to a segment. */
-double distance(const dealii::Point<2> &x, const FineChord &chord)
+double distance(const Point<2> &x, const FineChord &chord)
 {
   const Vector2 d = chord.b - chord.a;
   const double t = std::clamp(((x - chord.a) * d) / (d * d), 0., 1.);
@@ -177,7 +175,7 @@ double distance(const dealii::Point<2> &x, const FineChord &chord)
 
 bool meet(const FineChord &p, const FineChord &q, const double tolerance)
 {
-  const auto hand = [](const FineChord &chord, const dealii::Point<2> &x) {
+  const auto hand = [](const FineChord &chord, const Point<2> &x) {
     return cross_of(chord.b - chord.a, x - chord.a);
   };
   if (hand(p, q.a) * hand(p, q.b) < 0. && hand(q, p.a) * hand(q, p.b) < 0.)
@@ -199,7 +197,7 @@ bool folds(const FineChord &p, const FineChord &q)
                                  const FineChord &q,
                                  const std::string &where)
 {
-  const dealii::Point<2> x = q.a + 0.5 * (q.b - q.a);
+  const Point<2> x = q.a + 0.5 * (q.b - q.a);
   const auto [first, second] = std::minmax(sides[p.side].name(), sides[q.side].name());
   std::ostringstream message;
   message << where << ": "
@@ -236,9 +234,7 @@ void refuse_crossings(const std::vector<Side<2>> &sides,
 }
 
 /** Returns whether a ray to the right of a point meets a loop an odd number of times. */
-bool encloses(const std::vector<FineChord> &chords,
-              const std::size_t loop,
-              const dealii::Point<2> &x)
+bool encloses(const std::vector<FineChord> &chords, const std::size_t loop, const Point<2> &x)
 {
   bool odd = false;
   for (const FineChord &chord : chords)
@@ -254,7 +250,7 @@ bool encloses(const std::vector<FineChord> &chords,
 double signed_area(const std::vector<FineChord> &chords, const std::size_t loop)
 {
   double area = 0.;
-  const dealii::Point<2> &origin = chords[0].a;
+  const Point<2> &origin = chords[0].a;
   for (const FineChord &chord : chords)
     if (chord.loop == loop)
       area += 0.5 * cross_of(chord.a - origin, chord.b - origin);

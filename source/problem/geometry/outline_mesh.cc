@@ -39,7 +39,7 @@ struct BoundaryEdge
 
 struct Polygons
 {
-  std::vector<dealii::Point<2>> points;
+  std::vector<Point<2>> points;
   std::vector<MeshChord> chords;
 };
 
@@ -79,8 +79,8 @@ double min_triangles(const Polygons &polygons, const double mesh_size)
   double area = 0.;
   for (const MeshChord &chord : polygons.chords)
   {
-    const dealii::Tensor<1, 2> a = polygons.points[chord.start] - polygons.points[0];
-    const dealii::Tensor<1, 2> b = polygons.points[chord.end] - polygons.points[0];
+    const Tensor<1, 2> a = polygons.points[chord.start] - polygons.points[0];
+    const Tensor<1, 2> b = polygons.points[chord.end] - polygons.points[0];
     area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
   }
   return mesh_size > 0. ? area / (0.25 * std::sqrt(3.) * mesh_size * mesh_size) : 0.;
@@ -146,11 +146,11 @@ private:
     mesh_.vertices[vertex] = piece.point(piece.arc_length(mesh_.vertices[vertex]));
   }
 
-  dealii::types::manifold_id circle_manifold_id(const Curve &arc)
+  types::manifold_id circle_manifold_id(const Curve &arc)
   {
     const auto known =
       std::find(mesh_.circles.begin(), mesh_.circles.end(), arc.centre_of_circle());
-    const auto k = static_cast<dealii::types::manifold_id>(known - mesh_.circles.begin());
+    const auto k = static_cast<types::manifold_id>(known - mesh_.circles.begin());
     if (known == mesh_.circles.end())
       mesh_.circles.push_back(arc.centre_of_circle());
     return k;
@@ -159,13 +159,13 @@ private:
   void add_boundary_edge(const BoundaryEdge &edge)
   {
     const Curve &piece = *edge.chord->piece;
-    const dealii::Point<2> chord_middle =
+    const Point<2> chord_middle =
       mesh_.vertices[edge.start] + 0.5 * (mesh_.vertices[edge.end] - mesh_.vertices[edge.start]);
     const auto middle = static_cast<unsigned int>(mesh_.vertices.size());
     mesh_.vertices.push_back(edge.is_curved() ? piece.point(piece.arc_length(chord_middle))
                                               : chord_middle);
     middles_[sorted(edge.start, edge.end)] = middle;
-    dealii::CellData<1> line;
+    CellData<1> line;
     line.boundary_id = edge.chord->side;
     if (edge.is_curved())
     {
@@ -192,7 +192,7 @@ private:
   void add_cells(const std::array<unsigned int, 3> &triangle)
   {
     std::array<unsigned int, 3> middles;
-    dealii::Point<2> centre;
+    Point<2> centre;
     for (unsigned int i = 0; i < 3; ++i)
     {
       middles[i] = middle_of(triangle[i], triangle[(i + 1) % 3]);
@@ -202,7 +202,7 @@ private:
     mesh_.vertices.push_back(centre);
     for (unsigned int i = 0; i < 3; ++i)
     {
-      dealii::CellData<2> cell;
+      CellData<2> cell;
       cell.vertices = {triangle[i], middles[i], middles[(i + 2) % 3], number};
       const ArcCell map = map_of(cell.vertices);
       is_valid_ = is_valid_ && map.is_valid(4, min_ratio);
@@ -228,7 +228,7 @@ private:
     const auto x = [&](const unsigned int i) { return mesh_.vertices[v[i]]; };
     const auto centre = [&](const unsigned int i) {
       const Curve *const arc = arc_between(v[0], v[i]);
-      return arc == nullptr ? std::optional<dealii::Point<2>>() : arc->centre_of_circle();
+      return arc == nullptr ? std::optional<Point<2>>() : arc->centre_of_circle();
     };
     return {{{x(0), x(1), x(3), x(2)}}, {{centre(1), {}, {}, centre(2)}}};
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/curve.h>
 #include <signorini/problem/geometry/geometry.h>
 
@@ -34,9 +35,9 @@ void check_outline(const std::vector<Side<2>> &sides,
 struct OutlineMesh
 {
   std::vector<dealii::Point<2>> vertices;
-  std::vector<dealii::CellData<2>> cells;
+  std::vector<CellData<2>> cells;
   /** The edges on sides, with the numbers of the sides. */
-  dealii::SubCellData lines;
+  SubCellData lines;
   /** The centres of arcs: edges on circles[k] have the manifold k. */
   std::vector<dealii::Point<2>> circles;
   /** The cells with an arc: the k-th has the manifold circles.size() + k. */

@@ -108,7 +108,7 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
                                                    const Geometry<dim> &geometry)
 {
   refuse_foreign_moduli(given);
-  const dealii::Point<dim> reference = geometry.inner_point();
+  const Point<dim> reference = geometry.inner_point();
   if constexpr (dim == 2)
   {
     if (given.law == MaterialLaw::general)
@@ -272,7 +272,7 @@ template <int dim>
 bool is_zero(const std::vector<Expression<dim>> &force)
 {
   for (const Expression<dim> &component : force)
-    if (!component.is_constant() || component(dealii::Point<dim>()) != 0.)
+    if (!component.is_constant() || component(Point<dim>()) != 0.)
       return false;
   return true;
 }

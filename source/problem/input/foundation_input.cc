@@ -89,10 +89,10 @@ public:
   }
 
   /** Reads "dx, dy". */
-  dealii::Tensor<1, 2> vector(const std::string &text) const
+  Tensor<1, 2> vector(const std::string &text) const
   {
     const std::vector<double> xy = numbers({"", text}, 2);
-    return dealii::Tensor<1, 2>({xy[0], xy[1]});
+    return Tensor<1, 2>({xy[0], xy[1]});
   }
 
 private:
@@ -114,29 +114,29 @@ private:
     for (const std::string &text : texts)
     {
       const Expression<2> formula(text, constants_, entry_.where());
-      numbers.push_back(formula(dealii::Point<2>()));
+      numbers.push_back(formula(Point<2>()));
       if (!formula.is_constant() || !(std::abs(numbers.back()) <= max_magnitude))
         refuse();
     }
     return numbers;
   }
 
-  dealii::Point<2> point(const Part &part) const
+  Point<2> point(const Part &part) const
   {
-    const dealii::Point<2> x(vector_of(part));
+    const Point<2> x(vector_of(part));
     check_length(x.distance(geometry_.inner_point()), "a distance", part);
     return x;
   }
 
-  dealii::Tensor<1, 2> vector_of(const Part &part) const
+  Tensor<1, 2> vector_of(const Part &part) const
   {
     const std::vector<double> xy = numbers(part, 2);
-    return dealii::Tensor<1, 2>({xy[0], xy[1]});
+    return Tensor<1, 2>({xy[0], xy[1]});
   }
 
-  dealii::Tensor<1, 2> normal(const Part &part) const
+  Tensor<1, 2> normal(const Part &part) const
   {
-    const dealii::Tensor<1, 2> n = vector_of(part);
+    const Tensor<1, 2> n = vector_of(part);
     if (!(n.norm() >= min_magnitude))
       throw InputError(entry_.where() + ": found the normal " + quote(trim(part.text)) +
                        ", allowed: a vector of any length but zero, towards the body.");
@@ -171,7 +171,7 @@ private:
 };
 
 /** Returns some arc lengths of a side, with the one nearest to a point on every piece. */
-std::vector<double> sample(const Side<2> &side, const dealii::Point<2> &near)
+std::vector<double> sample(const Side<2> &side, const Point<2> &near)
 {
   constexpr unsigned int n_samples = 16;
   std::vector<double> samples;
@@ -189,13 +189,13 @@ std::vector<double> sample(const Side<2> &side, const dealii::Point<2> &near)
  * move it. */
 bool can_touch(const Obstacle &obstacle,
                const Side<2> &side,
-               const dealii::Tensor<1, 2> &position,
+               const Tensor<1, 2> &position,
                const double reach,
                const bool moves)
 {
   const std::vector<double> samples = sample(side, obstacle.anchor() + position);
   return std::any_of(samples.begin(), samples.end(), [&](const double s) {
-    const dealii::Tensor<1, 2> n = side.normal(s);
+    const Tensor<1, 2> n = side.normal(s);
     return moves ? obstacle.can_be_hit_along(n)
                  : obstacle.is_hit_by_line(side.point(s) - position, n, reach);
   });

@@ -64,9 +64,9 @@ std::vector<double> read_coordinates(const std::string &text,
 }
 
 template <int dim>
-void check_coordinates(const std::vector<dealii::Point<dim>> &points, const std::string &where)
+void check_coordinates(const std::vector<Point<dim>> &points, const std::string &where)
 {
-  for (const dealii::Point<dim> &x : points)
+  for (const Point<dim> &x : points)
     for (unsigned int d = 0; d < dim; ++d)
       if (!(std::abs(x[d]) <= max_magnitude))
         throw InputError(where + ": found the coordinate " + number_text(x[d]) +
@@ -95,8 +95,8 @@ void check_size(const Geometry<dim> &geometry, const std::string &where)
                      " of the size.");
 }
 
-template void check_coordinates(const std::vector<dealii::Point<2>> &, const std::string &);
-template void check_coordinates(const std::vector<dealii::Point<3>> &, const std::string &);
+template void check_coordinates(const std::vector<Point<2>> &, const std::string &);
+template void check_coordinates(const std::vector<Point<3>> &, const std::string &);
 template void check_size(const Geometry<2> &, const std::string &);
 template void check_size(const Geometry<3> &, const std::string &);
 
@@ -214,17 +214,17 @@ void refuse_foreign_entries(const GeometryParameters &given)
 template <int dim>
 struct Block
 {
-  dealii::Point<dim> lower, upper;
+  Point<dim> lower, upper;
   std::vector<unsigned int> cells;
 };
 
 /** Reads a point; coordinates that are not given are those of the unit square or cube. */
 template <int dim>
-dealii::Point<dim> read_corner(const Given<std::string> &given, const double by_default)
+Point<dim> read_corner(const Given<std::string> &given, const double by_default)
 {
   const std::vector<double> numbers = given.changed ? read_coordinates(given.value, dim, given)
                                                     : std::vector<double>(dim, by_default);
-  dealii::Point<dim> corner;
+  Point<dim> corner;
   std::copy(numbers.begin(), numbers.end(), corner.begin_raw());
   check_coordinates<dim>({corner}, given.where());
   return corner;
@@ -258,7 +258,7 @@ Block<dim> read_block(const GeometryParameters &given)
 Geometry<2> read_round_body(const GeometryParameters &given)
 {
   const auto xy = read_coordinates(given.centre, 2, given.centre);
-  const dealii::Point<2> centre(xy[0], xy[1]);
+  const Point<2> centre(xy[0], xy[1]);
   check_coordinates<2>({centre}, given.centre.where());
   if (given.shape == Shape::half_disc)
     return make_half_disc(given.radius, centre);

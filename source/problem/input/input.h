@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/geometry.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/expression.h>
@@ -68,7 +69,7 @@ std::vector<double> read_coordinates(const std::string &text, unsigned int n, co
 /** Refuses coordinates beyond max_magnitude, whose squares would overflow before the size of
  * the body is checked. */
 template <int dim>
-void check_coordinates(const std::vector<dealii::Point<dim>> &points, const std::string &where);
+void check_coordinates(const std::vector<Point<dim>> &points, const std::string &where);
 
 /** Refuses a body that is too large, too small or too far away to compute with; @p where is the
  * parameter that made it. */

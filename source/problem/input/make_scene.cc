@@ -38,7 +38,7 @@ void refuse_description(const Parameters &parameters)
 }
 
 /** Returns whether the body begins inside the foundation somewhere on a side. */
-bool begins_inside(const Side<2> &side, const dealii::Function<2> &gap)
+bool begins_inside(const Side<2> &side, const Function<2> &gap)
 {
   constexpr unsigned int n_samples = 64;
   for (unsigned int i = 0; i < n_samples; ++i)

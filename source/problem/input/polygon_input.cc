@@ -22,7 +22,7 @@ namespace Signorini
 {
 struct PolygonVertex
 {
-  dealii::Point<2> x;
+  Point<2> x;
   /** The radius that rounds the corner; 0: none. */
   double fillet;
   /** The number in the list of the parameter file. */
@@ -31,7 +31,7 @@ struct PolygonVertex
 
 struct PolygonArc
 {
-  dealii::Point<2> centre;
+  Point<2> centre;
   bool counter_clockwise;
 };
 
@@ -59,8 +59,8 @@ std::vector<Side<2>> sides_of(const PolygonLoop &loop, bool is_outer, const std:
 
 namespace
 {
-using dealii::numbers::PI;
-using Vector2 = dealii::Tensor<1, 2>;
+using numbers::PI;
+using Vector2 = Tensor<1, 2>;
 
 double cross_product(const Vector2 &a, const Vector2 &b)
 {
@@ -70,7 +70,7 @@ double cross_product(const Vector2 &a, const Vector2 &b)
 /** An arc between two points, in angles. */
 struct Sweep
 {
-  dealii::Point<2> centre;
+  Point<2> centre;
   double radius, first, last;
 };
 
@@ -92,10 +92,10 @@ Sweep sweep_of(const PolygonArc &arc,
                      vertex_name(b) + " is at the distances " + number_text(from) + " and " +
                      number_text(to) + " from them, allowed: equal ones, to 1e-6.");
   const Vector2 chord = b.x - a.x;
-  const dealii::Point<2> middle = a.x + 0.5 * chord;
-  const dealii::Point<2> centre =
+  const Point<2> middle = a.x + 0.5 * chord;
+  const Point<2> centre =
     arc.centre - (((arc.centre - middle) * chord) / chord.norm_square()) * chord;
-  const auto angle = [&](const dealii::Point<2> &x) {
+  const auto angle = [&](const Point<2> &x) {
     return std::atan2(x[1] - centre[1], x[0] - centre[0]);
   };
   double sweep = angle(b.x) - angle(a.x);
@@ -188,8 +188,8 @@ Fillet fillet_at(const PolygonLoop &loop, const std::size_t i, const std::string
   const Vector2 bisector = (u + v) / (u + v).norm();
   Fillet fillet;
   fillet.cut = vertex.fillet / std::tan(half);
-  const dealii::Point<2> centre = vertex.x + vertex.fillet / std::sin(half) * bisector;
-  const dealii::Point<2> first = vertex.x + fillet.cut * u;
+  const Point<2> centre = vertex.x + vertex.fillet / std::sin(half) * bisector;
+  const Point<2> first = vertex.x + fillet.cut * u;
   const double start = std::atan2(first[1] - centre[1], first[0] - centre[0]);
   // The vector u points back: a corner to the left has v on the right of u.
   const double turn = cross_product(u, v) < 0. ? 1. : -1.;
@@ -197,7 +197,7 @@ Fillet fillet_at(const PolygonLoop &loop, const std::size_t i, const std::string
   return fillet;
 }
 
-Curve edge_between(const dealii::Point<2> &start, const dealii::Point<2> &end)
+Curve edge_between(const Point<2> &start, const Point<2> &end)
 {
   const Vector2 tangent = (end - start) / start.distance(end);
   return Curve(start, end, Vector2({tangent[1], -tangent[0]}));
@@ -270,7 +270,7 @@ PolygonArc read_arc(const std::string &text, const Entry &entry)
     throw InputError(entry.where() + ": found " + quote(text) +
                      ", allowed: 'arc cx,cy ccw' (counter-clockwise) or 'arc cx,cy cw'.");
   const auto xy = read_coordinates(trim(rest.substr(0, blank)), 2, entry);
-  return {dealii::Point<2>(xy[0], xy[1]), direction == "ccw"};
+  return {Point<2>(xy[0], xy[1]), direction == "ccw"};
 }
 
 /** Reads "x,y" or "x,y fillet r". */
@@ -278,7 +278,7 @@ PolygonVertex read_vertex(const std::string &text, const unsigned int number, co
 {
   const std::size_t word = text.find("fillet");
   const auto xy = read_coordinates(trim(text.substr(0, word)), 2, entry);
-  PolygonVertex vertex = {dealii::Point<2>(xy[0], xy[1]), 0., number};
+  PolygonVertex vertex = {Point<2>(xy[0], xy[1]), 0., number};
   if (word != std::string::npos &&
       (!read_number(trim(text.substr(word + 6)), vertex.fillet) || !(vertex.fillet > 0.)))
     throw InputError(entry.where() + ": found " + quote(text) +
@@ -306,7 +306,7 @@ PolygonLoop read_loop(const std::string &text, const Entry &entry)
       loop.vertices.push_back(read_vertex(part, number, entry));
       loop.edges.push_back({{}, number});
     }
-  std::vector<dealii::Point<2>> points;
+  std::vector<Point<2>> points;
   for (std::size_t i = 0; i < loop.vertices.size(); ++i)
   {
     points.push_back(loop.vertices[i].x);
@@ -336,9 +336,9 @@ Curve read_circle(const std::string &text, const Entry &entry)
   if (!read_numbers(text.substr(6), numbers) || numbers.size() != 3 || !(numbers[2] > 0.))
     throw InputError(entry.where() + ": found " + quote(text) +
                      ", allowed: 'circle cx,cy,r' with a positive radius r.");
-  const dealii::Point<2> centre(numbers[0], numbers[1]);
-  check_coordinates<2>({centre, dealii::Point<2>(numbers[2], 0.)}, entry.where());
-  return Curve::arc(centre, numbers[2], dealii::numbers::PI, -dealii::numbers::PI, Body::outside);
+  const Point<2> centre(numbers[0], numbers[1]);
+  check_coordinates<2>({centre, Point<2>(numbers[2], 0.)}, entry.where());
+  return Curve::arc(centre, numbers[2], numbers::PI, -numbers::PI, Body::outside);
 }
 
 void add_holes(const Given<std::string> &given, std::vector<Side<2>> &sides)
@@ -367,10 +367,10 @@ void add_holes(const Given<std::string> &given, std::vector<Side<2>> &sides)
 
 /** Returns the vertices counter-clockwise, if they are those of a convex polygon of straight sides:
  * every corner turns left, by a visible angle, and all together turn once. */
-std::optional<std::vector<dealii::Point<2>>> convex_polygon(const PolygonLoop &loop)
+std::optional<std::vector<Point<2>>> convex_polygon(const PolygonLoop &loop)
 {
   const std::size_t n = loop.vertices.size();
-  std::vector<dealii::Point<2>> x;
+  std::vector<Point<2>> x;
   for (std::size_t i = 0; i < n; ++i)
   {
     if (loop.edges[i].arc || loop.vertices[i].fillet > 0.)
@@ -380,13 +380,13 @@ std::optional<std::vector<dealii::Point<2>>> convex_polygon(const PolygonLoop &l
   double turning = 0.;
   for (std::size_t i = 0; i < n; ++i)
   {
-    const dealii::Tensor<1, 2> in = x[(i + 1) % n] - x[i], out = x[(i + 2) % n] - x[(i + 1) % n];
+    const Tensor<1, 2> in = x[(i + 1) % n] - x[i], out = x[(i + 2) % n] - x[(i + 1) % n];
     const double sine = in[0] * out[1] - in[1] * out[0];
     if (!(sine > 1e-6 * in.norm() * out.norm()))
       return {};
     turning += std::atan2(sine, in * out);
   }
-  if (turning > 3. * dealii::numbers::PI)
+  if (turning > 3. * numbers::PI)
     return {};
   return x;
 }

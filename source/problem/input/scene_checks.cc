@@ -24,7 +24,7 @@ namespace Signorini
 template <int dim>
 [[noreturn]] void refuse_value(const std::string &where,
                                const std::string &found,
-                               const dealii::Point<dim> &x,
+                               const Point<dim> &x,
                                const std::string &allowed);
 
 /**
@@ -35,7 +35,7 @@ template <int dim>
 template <int dim>
 void check_exact_gradient(const ExactSolutionParameters &exact,
                           const Scene<dim> &scene,
-                          const std::vector<dealii::Point<dim>> &points);
+                          const std::vector<Point<dim>> &points);
 
 /**
  * Checks that an exact displacement satisfies what the scene prescribes on a side: u = 0, u·n = 0,
@@ -46,19 +46,19 @@ template <int dim>
 void check_exact_on_side(const ExactSolutionParameters &exact,
                          const Scene<dim> &scene,
                          unsigned int side,
-                         const std::vector<dealii::Point<dim>> &points);
+                         const std::vector<Point<dim>> &points);
 
 namespace
 {
 template <int dim>
-using Points = std::vector<dealii::Point<dim>>;
+using Points = std::vector<Point<dim>>;
 
 /** Returns shares of the unit interval: Gauss points, and points close to its ends. */
 std::vector<double> shares()
 {
   std::vector<double> values = {1e-4, 1e-3, 1. - 1e-3, 1. - 1e-4};
-  const dealii::QGauss<1> gauss(13);
-  for (const dealii::Point<1> &q : gauss.get_points())
+  const QGauss<1> gauss(13);
+  for (const Point<1> &q : gauss.get_points())
     values.push_back(q[0]);
   std::sort(values.begin(), values.end());
   return values;
@@ -69,17 +69,17 @@ std::vector<double> shares()
 Points<2> sample_cells(const Geometry<2> &geometry)
 {
   constexpr unsigned int enough = 500;
-  dealii::Triangulation<2> mesh;
+  Triangulation<2> mesh;
   geometry.make_coarse_mesh(mesh);
   const unsigned int stride = 1 + mesh.n_active_cells() / enough;
-  const dealii::MappingQ1<2> mapping;
+  const MappingQ1<2> mapping;
   const double close = 1e-3;
   Points<2> points;
   for (const auto &cell : mesh.active_cell_iterators())
     if (cell->active_cell_index() % stride == 0)
       for (const double r : {close, 0.3, 0.7, 1. - close})
         for (const double s : {close, 0.3, 0.7, 1. - close})
-          points.push_back(mapping.transform_unit_to_real_cell(cell, dealii::Point<2>(r, s)));
+          points.push_back(mapping.transform_unit_to_real_cell(cell, Point<2>(r, s)));
   return points;
 }
 
@@ -87,7 +87,7 @@ Points<2> sample_body(const Geometry<2> &geometry)
 {
   if (!geometry.star_shaped)
     return sample_cells(geometry);
-  const dealii::Point<2> inside = geometry.inner_point();
+  const Point<2> inside = geometry.inner_point();
   const std::vector<double> unit = shares();
   Points<2> points;
   for (const Side<2> &side : geometry.sides)
@@ -100,14 +100,14 @@ Points<2> sample_body(const Geometry<2> &geometry)
 /** Returns points of a box. */
 Points<3> sample_body(const Geometry<3> &geometry)
 {
-  const dealii::Tensor<1, 3> extent = geometry.upper - geometry.lower;
+  const Tensor<1, 3> extent = geometry.upper - geometry.lower;
   const std::vector<double> unit = {1e-4, 0.05, 0.2, 0.37, 0.5, 0.63, 0.8, 0.95, 1. - 1e-4};
   Points<3> points;
   for (const double r : unit)
     for (const double s : unit)
       for (const double t : unit)
         points.push_back(geometry.lower +
-                         dealii::Tensor<1, 3>({r * extent[0], s * extent[1], t * extent[2]}));
+                         Tensor<1, 3>({r * extent[0], s * extent[1], t * extent[2]}));
   return points;
 }
 
@@ -146,7 +146,7 @@ void evaluate(const FunctionPointer<dim> &data, const Points<dim> &points)
 {
   if (data == nullptr)
     return;
-  for (const dealii::Point<dim> &x : points)
+  for (const Point<dim> &x : points)
     for (unsigned int c = 0; c < data->n_components; ++c)
       data->value(x, c);
 }
@@ -158,7 +158,7 @@ void check_finite(const FunctionPointer<dim> &function,
 {
   if (function == nullptr)
     return;
-  for (const dealii::Point<dim> &x : points)
+  for (const Point<dim> &x : points)
     for (unsigned int c = 0; c < function->n_components; ++c)
     {
       const double value = function->value(x, c);
@@ -180,9 +180,9 @@ void check_pressure(const FunctionPointer<dim> &pressure,
     return;
   check_finite(pressure, points, where);
   double largest = 0.;
-  for (const dealii::Point<dim> &x : points)
+  for (const Point<dim> &x : points)
     largest = std::max(largest, std::abs(pressure->value(x)));
-  for (const dealii::Point<dim> &x : points)
+  for (const Point<dim> &x : points)
     if (pressure->value(x) > 1e-6 * largest)
       refuse_value(where,
                    "the tension " + number_text(pressure->value(x)),
@@ -194,7 +194,7 @@ void check_pressure(const FunctionPointer<dim> &pressure,
 template <int dim>
 void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim> &geometry)
 {
-  for (const dealii::Point<dim> &x : sample_body(geometry))
+  for (const Point<dim> &x : sample_body(geometry))
   {
     double largest = 0.;
     for (const Expression<dim> &modulus : moduli)
@@ -213,7 +213,7 @@ template <int dim>
 void check_described_scene(const ExactSolutionParameters &exact, const Scene<dim> &scene)
 {
   const Points<dim> body = sample_body(scene.geometry);
-  for (const dealii::Point<dim> &x : body)
+  for (const Point<dim> &x : body)
     scene.material->hooke(x);
   evaluate(scene.body_force, body);
   check_finite(scene.exact_displacement, body, exact.displacement.where());
@@ -241,34 +241,33 @@ constexpr double tolerated_difference = 1e-4;
 
 /** Returns (u_c(x + h e_d) - u_c(x - h e_d)) / 2h. */
 template <int dim>
-double difference(const dealii::Function<dim> &u,
-                  const dealii::Point<dim> &x,
+double difference(const Function<dim> &u,
+                  const Point<dim> &x,
                   const unsigned int c,
                   const unsigned int d,
                   const double h)
 {
-  const dealii::Tensor<1, dim> step = h * dealii::Point<dim>::unit_vector(d);
+  const Tensor<1, dim> step = h * Point<dim>::unit_vector(d);
   return (u.value(x + step, c) - u.value(x - step, c)) / (2. * h);
 }
 
 /** Returns a point a little aside, because kinks lie on lines of symmetry. */
 template <int dim>
-dealii::Point<dim> aside(const dealii::Point<dim> &x, const Geometry<dim> &geometry)
+Point<dim> aside(const Point<dim> &x, const Geometry<dim> &geometry)
 {
-  const dealii::Tensor<1, dim> to_inside = geometry.inner_point() - x;
+  const Tensor<1, dim> to_inside = geometry.inner_point() - x;
   const double h = geometry.shortest_extent();
-  dealii::Tensor<1, dim> offset;
+  Tensor<1, dim> offset;
   for (unsigned int d = 0; d < dim; ++d)
     offset[d] = std::array<double, 3>{1.37e-5, 0.73e-5, 0.91e-5}[d];
   return x + 1e-4 * to_inside + h * offset;
 }
 
 template <int dim>
-double max_displacement(const dealii::Function<dim> &u,
-                        const std::vector<dealii::Point<dim>> &points)
+double max_displacement(const Function<dim> &u, const std::vector<Point<dim>> &points)
 {
   double largest = 0.;
-  for (const dealii::Point<dim> &x : points)
+  for (const Point<dim> &x : points)
     for (unsigned int c = 0; c < dim; ++c)
       largest = std::max(largest, std::abs(u.value(x, c)));
   return largest;
@@ -285,8 +284,8 @@ struct Derivative
 /** Compares a given derivative with a difference. @param largest |u| and |grad u|, for what counts
  * as zero. */
 template <int dim>
-Derivative compare_derivative(const dealii::Function<dim> &u,
-                              const dealii::Point<dim> &x,
+Derivative compare_derivative(const Function<dim> &u,
+                              const Point<dim> &x,
                               const unsigned int c,
                               const unsigned int d,
                               const double h,
@@ -305,7 +304,7 @@ Derivative compare_derivative(const dealii::Function<dim> &u,
 template <int dim>
 void refuse_value(const std::string &where,
                   const std::string &found,
-                  const dealii::Point<dim> &x,
+                  const Point<dim> &x,
                   const std::string &allowed)
 {
   std::ostringstream message;
@@ -316,15 +315,15 @@ void refuse_value(const std::string &where,
 template <int dim>
 void check_exact_gradient(const ExactSolutionParameters &exact,
                           const Scene<dim> &scene,
-                          const std::vector<dealii::Point<dim>> &points)
+                          const std::vector<Point<dim>> &points)
 {
   if (exact.displacement_gradient.value.empty())
     return;
-  const dealii::Function<dim> &u = *scene.exact_displacement;
+  const Function<dim> &u = *scene.exact_displacement;
   const std::string where = exact.displacement_gradient.where();
   const double h = 1e-5 * scene.geometry.shortest_extent();
   double max_gradient = 0.;
-  for (const dealii::Point<dim> &x : points)
+  for (const Point<dim> &x : points)
     for (unsigned int c = 0; c < dim; ++c)
     {
       const double size = u.gradient(x, c).norm();
@@ -341,9 +340,9 @@ void check_exact_gradient(const ExactSolutionParameters &exact,
     for (unsigned int d = 0; d < dim; ++d)
     {
       unsigned int n_objections = 0;
-      for (const dealii::Point<dim> &sample : points)
+      for (const Point<dim> &sample : points)
       {
-        const dealii::Point<dim> x = aside(sample, scene.geometry);
+        const Point<dim> x = aside(sample, scene.geometry);
         const Derivative derivative = compare_derivative(u, x, c, d, h, largest);
         n_objections += derivative.differ ? 1 : 0;
         if (n_objections == several)
@@ -361,11 +360,11 @@ template <int dim>
 void check_exact_on_side(const ExactSolutionParameters &exact,
                          const Scene<dim> &scene,
                          const unsigned int i,
-                         const std::vector<dealii::Point<dim>> &points)
+                         const std::vector<Point<dim>> &points)
 {
   if (scene.exact_displacement == nullptr)
     return;
-  const dealii::Function<dim> &u = *scene.exact_displacement;
+  const Function<dim> &u = *scene.exact_displacement;
   const Side<dim> &side = scene.geometry.sides[i];
   const BoundaryCondition<dim> &condition = scene.boundary[i];
   const double size =
@@ -373,7 +372,7 @@ void check_exact_on_side(const ExactSolutionParameters &exact,
   const double tolerance = tolerated_difference * size;
   const auto check = [&](const bool holds,
                          const double found,
-                         const dealii::Point<dim> &x,
+                         const Point<dim> &x,
                          const std::string &name,
                          const std::string &allowed) {
     if (!holds)
@@ -382,9 +381,9 @@ void check_exact_on_side(const ExactSolutionParameters &exact,
                    x,
                    allowed);
   };
-  for (const dealii::Point<dim> &x : points)
+  for (const Point<dim> &x : points)
   {
-    const dealii::Tensor<1, dim> normal = side.normal(side.coordinates(x));
+    const Tensor<1, dim> normal = side.normal(side.coordinates(x));
     double u_n = 0.;
     for (unsigned int c = 0; c < dim; ++c)
       u_n += u.value(x, c) * normal[c];
@@ -407,26 +406,22 @@ void check_exact_on_side(const ExactSolutionParameters &exact,
     }
   }
 }
-template void refuse_value(const std::string &,
-                           const std::string &,
-                           const dealii::Point<2> &,
-                           const std::string &);
+template void
+refuse_value(const std::string &, const std::string &, const Point<2> &, const std::string &);
 template void check_exact_gradient(const ExactSolutionParameters &,
                                    const Scene<2> &,
-                                   const std::vector<dealii::Point<2>> &);
+                                   const std::vector<Point<2>> &);
 template void check_exact_on_side(const ExactSolutionParameters &,
                                   const Scene<2> &,
                                   unsigned int,
-                                  const std::vector<dealii::Point<2>> &);
-template void refuse_value(const std::string &,
-                           const std::string &,
-                           const dealii::Point<3> &,
-                           const std::string &);
+                                  const std::vector<Point<2>> &);
+template void
+refuse_value(const std::string &, const std::string &, const Point<3> &, const std::string &);
 template void check_exact_gradient(const ExactSolutionParameters &,
                                    const Scene<3> &,
-                                   const std::vector<dealii::Point<3>> &);
+                                   const std::vector<Point<3>> &);
 template void check_exact_on_side(const ExactSolutionParameters &,
                                   const Scene<3> &,
                                   unsigned int,
-                                  const std::vector<dealii::Point<3>> &);
+                                  const std::vector<Point<3>> &);
 } // namespace Signorini

@@ -129,7 +129,7 @@ Plate read_plate(const std::string &name,
   plate.side = geometry.find_side(name);
   const Side<2> &side = geometry.sides[plate.side];
   plate.centre = side.point(0.5 * side.length());
-  plate.direction = dealii::Tensor<1, 2>({d[0], d[1]}) / std::hypot(d[0], d[1]);
+  plate.direction = Tensor<1, 2>({d[0], d[1]}) / std::hypot(d[0], d[1]);
   return plate;
 }
 

@@ -23,7 +23,6 @@ namespace Signorini
 namespace
 {
 using dealii::Point;
-using Tensor = dealii::Tensor<1, 2>;
 
 /** The share of the length by which nodes may lie off their segment. */
 constexpr double segment_tolerance = 1e-8;
@@ -35,9 +34,9 @@ constexpr double min_rise = 1e-6;
 constexpr double max_radius = 1e6;
 
 /** Returns the outward normal of an edge that has the body on its left. */
-Tensor right_of(const Tensor &direction)
+Tensor<1, 2> right_of(const Tensor<1, 2> &direction)
 {
-  return Tensor({direction[1], -direction[0]}) / direction.norm();
+  return Tensor<1, 2>({direction[1], -direction[0]}) / direction.norm();
 }
 
 const Point<2> &position(const FileMesh &mesh, const unsigned int vertex)
@@ -49,7 +48,7 @@ bool is_bent(const FileMesh &mesh, const FileMesh::Edge &edge)
 {
   if (!edge.middle)
     return false;
-  const Tensor chord = position(mesh, edge.end) - position(mesh, edge.start);
+  const Tensor<1, 2> chord = position(mesh, edge.end) - position(mesh, edge.start);
   const double rise =
     std::abs((edge.middle->position - position(mesh, edge.start)) * right_of(chord));
   return rise > min_rise * chord.norm();
@@ -58,7 +57,7 @@ bool is_bent(const FileMesh &mesh, const FileMesh::Edge &edge)
 /** Returns the angle from one point to another, seen from a centre, in (-pi, pi]. */
 double angle_between(const Point<2> &centre, const Point<2> &from, const Point<2> &to)
 {
-  const Tensor a = from - centre, b = to - centre;
+  const Tensor<1, 2> a = from - centre, b = to - centre;
   return std::atan2(a[0] * b[1] - a[1] * b[0], a * b);
 }
 
@@ -73,7 +72,7 @@ Curve arc_along(const FileMesh &mesh,
   for (std::size_t i = first; i < last; ++i)
     turn +=
       angle_between(circle.centre, position(mesh, chain[i].start), position(mesh, chain[i].end));
-  const Tensor from_centre = position(mesh, chain[first].start) - circle.centre;
+  const Tensor<1, 2> from_centre = position(mesh, chain[first].start) - circle.centre;
   const double angle = std::atan2(from_centre[1], from_centre[0]);
   // The body lies on the left.
   return Curve::arc(
@@ -93,11 +92,11 @@ FittedCircle fit_closed_circle(const std::vector<Point<2>> &points)
     radius = 0.;
     for (const Point<2> &x : points)
       radius += centre.distance(x) / static_cast<double>(points.size());
-    dealii::SymmetricTensor<2, 2> matrix;
-    Tensor residual;
+    SymmetricTensor<2, 2> matrix;
+    Tensor<1, 2> residual;
     for (const Point<2> &x : points)
     {
-      const Tensor direction = (x - centre) / centre.distance(x);
+      const Tensor<1, 2> direction = (x - centre) / centre.distance(x);
       for (unsigned int a = 0; a < 2; ++a)
       {
         residual[a] += direction[a] * (centre.distance(x) - radius);
@@ -118,13 +117,13 @@ std::size_t end_of_segment(const FileMesh &mesh,
   const Point<2> start = position(mesh, chain[first].start);
   // Directions from the start to a point that lies in all nodes' corridors.
   double lowest = -1., highest = 1.;
-  const Tensor along = position(mesh, chain[first].end) - start;
-  const Tensor t = along / along.norm(), n = right_of(along);
+  const Tensor<1, 2> along = position(mesh, chain[first].end) - start;
+  const Tensor<1, 2> t = along / along.norm(), n = right_of(along);
   std::size_t last = first + 1;
   for (; last < chain.size() && !is_bent(mesh, chain[last]); ++last)
   {
-    const Tensor to_node = position(mesh, chain[last].start) - start;
-    const Tensor to_end = position(mesh, chain[last].end) - start;
+    const Tensor<1, 2> to_node = position(mesh, chain[last].start) - start;
+    const Tensor<1, 2> to_end = position(mesh, chain[last].end) - start;
     const double length = to_end.norm(), slack = segment_tolerance * length / (to_node * t);
     lowest = std::max(lowest, (to_node * n) / (to_node * t) - slack);
     highest = std::min(highest, (to_node * n) / (to_node * t) + slack);
@@ -190,7 +189,7 @@ FittedCircle fit_circle(const Point<2> &start,
   // The centre is the middle of the chord and t times the normal n: |x|^2 - a^2 = 2 t n.x for all
   // points x, seen from there, where 2 a is the chord.
   const Point<2> middle = start + 0.5 * (end - start);
-  const Tensor n = right_of(end - start);
+  const Tensor<1, 2> n = right_of(end - start);
   const double a_square = 0.25 * (end - start).norm_square();
   double numerator = 0., denominator = 0.;
   for (const Point<2> &x : between)
@@ -279,13 +278,13 @@ namespace
 /** The arguments from which a triangulation is made. */
 struct CoarseMesh
 {
-  std::vector<dealii::Point<2>> vertices;
-  std::vector<dealii::CellData<2>> cells;
-  dealii::SubCellData edges;
+  std::vector<Point<2>> vertices;
+  std::vector<CellData<2>> cells;
+  SubCellData edges;
   /** The manifolds; manifolds[i] has the number i. */
-  std::vector<std::shared_ptr<const dealii::Manifold<2>>> manifolds;
+  std::vector<std::shared_ptr<const Manifold<2>>> manifolds;
 
-  void make(dealii::Triangulation<2> &triangulation) const
+  void make(Triangulation<2> &triangulation) const
   {
     triangulation.create_triangulation(vertices, cells, edges);
     for (unsigned int i = 0; i < manifolds.size(); ++i)
@@ -297,28 +296,28 @@ void add_edges(const FileSides &sides, CoarseMesh &coarse)
 {
   for (const FileSides::Edge &edge : sides.edges)
   {
-    dealii::CellData<1> data;
+    CellData<1> data;
     data.vertices = {edge.edge.start, edge.edge.end};
     data.boundary_id = edge.side;
     if (edge.circle >= 0)
       data.manifold_id = static_cast<unsigned int>(edge.circle);
     coarse.edges.boundary_lines.push_back(data);
   }
-  for (const dealii::Point<2> &centre : sides.centres)
-    coarse.manifolds.push_back(std::make_shared<dealii::SphericalManifold<2>>(centre));
+  for (const Point<2> &centre : sides.centres)
+    coarse.manifolds.push_back(std::make_shared<SphericalManifold<2>>(centre));
 }
 
 /** Adds the cells with an edge on a circle. */
 void add_arc_cells(const FileMesh &mesh, const FileSides &sides, CoarseMesh &coarse)
 {
-  std::map<unsigned int, std::array<std::optional<dealii::Point<2>>, 4>> centres;
+  std::map<unsigned int, std::array<std::optional<Point<2>>, 4>> centres;
   for (const FileSides::Edge &edge : sides.edges)
     if (edge.circle >= 0)
       centres[edge.edge.cell][edge.edge.edge_of_cell] = sides.centres[edge.circle];
   for (const auto &[number, centres_of_edges] : centres)
   {
     const FileMesh::Cell &cell = mesh.cells[number];
-    std::array<dealii::Point<2>, 4> corners;
+    std::array<Point<2>, 4> corners;
     for (unsigned int i = 0; i < 4; ++i)
       corners[i] = mesh.vertices[cell.corners[i]].position;
     auto manifold = std::make_shared<ArcCell>(corners, centres_of_edges);
@@ -336,7 +335,7 @@ void add_arc_cells(const FileMesh &mesh, const FileSides &sides, CoarseMesh &coa
 void set_box(const FileMesh &mesh, const FileSides &sides, Geometry<2> &geometry)
 {
   geometry.lower = geometry.upper = mesh.vertices[0].position;
-  const auto include = [&](const dealii::Point<2> &x) {
+  const auto include = [&](const Point<2> &x) {
     for (unsigned int d = 0; d < 2; ++d)
     {
       geometry.lower[d] = std::min(geometry.lower[d], x[d]);
@@ -349,16 +348,16 @@ void set_box(const FileMesh &mesh, const FileSides &sides, Geometry<2> &geometry
     if (edge.circle >= 0)
     {
       // The highest point of an arc in a direction is an end, or the point of the circle there.
-      const dealii::Point<2> &centre = sides.centres[edge.circle];
-      const dealii::Point<2> &start = mesh.vertices[edge.edge.start].position;
-      const dealii::Point<2> &end = mesh.vertices[edge.edge.end].position;
-      const dealii::Point<2> middle = start + 0.5 * (end - start);
+      const Point<2> &centre = sides.centres[edge.circle];
+      const Point<2> &start = mesh.vertices[edge.edge.start].position;
+      const Point<2> &end = mesh.vertices[edge.edge.end].position;
+      const Point<2> middle = start + 0.5 * (end - start);
       for (unsigned int d = 0; d < 2; ++d)
         for (const double sign : {-1., 1.})
         {
-          dealii::Point<2> x = centre;
+          Point<2> x = centre;
           x[d] += sign * centre.distance(start);
-          const dealii::Tensor<1, 2> bisector = middle - centre;
+          const Tensor<1, 2> bisector = middle - centre;
           // At an end both are equal, but for rounding.
           if ((x - centre) * bisector > (1. + 1e-12) * bisector.norm_square())
             include(x);
@@ -367,13 +366,13 @@ void set_box(const FileMesh &mesh, const FileSides &sides, Geometry<2> &geometry
 }
 
 /** Returns the centre of the cell that is nearest to a point: a point inside of the body. */
-dealii::Point<2> centre_near(const FileMesh &mesh, const dealii::Point<2> &x)
+Point<2> centre_near(const FileMesh &mesh, const Point<2> &x)
 {
-  dealii::Point<2> nearest;
+  Point<2> nearest;
   double distance = std::numeric_limits<double>::infinity();
   for (const FileMesh::Cell &cell : mesh.cells)
   {
-    dealii::Point<2> centre;
+    Point<2> centre;
     for (const unsigned int corner : cell.corners)
       centre += 0.25 * mesh.vertices[corner].position;
     if (centre.distance(x) < distance)
@@ -397,21 +396,19 @@ Geometry<2> make_geometry(const FileMesh &file_mesh,
     coarse->vertices.push_back(vertex.position);
   for (const FileMesh::Cell &cell : mesh.cells)
   {
-    dealii::CellData<2> data;
+    CellData<2> data;
     data.vertices = {cell.corners[0], cell.corners[1], cell.corners[3], cell.corners[2]};
     coarse->cells.push_back(data);
   }
   add_edges(sides, *coarse);
   add_arc_cells(mesh, sides, *coarse);
-  dealii::GridTools::consistently_order_cells(coarse->cells);
+  GridTools::consistently_order_cells(coarse->cells);
   Geometry<2> geometry;
   geometry.sides = sides.sides;
   geometry.n_coarse_cells = static_cast<double>(mesh.cells.size());
   geometry.curved = !sides.centres.empty();
-  geometry.make_coarse_mesh =
-    [coarse = std::shared_ptr<const CoarseMesh>(coarse)](dealii::Triangulation<2> &triangulation) {
-      coarse->make(triangulation);
-    };
+  geometry.make_coarse_mesh = [coarse = std::shared_ptr<const CoarseMesh>(coarse)](
+                                Triangulation<2> &triangulation) { coarse->make(triangulation); };
   set_box(mesh, sides, geometry);
   geometry.star_shaped = false;
   geometry.inside = centre_near(mesh, geometry.lower + 0.5 * (geometry.upper - geometry.lower));

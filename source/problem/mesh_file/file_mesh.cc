@@ -43,7 +43,7 @@ Point<2> position_of(const GmshMesh &gmsh, const unsigned int node)
   return {gmsh.nodes[node].x[0], gmsh.nodes[node].x[1]};
 }
 
-double cross_product(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
+double cross_product(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
 {
   return a[0] * b[1] - a[1] * b[0];
 }
@@ -116,8 +116,8 @@ void make_counter_clockwise(const GmshMesh &gmsh, GmshMesh::Element &cell)
   for (unsigned int i = 0; i < 4; ++i)
   {
     const Point<2> x = position_of(gmsh, cell.nodes[i]);
-    const dealii::Tensor<1, 2> next = position_of(gmsh, cell.nodes[(i + 1) % 4]) - x;
-    const dealii::Tensor<1, 2> last = position_of(gmsh, cell.nodes[(i + 3) % 4]) - x;
+    const Tensor<1, 2> next = position_of(gmsh, cell.nodes[(i + 1) % 4]) - x;
+    const Tensor<1, 2> last = position_of(gmsh, cell.nodes[(i + 3) % 4]) - x;
     sines[i] = cross_product(next, last) / (next.norm() * last.norm());
     n_left += sines[i] > min_sine ? 1 : 0;
     n_right += sines[i] < -min_sine ? 1 : 0;
@@ -155,7 +155,7 @@ void sort_along_hilbert_curve(const GmshMesh &gmsh, std::vector<GmshMesh::Elemen
       centre += 0.25 * position_of(gmsh, cell.nodes[i]);
     centres.push_back(centre);
   }
-  const auto keys = dealii::Utilities::inverse_Hilbert_space_filling_curve<2>(centres, 24);
+  const auto keys = Utilities::inverse_Hilbert_space_filling_curve<2>(centres, 24);
   std::vector<unsigned int> order(cells.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) {
@@ -172,7 +172,7 @@ void sort_along_hilbert_curve(const GmshMesh &gmsh, std::vector<GmshMesh::Elemen
  * points upwards). If it comes first, cells of a regular mesh are translations of one another. */
 unsigned int first_corner(const GmshMesh &gmsh, const GmshMesh::Element &cell)
 {
-  dealii::Tensor<1, 2> directions[4];
+  Tensor<1, 2> directions[4];
   double most = -2.;
   for (unsigned int i = 0; i < 4; ++i)
   {

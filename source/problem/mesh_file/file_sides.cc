@@ -20,7 +20,7 @@ namespace
 using Chain = std::vector<FileMesh::Edge>;
 
 /** Returns whether a point comes before another one: from left to right, then upwards. */
-bool is_left_of(const dealii::Point<2> &a, const dealii::Point<2> &b)
+bool is_left_of(const Point<2> &a, const Point<2> &b)
 {
   return a[0] != b[0] ? a[0] < b[0] : a[1] < b[1];
 }
@@ -29,13 +29,13 @@ bool is_left_of(const dealii::Point<2> &a, const dealii::Point<2> &b)
  * vertex. */
 std::size_t start_of_loop(const FileMesh &mesh, const Chain &loop)
 {
-  const auto position = [&](const std::size_t i) -> const dealii::Point<2> & {
+  const auto position = [&](const std::size_t i) -> const Point<2> & {
     return mesh.vertices[loop[i].start].position;
   };
   const auto is_corner = [&](const std::size_t i) {
     const std::size_t n = loop.size();
-    const dealii::Tensor<1, 2> in = position(i) - position((i + n - 1) % n);
-    const dealii::Tensor<1, 2> out = position((i + 1) % n) - position(i);
+    const Tensor<1, 2> in = position(i) - position((i + n - 1) % n);
+    const Tensor<1, 2> out = position((i + 1) % n) - position(i);
     // Edges of a circle turn by their angle at its centre: corners turn by more than 60 degrees.
     return in * out < 0.5 * in.norm() * out.norm();
   };
@@ -82,7 +82,7 @@ std::vector<NamedChain> name_chains(const FileMesh &mesh)
   for (const Chain &loop : mesh.loops)
     for (Chain &chain : split_loop(mesh, loop))
       chains.push_back(std::move(chain));
-  const auto start = [&](const Chain &chain) -> const dealii::Point<2> & {
+  const auto start = [&](const Chain &chain) -> const Point<2> & {
     return mesh.vertices[chain.front().start].position;
   };
   std::sort(chains.begin(), chains.end(), [&](const Chain &a, const Chain &b) {

@@ -9,7 +9,7 @@
 
 namespace Signorini
 {
-namespace Patterns = dealii::Patterns;
+namespace Patterns = Patterns;
 
 void Declarations::add_entry(const std::string &name, const std::string &allowed, Entry &entry)
 {
@@ -386,7 +386,7 @@ void Declarations::declare_output(OutputParameters &output)
 
 // The subsection Geometry.
 
-namespace Patterns = dealii::Patterns;
+namespace Patterns = Patterns;
 
 void Declarations::declare_geometry(GeometryParameters &geometry)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/parameters/parameter_text.h>
 #include <signorini/problem/parameters/parameters.h>
 
@@ -80,7 +81,7 @@ private:
   void declare_output(OutputParameters &output);
   [[noreturn]] void refuse_unknown(const Assignment &assignment) const;
 
-  mutable dealii::ParameterHandler handler_;
+  mutable ParameterHandler handler_;
   std::string file_name_;
   std::string section_;
   /** The entries by subsection and name. */
@@ -104,7 +105,7 @@ void Declarations::add(const std::string &name, Given<Option> &given, const std:
   const std::string allowed = list_names<Option>(", ");
   handler_.declare_entry(name,
                          to_text(given.value),
-                         dealii::Patterns::Selection(list_names<Option>("|")),
+                         Patterns::Selection(list_names<Option>("|")),
                          help + " Allowed: " + allowed + ".");
   handler_.add_action(name,
                       [&given](const std::string &text) { given.value = from_text<Option>(text); });

@@ -329,7 +329,7 @@ void Declarations::assign(const Assignment &assignment)
   {
     handler_.set(name, value.empty() ? declared.default_text : value);
   }
-  catch (const dealii::ExceptionBase &)
+  catch (const ExceptionBase &)
   {
     throw InputError(entry.where() + ": found " + quote(value) + ", allowed: " + declared.allowed +
                      ".");
@@ -361,10 +361,9 @@ std::vector<Entry> Declarations::changes(const std::vector<std::string> &section
 std::string Declarations::print(const bool with_help) const
 {
   std::ostringstream text;
-  handler_.print_parameters(
-    text,
-    (with_help ? dealii::ParameterHandler::Text : dealii::ParameterHandler::ShortText) |
-      dealii::ParameterHandler::KeepDeclarationOrder);
+  handler_.print_parameters(text,
+                            (with_help ? ParameterHandler::Text : ParameterHandler::ShortText) |
+                              ParameterHandler::KeepDeclarationOrder);
   return text.str();
 }
 } // namespace Signorini

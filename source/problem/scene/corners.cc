@@ -118,16 +118,16 @@ double corner_exponent(const double angle,
                        const EdgeSupport second,
                        const double kappa)
 {
-  Assert(angle > 0. && angle < 2. * dealii::numbers::PI + 1e-6,
-         dealii::ExcMessage("The angle of a corner lies between 0 and 2 pi."));
-  Assert(kappa > 1. - 1e-6, dealii::ExcMessage("Kolosov's constant is at least one."));
+  Assert(angle > 0. && angle < 2. * numbers::PI + 1e-6,
+         ExcMessage("The angle of a corner lies between 0 and 2 pi."));
+  Assert(kappa > 1. - 1e-6, ExcMessage("Kolosov's constant is at least one."));
   double smallest = max_corner_exponent;
   for (const CornerFunction &f : corner_functions(angle, first, second, kappa))
     smallest = std::min(smallest, min_real_part(f, kappa));
   return smallest;
 }
 
-double kolosov_constant(const dealii::SymmetricTensor<4, 2> &hooke)
+double kolosov_constant(const SymmetricTensor<4, 2> &hooke)
 {
   // E_iijj = 4 (lambda + mu) and E_ijij = 2 lambda + 6 mu do not change with the axes.
   double traces = 0., squares = 0.;
@@ -144,14 +144,14 @@ double kolosov_constant(const dealii::SymmetricTensor<4, 2> &hooke)
 
 namespace
 {
-using dealii::numbers::PI;
+using numbers::PI;
 
 /** An end of a smooth part of a side, with the direction in which the side leaves it. */
 struct SideEnd
 {
   unsigned int side;
-  dealii::Point<2> position;
-  dealii::Tensor<1, 2> direction;
+  Point<2> position;
+  Tensor<1, 2> direction;
   /** Whether a walk with the body on its left leaves the point along this side. */
   bool leaves;
 };
@@ -160,9 +160,9 @@ struct SideEnd
 SideEnd
 side_end(const Side<2> &side, const unsigned int number, const double s, const double towards)
 {
-  const dealii::Tensor<1, 2> normal = side.normal(s, towards);
-  const dealii::Tensor<1, 2> along_walk({-normal[1], normal[0]});
-  const dealii::Tensor<1, 2> direction = (towards > s ? 1. : -1.) * side.tangent(s, towards);
+  const Tensor<1, 2> normal = side.normal(s, towards);
+  const Tensor<1, 2> along_walk({-normal[1], normal[0]});
+  const Tensor<1, 2> direction = (towards > s ? 1. : -1.) * side.tangent(s, towards);
   const bool leaves = along_walk * direction > 0.;
   return {number, side.point(s), leaves ? along_walk : -along_walk, leaves};
 }
@@ -184,7 +184,7 @@ std::vector<SideEnd> ends_of(const Side<2> &side, const unsigned int number)
  * pi]. */
 double opening(const SideEnd &first, const SideEnd &second)
 {
-  const dealii::Tensor<1, 2> &a = first.direction, &b = second.direction;
+  const Tensor<1, 2> &a = first.direction, &b = second.direction;
   const double angle = std::atan2(a[0] * b[1] - a[1] * b[0], a * b);
   // A body does not end in a cusp: parallel sides are those of a crack.
   return angle > 1e-8 ? angle : angle + 2. * PI;
@@ -253,7 +253,7 @@ constexpr double rounding = 1e-6;
 template <int dim>
 struct Meeting
 {
-  dealii::Point<dim> x;
+  Point<dim> x;
   std::array<unsigned int, 2> sides;
 };
 
@@ -278,24 +278,24 @@ std::vector<Meeting<3>> meetings(const Geometry<3> &geometry)
              {std::pair{s, 0.}, std::pair{s, 1.}, std::pair{0., s}, std::pair{1., s}})
         {
           const auto lengths = geometry.sides[i].lengths();
-          const dealii::Point<3> x = geometry.sides[i].point({r * lengths[0], t * lengths[1]});
+          const Point<3> x = geometry.sides[i].point({r * lengths[0], t * lengths[1]});
           if (x.distance(geometry.sides[j].point(geometry.sides[j].coordinates(x))) < close)
             found.push_back({x, {{i, j}}});
         }
   return found;
 }
 
-std::vector<dealii::Point<2>> samples(const Side<2> &side)
+std::vector<Point<2>> samples(const Side<2> &side)
 {
-  std::vector<dealii::Point<2>> points;
+  std::vector<Point<2>> points;
   for (const double share : {0., 0.2, 0.37, 0.5, 0.71, 0.9, 1.})
     points.push_back(side.point(share * side.length()));
   return points;
 }
 
-std::vector<dealii::Point<3>> samples(const Side<3> &side)
+std::vector<Point<3>> samples(const Side<3> &side)
 {
-  std::vector<dealii::Point<3>> points;
+  std::vector<Point<3>> points;
   for (const double r : {0., 0.2, 0.5, 0.71, 1.})
     for (const double s : {0., 0.2, 0.5, 0.71, 1.})
       points.push_back(side.point({r * side.lengths()[0], s * side.lengths()[1]}));
@@ -303,7 +303,7 @@ std::vector<dealii::Point<3>> samples(const Side<3> &side)
 }
 
 template <int dim>
-std::string text_of(const dealii::Tensor<1, dim> &vector)
+std::string text_of(const Tensor<1, dim> &vector)
 {
   std::vector<std::string> numbers;
   for (unsigned int d = 0; d < dim; ++d)
@@ -316,7 +316,7 @@ template <int dim>
 class MeetingCheck
 {
 public:
-  using Vector = dealii::Tensor<1, dim>;
+  using Vector = Tensor<1, dim>;
 
   explicit MeetingCheck(const Scene<dim> &scene)
     : scene_(scene)
@@ -324,12 +324,12 @@ public:
   {
     for (unsigned int i = 0; i < scene.boundary.size(); ++i)
       if (prescribes_all(i))
-        for (const dealii::Point<dim> &x : samples(scene.geometry.sides[i]))
+        for (const Point<dim> &x : samples(scene.geometry.sides[i]))
           size_ = std::max(size_, displacement(i, x).norm());
   }
 
   /** Returns why the second side contradicts the first one, or nothing. */
-  std::string judge(const dealii::Point<dim> &x, const unsigned int i, const unsigned int j) const
+  std::string judge(const Point<dim> &x, const unsigned int i, const unsigned int j) const
   {
     if (!prescribes_all(i) || !(prescribes_all(j) || scene_.boundary[j].role == Role::roller))
       return "";
@@ -361,13 +361,13 @@ private:
     return scene_.boundary[i].role == Role::clamped ||
            scene_.boundary[i].role == Role::displacement;
   }
-  Vector normal(const unsigned int i, const dealii::Point<dim> &x) const
+  Vector normal(const unsigned int i, const Point<dim> &x) const
   {
     const Side<dim> &side = scene_.geometry.sides[i];
     return side.normal(side.coordinates(x));
   }
   /** Returns the given part of the displacement. */
-  Vector displacement(const unsigned int i, const dealii::Point<dim> &x) const
+  Vector displacement(const unsigned int i, const Point<dim> &x) const
   {
     Vector u;
     if (scene_.boundary[i].role == Role::displacement)
@@ -376,13 +376,13 @@ private:
     return u;
   }
   /** Returns N u. */
-  Vector restricted(const Vector &u, const dealii::Point<dim> &x, const unsigned int j) const
+  Vector restricted(const Vector &u, const Point<dim> &x, const unsigned int j) const
   {
     return prescribes_all(j) ? u : (u * normal(j, x)) * normal(j, x);
   }
   /** Returns the velocities at a point of the plate on this side that forces and moments drive. */
   std::vector<std::pair<Vector, std::string>> motions(const unsigned int side,
-                                                      const dealii::Point<dim> &x) const
+                                                      const Point<dim> &x) const
   {
     std::vector<std::pair<Vector, std::string>> found;
     if constexpr (dim == 2)

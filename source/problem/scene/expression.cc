@@ -122,7 +122,7 @@ public:
   /** @param text a formula as the user wrote it, or as rewrite_powers() returns it. */
   Parser(const std::string &text, const Constants &constants, const bool rewritten)
   {
-    parser_.DefineConst("pi", dealii::numbers::PI);
+    parser_.DefineConst("pi", numbers::PI);
     for (const auto &constant : constants)
       parser_.DefineConst(constant.first, constant.second);
     define_functions(parser_);
@@ -137,7 +137,7 @@ public:
   Parser(const Parser &) = delete;
   Parser &operator=(const Parser &) = delete;
 
-  double evaluate(const dealii::Point<dim> &x)
+  double evaluate(const Point<dim> &x)
   {
     for (unsigned int d = 0; d < dim; ++d)
       coordinates_[d] = x[d];
@@ -177,7 +177,7 @@ public:
 private:
   std::string text_;
   Constants constants_;
-  dealii::Threads::ThreadLocalStorage<std::unique_ptr<Parser>> parsers_;
+  Threads::ThreadLocalStorage<std::unique_ptr<Parser>> parsers_;
 };
 
 template <int dim>
@@ -198,7 +198,7 @@ Expression<dim>::Expression(const std::string &text,
     if (parser.uses_coordinates())
       parsers_ = std::make_unique<Parsers>(text_, constants_);
     else
-      constant_ = parser.evaluate(dealii::Point<dim>());
+      constant_ = parser.evaluate(Point<dim>());
   }
   catch (const mu::ParserError &error)
   {
@@ -228,7 +228,7 @@ template <int dim>
 Expression<dim>::~Expression() = default;
 
 template <int dim>
-double Expression<dim>::operator()(const dealii::Point<dim> &x) const
+double Expression<dim>::operator()(const Point<dim> &x) const
 {
   return constant_ ? *constant_ : parsers_->thread_parser().evaluate(x);
 }
@@ -236,7 +236,7 @@ double Expression<dim>::operator()(const dealii::Point<dim> &x) const
 // muParser's own bulk mode starts OpenMP threads for every call; a cell has too few points for
 // that.
 template <int dim>
-void Expression<dim>::evaluate(const std::vector<dealii::Point<dim>> &points,
+void Expression<dim>::evaluate(const std::vector<Point<dim>> &points,
                                std::vector<double> &values) const
 {
   AssertDimension(points.size(), values.size());
@@ -269,7 +269,7 @@ Constants read_constants(const std::string &text, const std::string &where)
                        " is taken; x, y, z, pi and the functions are known, and a constant is set "
                        "once.");
     const Expression<1> value(part.substr(equals + 1), constants, where);
-    const double number = value(dealii::Point<1>(0.));
+    const double number = value(Point<1>(0.));
     if (!value.is_constant() || !std::isfinite(number))
       throw InputError(where + ": the value of " + quote(name) +
                        " must be a finite number, found " + quote(value.text()) + ".");

@@ -55,38 +55,37 @@ Obstacle::Obstacle(std::variant<Parabola, Circle> shape)
 {
 }
 
-Obstacle Obstacle::plane(const dealii::Point<2> &point, const dealii::Tensor<1, 2> &normal)
+Obstacle Obstacle::plane(const Point<2> &point, const Tensor<1, 2> &normal)
 {
   return parabola(point, normal, 0.);
 }
 
-Obstacle Obstacle::parabola(const dealii::Point<2> &point,
-                            const dealii::Tensor<1, 2> &normal,
+Obstacle Obstacle::parabola(const Point<2> &point,
+                            const Tensor<1, 2> &normal,
                             const double curvature)
 {
   return Obstacle(Parabola{point, normal / normal.norm(), curvature});
 }
 
-Obstacle Obstacle::circle(const dealii::Point<2> &centre, const double radius, const Body body)
+Obstacle Obstacle::circle(const Point<2> &centre, const double radius, const Body body)
 {
   return Obstacle(Circle{centre, radius, body});
 }
 
-Obstacle::LinePolynomial Obstacle::along(const dealii::Point<2> &x,
-                                         const dealii::Tensor<1, 2> &n) const
+Obstacle::LinePolynomial Obstacle::along(const Point<2> &x, const Tensor<1, 2> &n) const
 {
-  const dealii::Tensor<1, 2> d = x - anchor();
+  const Tensor<1, 2> d = x - anchor();
   if (const auto *circle = std::get_if<Circle>(&shape_))
   {
     // phi = ±(|d + t n|² - r²); b² - a c = r² - h² with the distance h of the line from the centre.
     const double sign = circle->body == Body::outside ? 1. : -1.;
-    const double r = circle->radius, h = std::abs(dealii::cross_product_2d(d) * n);
+    const double r = circle->radius, h = std::abs(cross_product_2d(d) * n);
     return {sign, sign * (d * n), sign * (d.norm() - r) * (d.norm() + r), (r - h) * (r + h)};
   }
   // phi = y' - k x'^2/2 in the coordinates x' along tau and y' along nu.
   const Parabola &parabola = std::get<Parabola>(shape_);
-  const dealii::Tensor<1, 2> &nu = parabola.normal;
-  const dealii::Tensor<1, 2> tau = dealii::cross_product_2d(nu);
+  const Tensor<1, 2> &nu = parabola.normal;
+  const Tensor<1, 2> tau = cross_product_2d(nu);
   const double k = parabola.curvature;
   const double d_tau = d * tau, n_tau = n * tau, d_nu = d * nu;
   const double n_nu = std::abs(n * nu) < parallel ? 0. : n * nu;
@@ -97,27 +96,24 @@ Obstacle::LinePolynomial Obstacle::along(const dealii::Point<2> &x,
           0.25 * (n_nu * n_nu - 2. * k * n_tau * (d_tau * n_nu - n_tau * d_nu))};
 }
 
-std::optional<double> Obstacle::distance(const dealii::Point<2> &x,
-                                         const dealii::Tensor<1, 2> &n) const
+std::optional<double> Obstacle::distance(const Point<2> &x, const Tensor<1, 2> &n) const
 {
   return along(x, n).entry();
 }
 
-bool Obstacle::is_hit_by_line(const dealii::Point<2> &x,
-                              const dealii::Tensor<1, 2> &n,
-                              const double reach) const
+bool Obstacle::is_hit_by_line(const Point<2> &x, const Tensor<1, 2> &n, const double reach) const
 {
   const LinePolynomial phi = along(x, n);
   return !phi.misses() && phi.entry().value_or(reach) < reach;
 }
 
-bool Obstacle::can_be_hit_along(const dealii::Tensor<1, 2> &n) const
+bool Obstacle::can_be_hit_along(const Tensor<1, 2> &n) const
 {
   const auto *parabola = std::get_if<Parabola>(&shape_);
   return parabola == nullptr || parabola->curvature != 0. || n * parabola->normal < -parallel;
 }
 
-const dealii::Point<2> &Obstacle::anchor() const
+const Point<2> &Obstacle::anchor() const
 {
   if (const auto *circle = std::get_if<Circle>(&shape_))
     return circle->centre;
@@ -130,7 +126,7 @@ Foundation::Foundation(std::vector<Obstacle> things, const double max_gap)
 {
 }
 
-double Foundation::gap(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const
+double Foundation::gap(const Point<2> &x, const Tensor<1, 2> &n) const
 {
   double gap = max_gap_;
   for (const Obstacle &obstacle : obstacles_)
@@ -140,36 +136,36 @@ double Foundation::gap(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n)
 
 namespace
 {
-class FoundationGap : public dealii::Function<2>
+class FoundationGap : public Function<2>
 {
 public:
   FoundationGap(const Side<2> &side,
                 std::shared_ptr<const Foundation> foundation,
-                const dealii::Tensor<1, 2> &position)
+                const Tensor<1, 2> &position)
     : side_(side)
     , foundation_(std::move(foundation))
     , position_(position)
   {
   }
 
-  double value(const dealii::Point<2> &x, const unsigned int /*component*/ = 0) const override
+  double value(const Point<2> &x, const unsigned int /*component*/ = 0) const override
   {
-    const dealii::Point<1> s = side_.coordinates(x);
-    const dealii::Point<2> on_side = side_.is_flat() ? x : side_.point(s);
+    const Point<1> s = side_.coordinates(x);
+    const Point<2> on_side = side_.is_flat() ? x : side_.point(s);
     return foundation_->gap(on_side - position_, side_.normal(s));
   }
 
 private:
   Side<2> side_;
   std::shared_ptr<const Foundation> foundation_;
-  dealii::Tensor<1, 2> position_;
+  Tensor<1, 2> position_;
 };
 } // namespace
 
-std::shared_ptr<const dealii::Function<2>>
+std::shared_ptr<const Function<2>>
 foundation_gap(const Side<2> &side,
                const std::shared_ptr<const Foundation> &foundation,
-               const dealii::Tensor<1, 2> &position)
+               const Tensor<1, 2> &position)
 {
   return std::make_shared<FoundationGap>(side, foundation, position);
 }

@@ -19,13 +19,13 @@ template <int dim>
 ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values,
                                             std::vector<Expression<dim>> gradients,
                                             const double h)
-  : dealii::Function<dim>(values.size())
+  : Function<dim>(values.size())
   , values_(std::move(values))
   , gradients_(std::move(gradients))
   , h_(h)
 {
   Assert(gradients_.empty() || gradients_.size() == dim * values_.size(),
-         dealii::ExcDimensionMismatch(gradients_.size(), dim * values_.size()));
+         ExcDimensionMismatch(gradients_.size(), dim * values_.size()));
 }
 
 template <int dim>
@@ -37,7 +37,7 @@ ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values)
 template <int dim>
 void ExpressionFunction<dim>::check(const double value,
                                     const unsigned int component,
-                                    const dealii::Point<dim> &x) const
+                                    const Point<dim> &x) const
 {
   if (h_ > 0. || std::abs(value) <= max_magnitude)
     return;
@@ -57,8 +57,7 @@ bool ExpressionFunction<dim>::is_constant() const
 }
 
 template <int dim>
-double ExpressionFunction<dim>::value(const dealii::Point<dim> &x,
-                                      const unsigned int component) const
+double ExpressionFunction<dim>::value(const Point<dim> &x, const unsigned int component) const
 {
   const double value = values_[component](x);
   check(value, component, x);
@@ -66,7 +65,7 @@ double ExpressionFunction<dim>::value(const dealii::Point<dim> &x,
 }
 
 template <int dim>
-void ExpressionFunction<dim>::vector_value(const dealii::Point<dim> &x,
+void ExpressionFunction<dim>::vector_value(const Point<dim> &x,
                                            dealii::Vector<double> &values) const
 {
   for (unsigned int c = 0; c < values.size(); ++c)
@@ -126,8 +125,8 @@ void ExpressionFunction<dim>::derivative_list(const Points &points,
 }
 
 template <int dim>
-dealii::Tensor<1, dim> ExpressionFunction<dim>::gradient(const dealii::Point<dim> &x,
-                                                         const unsigned int component) const
+Tensor<1, dim> ExpressionFunction<dim>::gradient(const Point<dim> &x,
+                                                 const unsigned int component) const
 {
   Gradients gradient(1);
   gradient_list({x}, gradient, component);
@@ -135,8 +134,7 @@ dealii::Tensor<1, dim> ExpressionFunction<dim>::gradient(const dealii::Point<dim
 }
 
 template <int dim>
-void ExpressionFunction<dim>::vector_gradient(const dealii::Point<dim> &x,
-                                              Gradients &gradients) const
+void ExpressionFunction<dim>::vector_gradient(const Point<dim> &x, Gradients &gradients) const
 {
   for (unsigned int c = 0; c < values_.size(); ++c)
     gradients[c] = gradient(x, c);
@@ -170,7 +168,7 @@ void ExpressionFunction<dim>::vector_gradient_list(const Points &points,
 }
 
 template <int dim>
-bool is_constant(const dealii::Function<dim> &function)
+bool is_constant(const Function<dim> &function)
 {
   const auto *expressions = dynamic_cast<const ExpressionFunction<dim> *>(&function);
   return expressions != nullptr && expressions->is_constant();
@@ -178,6 +176,6 @@ bool is_constant(const dealii::Function<dim> &function)
 
 template class ExpressionFunction<2>;
 template class ExpressionFunction<3>;
-template bool is_constant(const dealii::Function<2> &);
-template bool is_constant(const dealii::Function<3> &);
+template bool is_constant(const Function<2> &);
+template bool is_constant(const Function<3> &);
 } // namespace Signorini

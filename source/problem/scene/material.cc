@@ -18,7 +18,7 @@ namespace
 {
 template <int dim>
 [[noreturn]] void refuse_value(const std::string &where,
-                               const dealii::Point<dim> &x,
+                               const Point<dim> &x,
                                const std::string &found,
                                const std::string &allowed)
 {
@@ -30,7 +30,7 @@ template <int dim>
 /** Returns a modulus at a point as the unit of stress, and 1 where it is no modulus: that is an
  * error where it is used. */
 template <int dim>
-double unit_of_stress(const Expression<dim> &modulus, const dealii::Point<dim> &x)
+double unit_of_stress(const Expression<dim> &modulus, const Point<dim> &x)
 {
   const double value = modulus(x);
   return value > 0. && std::isfinite(value) ? value : 1.;
@@ -43,7 +43,7 @@ public:
   Isotropic(const Expression<dim> &youngs_modulus,
             const Expression<dim> &poissons_ratio,
             const PlaneState plane_state,
-            const dealii::Point<dim> &reference)
+            const Point<dim> &reference)
     : Material<dim>(unit_of_stress(youngs_modulus, reference))
     , youngs_modulus_(youngs_modulus)
     , poissons_ratio_(poissons_ratio)
@@ -51,10 +51,10 @@ public:
   {
   }
 
-  dealii::SymmetricTensor<4, dim> relative_hooke(const dealii::Point<dim> &x) const override
+  SymmetricTensor<4, dim> relative_hooke(const Point<dim> &x) const override
   {
     const Lame lame = relative_lame_constants(x);
-    using Tensors = dealii::Physics::Elasticity::StandardTensors<dim>;
+    using Tensors = Physics::Elasticity::StandardTensors<dim>;
     return lame.lambda * Tensors::IxI + 2. * lame.mu * Tensors::S;
   }
 
@@ -63,8 +63,8 @@ public:
     return youngs_modulus_.is_constant() && poissons_ratio_.is_constant();
   }
 
-  double out_of_plane_stress(const dealii::Point<dim> &x,
-                             const dealii::SymmetricTensor<2, dim> &strain) const override
+  double out_of_plane_stress(const Point<dim> &x,
+                             const SymmetricTensor<2, dim> &strain) const override
   {
     return dim == 2 && plane_state_ == PlaneState::strain
              ? this->modulus() * relative_lame_constants(x).lambda * trace(strain)
@@ -80,7 +80,7 @@ private:
 
   /** Returns Lame's constants in units of E_0: a constant modulus is exactly 1, whatever its unit.
    */
-  Lame relative_lame_constants(const dealii::Point<dim> &x) const
+  Lame relative_lame_constants(const Point<dim> &x) const
   {
     const double given = youngs_modulus_(x);
     const double E = given / this->modulus();
@@ -107,9 +107,9 @@ private:
 /** The entries C11, C12, C13, C22, C23, C33. */
 using VoigtMatrix = std::array<double, 6>;
 
-dealii::SymmetricTensor<4, 2> to_tensor(const VoigtMatrix &C)
+SymmetricTensor<4, 2> to_tensor(const VoigtMatrix &C)
 {
-  dealii::SymmetricTensor<4, 2> E;
+  SymmetricTensor<4, 2> E;
   E[0][0][0][0] = C[0];
   E[0][0][1][1] = E[1][1][0][0] = C[1];
   E[0][0][0][1] = E[0][1][0][0] = C[2];
@@ -150,15 +150,15 @@ public:
   Anisotropic(const std::vector<Expression<2>> &entries,
               const double degrees,
               const std::vector<Expression<2>> &across,
-              const dealii::Point<2> &reference)
+              const Point<2> &reference)
     : Material<2>(unit_of_stress(entries[0], reference))
     , entries_(entries)
     , across_(across)
-    , angle_(degrees * dealii::numbers::PI / 180.)
+    , angle_(degrees * numbers::PI / 180.)
   {
   }
 
-  dealii::SymmetricTensor<4, 2> relative_hooke(const dealii::Point<2> &x) const override
+  SymmetricTensor<4, 2> relative_hooke(const Point<2> &x) const override
   {
     const VoigtMatrix C = relative_voigt(x);
     if (!is_positive_definite(C))
@@ -177,11 +177,9 @@ public:
     return true;
   }
 
-  double out_of_plane_stress(const dealii::Point<2> &x,
-                             const dealii::SymmetricTensor<2, 2> &strain) const override
+  double out_of_plane_stress(const Point<2> &x, const SymmetricTensor<2, 2> &strain) const override
   {
-    const dealii::Tensor<1, 2> first({std::cos(angle_), std::sin(angle_)}),
-      second({-first[1], first[0]});
+    const Tensor<1, 2> first({std::cos(angle_), std::sin(angle_)}), second({-first[1], first[0]});
     const std::array<double, 3> in_own_axes = {
       first * (strain * first), second * (strain * second), 2. * (first * (strain * second))};
     double stress = 0.;
@@ -191,7 +189,7 @@ public:
   }
 
 private:
-  VoigtMatrix relative_voigt(const dealii::Point<2> &x) const
+  VoigtMatrix relative_voigt(const Point<2> &x) const
   {
     const auto e = [&](const unsigned int i) { return entries_[i](x) / modulus(); };
     if (entries_.size() == 4)
@@ -208,14 +206,14 @@ template <int dim>
 std::shared_ptr<const Material<dim>> make_isotropic(const Expression<dim> &youngs_modulus,
                                                     const Expression<dim> &poissons_ratio,
                                                     const PlaneState plane_state,
-                                                    const dealii::Point<dim> &reference)
+                                                    const Point<dim> &reference)
 {
   return std::make_shared<Isotropic<dim>>(youngs_modulus, poissons_ratio, plane_state, reference);
 }
 
 std::shared_ptr<const Material<2>> make_general(const std::vector<Expression<2>> &entries,
                                                 const std::vector<Expression<2>> &across,
-                                                const dealii::Point<2> &reference)
+                                                const Point<2> &reference)
 {
   AssertDimension(entries.size(), 6);
   return std::make_shared<Anisotropic>(entries, 0., across, reference);
@@ -224,16 +222,16 @@ std::shared_ptr<const Material<2>> make_general(const std::vector<Expression<2>>
 std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression<2>> &moduli,
                                                     const double degrees,
                                                     const std::vector<Expression<2>> &across,
-                                                    const dealii::Point<2> &reference)
+                                                    const Point<2> &reference)
 {
   AssertDimension(moduli.size(), 4);
   return std::make_shared<Anisotropic>(moduli, degrees, across, reference);
 }
 
 template std::shared_ptr<const Material<2>>
-make_isotropic(const Expression<2> &, const Expression<2> &, PlaneState, const dealii::Point<2> &);
+make_isotropic(const Expression<2> &, const Expression<2> &, PlaneState, const Point<2> &);
 template std::shared_ptr<const Material<3>>
-make_isotropic(const Expression<3> &, const Expression<3> &, PlaneState, const dealii::Point<3> &);
+make_isotropic(const Expression<3> &, const Expression<3> &, PlaneState, const Point<3> &);
 
 // E_ijkl in 3-D by the 21 entries of its matrix.
 
@@ -264,7 +262,7 @@ bool is_positive_definite(VoigtMatrix6 C)
 
 /** Returns the entry C11 as the unit of stress, and 1 where it is no modulus: that is an error
  * where it is used. */
-double unit_from(const Expression<3> &entry, const dealii::Point<3> &x)
+double unit_from(const Expression<3> &entry, const Point<3> &x)
 {
   const double value = entry(x);
   return value > 0. && std::isfinite(value) ? value : 1.;
@@ -273,13 +271,13 @@ double unit_from(const Expression<3> &entry, const dealii::Point<3> &x)
 class General3D : public Material<3>
 {
 public:
-  General3D(const std::vector<Expression<3>> &entries, const dealii::Point<3> &reference)
+  General3D(const std::vector<Expression<3>> &entries, const Point<3> &reference)
     : Material<3>(unit_from(entries[0], reference))
     , entries_(entries)
   {
   }
 
-  dealii::SymmetricTensor<4, 3> relative_hooke(const dealii::Point<3> &x) const override
+  SymmetricTensor<4, 3> relative_hooke(const Point<3> &x) const override
   {
     const VoigtMatrix6 C = relative_matrix(x);
     if (!is_positive_definite(C))
@@ -289,7 +287,7 @@ public:
               << "), allowed: a positive definite one.";
       throw InputError(message.str());
     }
-    dealii::SymmetricTensor<4, 3> E;
+    SymmetricTensor<4, 3> E;
     for (unsigned int i = 0; i < n_strains; ++i)
       for (unsigned int j = 0; j < n_strains; ++j)
         E[voigt_pairs[i][0]][voigt_pairs[i][1]][voigt_pairs[j][0]][voigt_pairs[j][1]] = C[i][j];
@@ -304,14 +302,14 @@ public:
     return true;
   }
 
-  double out_of_plane_stress(const dealii::Point<3> & /*x*/,
-                             const dealii::SymmetricTensor<2, 3> & /*strain*/) const override
+  double out_of_plane_stress(const Point<3> & /*x*/,
+                             const SymmetricTensor<2, 3> & /*strain*/) const override
   {
     return 0.;
   }
 
 private:
-  VoigtMatrix6 relative_matrix(const dealii::Point<3> &x) const
+  VoigtMatrix6 relative_matrix(const Point<3> &x) const
   {
     VoigtMatrix6 C;
     auto entry = entries_.begin();
@@ -326,7 +324,7 @@ private:
 } // namespace
 
 std::shared_ptr<const Material<3>> make_general_3d(const std::vector<Expression<3>> &entries,
-                                                   const dealii::Point<3> &reference)
+                                                   const Point<3> &reference)
 {
   AssertDimension(entries.size(), 21);
   return std::make_shared<General3D>(entries, reference);

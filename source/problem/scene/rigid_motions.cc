@@ -15,8 +15,8 @@ namespace Signorini
 namespace
 {
 /** Returns the row r with r.(t1, t2, omega L) = v(x).n at the point x, relative to the centre. */
-std::array<double, 3> normal_motion(const dealii::Tensor<1, 2> &relative,
-                                    const dealii::Tensor<1, 2> &n,
+std::array<double, 3> normal_motion(const Tensor<1, 2> &relative,
+                                    const Tensor<1, 2> &n,
                                     const double size)
 {
   return {{n[0], n[1], (-relative[1] * n[0] + relative[0] * n[1]) / size}};
@@ -34,9 +34,7 @@ public:
   }
 
   /** Adds the condition v(x).n = 0. */
-  void forbid_velocity(const dealii::Point<2> &x,
-                       const dealii::Tensor<1, 2> &n,
-                       const double weight = 1.)
+  void forbid_velocity(const Point<2> &x, const Tensor<1, 2> &n, const double weight = 1.)
   {
     add(normal_motion(x - centre_, n, size_), weight);
   }
@@ -48,7 +46,7 @@ public:
   std::vector<RigidMotion> solutions()
   {
     dealii::Vector<double> eigenvalues(3);
-    dealii::FullMatrix<double> vectors(3, 3);
+    FullMatrix<double> vectors(3, 3);
     matrix_.compute_eigenvalues_symmetric(-1., 1e6, 1e-15, eigenvalues, vectors);
     std::vector<RigidMotion> motions;
     for (unsigned int k = 0; k < 3; ++k)
@@ -56,7 +54,7 @@ public:
       // max_slenderness; rounding leaves 1e-15.
       if (eigenvalues[k] < 1e-14)
         motions.push_back(
-          {dealii::Tensor<1, 2>({vectors(0, k), vectors(1, k)}), vectors(2, k), centre_, size_});
+          {Tensor<1, 2>({vectors(0, k), vectors(1, k)}), vectors(2, k), centre_, size_});
     return motions;
   }
 
@@ -68,9 +66,9 @@ private:
         matrix_(i, j) += weight * row[i] * row[j];
   }
 
-  dealii::Point<2> centre_;
+  Point<2> centre_;
   double size_;
-  dealii::LAPACKFullMatrix<double> matrix_;
+  LAPACKFullMatrix<double> matrix_;
 };
 
 /** Adds what a side of this role forbids; two points suffice for a segment, three for a circle. */
@@ -82,19 +80,19 @@ void add_side_conditions(const Side<2> &side, const Role role, Conditions &condi
     {
       const Curve &piece = side.piece(k);
       const double s = share * piece.length();
-      const dealii::Point<2> x = piece.point(s);
+      const Point<2> x = piece.point(s);
       if (role == Role::roller)
         conditions.forbid_velocity(x, piece.normal(s), weight);
       if (role == Role::clamped || role == Role::displacement)
         for (unsigned int d = 0; d < 2; ++d)
-          conditions.forbid_velocity(x, dealii::Point<2>::unit_vector(d), weight);
+          conditions.forbid_velocity(x, Point<2>::unit_vector(d), weight);
     }
 }
 
 /** Adds what a plate forbids to a body that moves as a whole. */
 void add_plate_conditions(const Plate &plate, Conditions &conditions)
 {
-  const dealii::Tensor<1, 2> across({-plate.direction[1], plate.direction[0]});
+  const Tensor<1, 2> across({-plate.direction[1], plate.direction[0]});
   conditions.forbid_velocity(plate.centre, across);
   if (!plate.is_pushed)
     conditions.forbid_velocity(plate.centre, plate.direction);
@@ -124,10 +122,10 @@ std::string pole(const RigidMotion &motion)
 }
 } // namespace
 
-dealii::Tensor<1, 2> RigidMotion::velocity(const dealii::Point<2> &x) const
+Tensor<1, 2> RigidMotion::velocity(const Point<2> &x) const
 {
-  const dealii::Tensor<1, 2> arm = (x - centre) / size;
-  return translation + rotation * dealii::Tensor<1, 2>({-arm[1], arm[0]});
+  const Tensor<1, 2> arm = (x - centre) / size;
+  return translation + rotation * Tensor<1, 2>({-arm[1], arm[0]});
 }
 
 bool RigidMotion::is_translation() const
@@ -139,7 +137,7 @@ std::string RigidMotion::name() const
 {
   if (!is_translation())
     return "the rotation about " + pole(*this);
-  const dealii::Tensor<1, 2> t = translation / translation.norm();
+  const Tensor<1, 2> t = translation / translation.norm();
   const double sign = (std::abs(t[0]) > 1e-6 ? t[0] : t[1]) < 0 ? -1. : 1.;
   return "the translation along " + point_text(sign * t[0], sign * t[1]);
 }
@@ -185,7 +183,7 @@ std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates 
 
 namespace
 {
-using Vector3 = dealii::Tensor<1, 3>;
+using Vector3 = Tensor<1, 3>;
 
 /** Returns the velocity of the k-th of three translations and three rotations at a point. */
 Vector3 velocity(const unsigned int k, const Vector3 &x)
@@ -199,14 +197,14 @@ Vector3 velocity(const unsigned int k, const Vector3 &x)
 bool leaves_free(const Side<3> &side,
                  const Role role,
                  const unsigned int motion,
-                 const dealii::Point<3> &centre,
+                 const Point<3> &centre,
                  const double size)
 {
   const auto lengths = side.lengths();
   for (const double r : {0., 1.})
     for (const double t : {0., 1.})
     {
-      const dealii::Point<2> corner(r * lengths[0], t * lengths[1]);
+      const Point<2> corner(r * lengths[0], t * lengths[1]);
       const Vector3 v = velocity(motion, (side.point(corner) - centre) / size);
       const double held = role == Role::roller ? std::abs(v * side.normal(corner)) : v.norm();
       if (held > 1e-10)
@@ -221,7 +219,7 @@ bool leaves_free(const Side<3> &side,
 std::vector<std::string> free_rigid_motions(const Scene<3> &scene)
 {
   const Geometry<3> &geometry = scene.geometry;
-  const dealii::Point<3> centre = geometry.inner_point();
+  const Point<3> centre = geometry.inner_point();
   std::vector<std::string> names;
   for (unsigned int k = 0; k < 6; ++k)
   {

@@ -8,17 +8,16 @@
 
 namespace Signorini
 {
-dealii::Tensor<1, 2> Plate::displacement(const PlateMotion &motion, const dealii::Point<2> &x) const
+Tensor<1, 2> Plate::displacement(const PlateMotion &motion, const Point<2> &x) const
 {
-  const dealii::Tensor<1, 2> arm = x - centre;
-  return motion.travel * direction + motion.rotation * dealii::Tensor<1, 2>({-arm[1], arm[0]});
+  const Tensor<1, 2> arm = x - centre;
+  return motion.travel * direction + motion.rotation * Tensor<1, 2>({-arm[1], arm[0]});
 }
 
-std::shared_ptr<const dealii::Function<2>> plate_displacement(const Plate &plate,
-                                                              const PlateMotion &motion)
+std::shared_ptr<const Function<2>> plate_displacement(const Plate &plate, const PlateMotion &motion)
 {
   return std::make_shared<FieldFunction>(
-    [plate, motion](const dealii::Point<2> &x) { return plate.displacement(motion, x); });
+    [plate, motion](const Point<2> &x) { return plate.displacement(motion, x); });
 }
 
 // Problem (1): a body, its supports, its loads and its foundation.
@@ -56,7 +55,7 @@ Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotio
 {
   for (BoundaryCondition<dim> &condition : scene.boundary)
     if (condition.role == Role::displacement)
-      condition.data = std::make_shared<const dealii::Functions::ZeroFunction<dim>>(dim);
+      condition.data = std::make_shared<const Functions::ZeroFunction<dim>>(dim);
   return with_plates_moved(std::move(scene), motions);
 }
 
@@ -72,26 +71,26 @@ template struct Scene<3>;
 namespace
 {
 /** The function factor f. */
-class ScaledFunction final : public dealii::Function<2>
+class ScaledFunction final : public Function<2>
 {
 public:
   ScaledFunction(FunctionPointer<2> function, const double factor)
-    : dealii::Function<2>(function->n_components)
+    : Function<2>(function->n_components)
     , function_(std::move(function))
     , factor_(factor)
   {
   }
 
-  double value(const dealii::Point<2> &x, const unsigned int component) const override
+  double value(const Point<2> &x, const unsigned int component) const override
   {
     return factor_ * function_->value(x, component);
   }
-  void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override
+  void vector_value(const Point<2> &x, dealii::Vector<double> &values) const override
   {
     function_->vector_value(x, values);
     values *= factor_;
   }
-  void value_list(const std::vector<dealii::Point<2>> &points,
+  void value_list(const std::vector<Point<2>> &points,
                   std::vector<double> &values,
                   const unsigned int component) const override
   {
@@ -99,7 +98,7 @@ public:
     for (double &value : values)
       value *= factor_;
   }
-  void vector_value_list(const std::vector<dealii::Point<2>> &points,
+  void vector_value_list(const std::vector<Point<2>> &points,
                          std::vector<dealii::Vector<double>> &values) const override
   {
     function_->vector_value_list(points, values);

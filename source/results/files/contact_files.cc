@@ -40,7 +40,7 @@ std::vector<float> curve_values(const ContactSegment &segment,
   return {std::begin(values), std::end(values)};
 }
 
-using Positions = std::vector<dealii::Point<1>>;
+using Positions = std::vector<Point<1>>;
 
 /** Returns positions between 0 and 1 on a piece: its ends, the nodes of its multipliers, and the
  * middles between all of these. */
@@ -89,13 +89,13 @@ public:
   {
     const BoundaryCondition<2> &condition = boundary_[surface_.patches()[piece.patch].side];
     const SurfaceRule<2> rule = surface_.at(piece, positions);
-    const std::vector<dealii::Tensor<1, 2>> u =
+    const std::vector<Tensor<1, 2>> u =
       traces_.displacement(surface_.faces()[piece.face], rule, U_);
     std::vector<ContactPoint> points(rule.size());
     for (std::size_t q = 0; q < rule.size(); ++q)
     {
       ContactPoint &point = points[q];
-      const dealii::Point<1> &s = rule.on_side[q];
+      const Point<1> &s = rule.on_side[q];
       point.s = s[0];
       point.x = rule.points[q];
       point.n = rule.normals[q];
@@ -151,7 +151,7 @@ std::vector<ContactSegment> trace_contact_line(const DisplacementSpace<2> &space
       surface.side(patch).name(), patch.side, piece.face, piece.patch, patch.measure, {}, {}};
     if (multipliers.is_piecewise_constant())
     {
-      segment.rows = tracer.trace(piece, {dealii::Point<1>(0.5)});
+      segment.rows = tracer.trace(piece, {Point<1>(0.5)});
       segment.curve = tracer.trace(piece, along_piece);
     }
     else
@@ -196,13 +196,13 @@ void write_contact_vtu(std::ostream &stream,
                                     "side"};
   if (!bound.empty())
     names.emplace_back("bound_contact");
-  std::vector<dealii::DataOutBase::Patch<1, 2>> intervals;
+  std::vector<DataOutBase::Patch<1, 2>> intervals;
   for (const ContactSegment &segment : line)
     for (std::size_t i = 0; i + 1 < segment.curve.size(); ++i)
     {
-      dealii::DataOutBase::Patch<1, 2> interval;
+      DataOutBase::Patch<1, 2> interval;
       interval.patch_index = intervals.size();
-      interval.reference_cell = dealii::ReferenceCells::get_hypercube<1>();
+      interval.reference_cell = ReferenceCells::get_hypercube<1>();
       interval.n_subdivisions = 1;
       interval.data.reinit(names.size(), 2);
       for (unsigned int v = 0; v < 2; ++v)
@@ -219,13 +219,13 @@ void write_contact_vtu(std::ostream &stream,
   using Range = std::tuple<unsigned int,
                            unsigned int,
                            std::string,
-                           dealii::DataComponentInterpretation::DataComponentInterpretation>;
+                           DataComponentInterpretation::DataComponentInterpretation>;
   const std::vector<Range> vectors = {
-    {0, 1, "displacement", dealii::DataComponentInterpretation::component_is_part_of_vector}};
-  dealii::DataOutBase::VtkFlags flags;
+    {0, 1, "displacement", DataComponentInterpretation::component_is_part_of_vector}};
+  DataOutBase::VtkFlags flags;
   // The same run gives the same file.
   flags.print_date_and_time = false;
-  dealii::DataOutBase::write_vtu(intervals, names, vectors, flags, stream);
+  DataOutBase::write_vtu(intervals, names, vectors, flags, stream);
 }
 
 // Pressure, gap and opening on the contact boundary in 3-D.
@@ -233,11 +233,11 @@ void write_contact_vtu(std::ostream &stream,
 namespace
 {
 /** Returns the corners of a face and its middle. */
-std::vector<dealii::Point<2>> corners_and_middle_of_face()
+std::vector<Point<2>> corners_and_middle_of_face()
 {
-  std::vector<dealii::Point<2>> positions;
-  for (const unsigned int v : dealii::GeometryInfo<2>::vertex_indices())
-    positions.push_back(dealii::GeometryInfo<2>::unit_cell_vertex(v));
+  std::vector<Point<2>> positions;
+  for (const unsigned int v : GeometryInfo<2>::vertex_indices())
+    positions.push_back(GeometryInfo<2>::unit_cell_vertex(v));
   positions.emplace_back(0.5, 0.5);
   return positions;
 }
@@ -275,7 +275,7 @@ trace_contact_area(const DisplacementSpace<3> &space,
                    const Pressure &P)
 {
   const ContactSurface<3> &surface = multipliers.surface();
-  const std::vector<dealii::Point<2>> positions = corners_and_middle_of_face();
+  const std::vector<Point<2>> positions = corners_and_middle_of_face();
   const RecoveredPressure<3> recovered(multipliers, P);
   TraceValues<3> traces(space);
   std::vector<ContactQuadrilateral> area;
@@ -337,12 +337,12 @@ void write_contact_vtu(std::ostream &stream,
                                     "side"};
   if (!bound.empty())
     names.emplace_back("bound_contact");
-  std::vector<dealii::DataOutBase::Patch<2, 3>> cells;
+  std::vector<DataOutBase::Patch<2, 3>> cells;
   for (const ContactQuadrilateral &face : area)
   {
-    dealii::DataOutBase::Patch<2, 3> cell;
+    DataOutBase::Patch<2, 3> cell;
     cell.patch_index = cells.size();
-    cell.reference_cell = dealii::ReferenceCells::get_hypercube<2>();
+    cell.reference_cell = ReferenceCells::get_hypercube<2>();
     cell.n_subdivisions = 1;
     cell.data.reinit(names.size(), face.corners.size());
     for (unsigned int v = 0; v < face.corners.size(); ++v)
@@ -357,12 +357,12 @@ void write_contact_vtu(std::ostream &stream,
   using Range = std::tuple<unsigned int,
                            unsigned int,
                            std::string,
-                           dealii::DataComponentInterpretation::DataComponentInterpretation>;
+                           DataComponentInterpretation::DataComponentInterpretation>;
   const std::vector<Range> vectors = {
-    {0, 2, "displacement", dealii::DataComponentInterpretation::component_is_part_of_vector}};
-  dealii::DataOutBase::VtkFlags flags;
+    {0, 2, "displacement", DataComponentInterpretation::component_is_part_of_vector}};
+  DataOutBase::VtkFlags flags;
   // The same run gives the same file.
   flags.print_date_and_time = false;
-  dealii::DataOutBase::write_vtu(cells, names, vectors, flags, stream);
+  DataOutBase::write_vtu(cells, names, vectors, flags, stream);
 }
 } // namespace Signorini

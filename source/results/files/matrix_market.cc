@@ -9,7 +9,7 @@
 
 namespace Signorini
 {
-void write_symmetric_matrix_market(std::ostream &stream, const dealii::FullMatrix<double> &matrix)
+void write_symmetric_matrix_market(std::ostream &stream, const FullMatrix<double> &matrix)
 {
   stream << "%%MatrixMarket matrix array real symmetric\n"
          << matrix.m() << " " << matrix.n() << "\n"
@@ -19,7 +19,7 @@ void write_symmetric_matrix_market(std::ostream &stream, const dealii::FullMatri
       stream << matrix(i, j) << "\n";
 }
 
-void write_matrix_market(std::ostream &stream, const dealii::FullMatrix<double> &matrix)
+void write_matrix_market(std::ostream &stream, const FullMatrix<double> &matrix)
 {
   stream << "%%MatrixMarket matrix array real general\n"
          << matrix.m() << " " << matrix.n() << "\n"
@@ -29,8 +29,7 @@ void write_matrix_market(std::ostream &stream, const dealii::FullMatrix<double> 
       stream << matrix(i, j) << "\n";
 }
 
-std::string lower_triangle(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-                           const double factor)
+std::string lower_triangle(const TrilinosWrappers::SparseMatrix &matrix, const double factor)
 {
   std::ostringstream lines;
   lines << std::setprecision(17);
@@ -43,7 +42,7 @@ std::string lower_triangle(const dealii::TrilinosWrappers::SparseMatrix &matrix,
 }
 
 void write_symmetric_matrix_market(std::ostream &stream,
-                                   const dealii::types::global_dof_index n,
+                                   const types::global_dof_index n,
                                    const std::vector<std::string> &parts)
 {
   std::ptrdiff_t n_entries = 0;
@@ -66,7 +65,7 @@ void write_matrix_market(std::ostream &stream, const dealii::Vector<double> &vec
 
 void write_matrix_market(std::ostream &stream,
                          const Coupling &D,
-                         const dealii::types::global_dof_index n_rows)
+                         const types::global_dof_index n_rows)
 {
   std::size_t n_entries = 0;
   for (unsigned int tau = 0; tau < D.n_columns(); ++tau)

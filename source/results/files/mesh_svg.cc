@@ -14,7 +14,7 @@ namespace Signorini
 {
 namespace
 {
-using Outline = std::vector<dealii::Point<2>>;
+using Outline = std::vector<Point<2>>;
 
 /** A cell as a polygon, and those of its edges on which there is contact. */
 struct DrawnCell
@@ -28,7 +28,7 @@ struct DrawnCell
 /** A rectangle of the body's plane, and where it is drawn (pixels, y downwards). */
 struct Panel
 {
-  dealii::Point<2> lower, upper;
+  Point<2> lower, upper;
   double left, top, scale;
 
   double width() const
@@ -39,7 +39,7 @@ struct Panel
   {
     return scale * (upper[1] - lower[1]);
   }
-  dealii::Point<2> pixel(const dealii::Point<2> &x) const
+  Point<2> pixel(const Point<2> &x) const
   {
     return {left + scale * (x[0] - lower[0]), top + scale * (upper[1] - x[1])};
   }
@@ -58,15 +58,15 @@ const char *colour(const unsigned int degree)
 
 /** Returns the line from one corner of a cell to another, with points between them where it is
  * curved. */
-Outline edge_points(const dealii::Mapping<2> &mapping,
-                    const dealii::Triangulation<2>::active_cell_iterator &cell,
+Outline edge_points(const Mapping<2> &mapping,
+                    const Triangulation<2>::active_cell_iterator &cell,
                     const unsigned int from,
                     const unsigned int to,
                     const bool curved)
 {
   const unsigned int n_parts = curved ? 8 : 1;
-  const dealii::Point<2> a = dealii::GeometryInfo<2>::unit_cell_vertex(from);
-  const dealii::Tensor<1, 2> step = dealii::GeometryInfo<2>::unit_cell_vertex(to) - a;
+  const Point<2> a = GeometryInfo<2>::unit_cell_vertex(from);
+  const Tensor<1, 2> step = GeometryInfo<2>::unit_cell_vertex(to) - a;
   Outline points = {cell->vertex(from)};
   for (unsigned int i = 1; i < n_parts; ++i)
     points.push_back(
@@ -105,7 +105,7 @@ cut(const Outline &polygon, const unsigned int d, const double position, const d
   Outline part;
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
-    const dealii::Point<2> &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const Point<2> &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     const double at_a = direction * (a[d] - position), at_b = direction * (b[d] - position);
     if (at_a >= 0.)
       part.push_back(a);
@@ -126,19 +126,19 @@ Outline cut(const Outline &polygon, const Panel &panel)
   return part;
 }
 
-dealii::Point<2> centroid(const Outline &outline)
+Point<2> centroid(const Outline &outline)
 {
-  dealii::Tensor<1, 2> sum;
-  for (const dealii::Point<2> &x : outline)
+  Tensor<1, 2> sum;
+  for (const Point<2> &x : outline)
     sum += x;
-  return dealii::Point<2>(sum / static_cast<double>(outline.size()));
+  return Point<2>(sum / static_cast<double>(outline.size()));
 }
 
 /** Returns the panels: the body, and views of the smallest cell, each magnified by the same factor
  * against the one before, until that cell can be seen. */
 std::vector<Panel> choose_panels(const Scene<2> &scene, const std::vector<DrawnCell> &cells)
 {
-  const dealii::Point<2> &lower = scene.geometry.lower, &upper = scene.geometry.upper;
+  const Point<2> &lower = scene.geometry.lower, &upper = scene.geometry.upper;
   const double extent = scene.geometry.longest_extent();
   std::vector<Panel> panels = {{lower, upper, margin, margin, body_pixels / extent}};
   const auto smaller = [](const DrawnCell &a, const DrawnCell &b) {
@@ -152,18 +152,18 @@ std::vector<Panel> choose_panels(const Scene<2> &scene, const std::vector<DrawnC
     return panels;
   const double last_width = smallest.size * zoom_pixels / clear;
   const double n = std::ceil(std::log(extent / last_width) / std::log(max_zoom_factor));
-  const dealii::Point<2> centre = centroid(smallest.outline);
+  const Point<2> centre = centroid(smallest.outline);
   for (unsigned int i = 1; i <= n; ++i)
   {
     const double width = extent * std::pow(last_width / extent, i / n);
-    dealii::Point<2> corner;
+    Point<2> corner;
     for (unsigned int d = 0; d < 2; ++d)
       // Where the cell is at the edge of the body, the view ends there, too.
       corner[d] =
         std::min(std::max(centre[d] - 0.5 * width, lower[d]), std::max(upper[d] - width, lower[d]));
     const double left = panels.back().left + panels.back().width() + margin;
     panels.push_back(
-      {corner, corner + dealii::Tensor<1, 2>({width, width}), left, margin, zoom_pixels / width});
+      {corner, corner + Tensor<1, 2>({width, width}), left, margin, zoom_pixels / width});
   }
   return panels;
 }
@@ -259,7 +259,7 @@ private:
     stream_ << "<path d=\"";
     for (std::size_t i = 0; i < outline.size(); ++i)
     {
-      const dealii::Point<2> x = panel.pixel(outline[i]);
+      const Point<2> x = panel.pixel(outline[i]);
       stream_ << (i == 0 ? "M" : " ") << x[0] << "," << x[1];
     }
     stream_ << "Z\"";
@@ -268,7 +268,7 @@ private:
     stream_ << "/>\n";
   }
   /** Draws the frame of the next panel. */
-  void frame(const dealii::Point<2> &corner, const double width)
+  void frame(const Point<2> &corner, const double width)
   {
     stream_ << "<rect x=\"" << corner[0] << "\" y=\"" << corner[1] << "\" width=\"" << width
             << "\" height=\"" << width << "\" fill=\"none\" stroke=\"black\"/>\n";

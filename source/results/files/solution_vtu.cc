@@ -28,7 +28,7 @@ namespace
 std::string base_64(const void *const data, const std::size_t size)
 {
   const auto *const bytes = static_cast<const unsigned char *>(data);
-  return dealii::Utilities::encode_base64(std::vector<unsigned char>(bytes, bytes + size));
+  return Utilities::encode_base64(std::vector<unsigned char>(bytes, bytes + size));
 }
 } // namespace
 
@@ -63,18 +63,18 @@ void add_to_point_data(std::string &piece, const std::string &array)
 
 void write_vtu_pieces(const std::filesystem::path &path,
                       std::string piece,
-                      const dealii::DataOutBase::VtkFlags &flags,
+                      const DataOutBase::VtkFlags &flags,
                       MPI_Comm communicator)
 {
   const std::vector<std::string> pieces = gather_texts(std::move(piece), communicator);
   agree(communicator, [&]() {
-    if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
+    if (Utilities::MPI::this_mpi_process(communicator) != 0)
       return;
     write_file(path, [&](std::ostream &stream) {
-      dealii::DataOutBase::write_vtu_header(stream, flags);
+      DataOutBase::write_vtu_header(stream, flags);
       for (const std::string &text : pieces)
         stream << text;
-      dealii::DataOutBase::write_vtu_footer(stream);
+      DataOutBase::write_vtu_footer(stream);
     });
   });
 }
@@ -94,7 +94,7 @@ constexpr std::array<const char *, 8> stress_names = {"stress_xx",
 
 /** Computes sigma = E : eps(u) and its invariants at the output points. */
 template <int dim>
-class StressPostprocessor : public dealii::DataPostprocessor<dim>
+class StressPostprocessor : public DataPostprocessor<dim>
 {
   static_assert(dim == 2, "The components are those of a plane body.");
 
@@ -119,20 +119,20 @@ public:
                        dealii::DataComponentInterpretation::component_is_scalar);
   }
 
-  dealii::UpdateFlags get_needed_update_flags() const override
+  UpdateFlags get_needed_update_flags() const override
   {
-    return dealii::update_gradients | dealii::update_quadrature_points;
+    return update_gradients | update_quadrature_points;
   }
 
-  void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<dim> &inputs,
+  void evaluate_vector_field(const DataPostprocessorInputs::Vector<dim> &inputs,
                              std::vector<dealii::Vector<double>> &computed) const override
   {
     for (unsigned int q = 0; q < computed.size(); ++q)
     {
-      dealii::Tensor<2, dim> gradient;
+      Tensor<2, dim> gradient;
       for (unsigned int i = 0; i < dim; ++i)
         gradient[i] = inputs.solution_gradients[q][i];
-      dealii::SymmetricTensor<2, dim> strain = symmetrize(gradient);
+      SymmetricTensor<2, dim> strain = symmetrize(gradient);
       if (!dilatation_.empty())
         replace_trace(strain, dilatation_[inputs.template get_cell<dim>()->active_cell_index()]);
       evaluate(inputs.evaluation_points[q], strain, computed[q]);
@@ -140,8 +140,8 @@ public:
   }
 
 private:
-  void evaluate(const dealii::Point<dim> &x,
-                const dealii::SymmetricTensor<2, dim> &strain,
+  void evaluate(const Point<dim> &x,
+                const SymmetricTensor<2, dim> &strain,
                 dealii::Vector<double> &computed) const
   {
     try
@@ -179,10 +179,10 @@ struct FieldPiece
                                  std::string,
                                  dealii::DataComponentInterpretation::DataComponentInterpretation>;
 
-  std::string text(const dealii::DataOutBase::VtkFlags &flags) const
+  std::string text(const DataOutBase::VtkFlags &flags) const
   {
     std::ostringstream stream;
-    dealii::DataOutBase::write_vtu_main(cells, names, vectors, flags, stream);
+    DataOutBase::write_vtu_main(cells, names, vectors, flags, stream);
     std::string text = stream.str();
     // A rank may have no cells, and then has no point data.
     if (!cells.empty())
@@ -190,7 +190,7 @@ struct FieldPiece
     return text;
   }
 
-  std::vector<dealii::DataOutBase::Patch<dim, dim>> cells;
+  std::vector<DataOutBase::Patch<dim, dim>> cells;
   std::vector<std::string> names;
   std::vector<VectorRange> vectors;
 
@@ -217,7 +217,7 @@ private:
 
 /** The fields on some of the cells, which are all divided in the same way. */
 template <int dim>
-class FieldsOnCells : public dealii::DataOut<dim>
+class FieldsOnCells : public DataOut<dim>
 {
 public:
   /** Adds the cells of this rank that were built to a piece. */
@@ -237,14 +237,13 @@ dealii::Vector<double> to_vector(const std::vector<double> &values)
 
 /** Returns which cells deal.II draws with curved edges. */
 template <int dim>
-typename dealii::DataOut<dim>::CurvedCellRegion curved_region(const Mesh<dim> &mesh)
+typename DataOut<dim>::CurvedCellRegion curved_region(const Mesh<dim> &mesh)
 {
-  return mesh.is_curved() ? dealii::DataOut<dim>::curved_inner_cells
-                          : dealii::DataOut<dim>::no_curved_cells;
+  return mesh.is_curved() ? DataOut<dim>::curved_inner_cells : DataOut<dim>::no_curved_cells;
 }
 
 template <int dim>
-void add_displacement(const dealii::DoFHandler<dim> &dofs,
+void add_displacement(const DoFHandler<dim> &dofs,
                       const Displacement &U,
                       const std::string &name,
                       FieldsOnCells<dim> &fields)
@@ -254,7 +253,8 @@ void add_displacement(const dealii::DoFHandler<dim> &dofs,
     dofs,
     U.entries(),
     std::vector<std::string>(dim, name),
-    std::vector<DataComponentInterpretation>(dim, component_is_part_of_vector));
+    std::vector<dealii::DataComponentInterpretation::DataComponentInterpretation>(
+      dim, component_is_part_of_vector));
 }
 
 /** Returns the fields on cells of degree one, divided into four where there is T^{2h}, whose
@@ -282,7 +282,7 @@ FieldPiece<dim> fields_of_bilinear_cells(const DisplacementSpace<dim> &space,
     fields.add_data_vector(space.dofs(), U.entries(), stress);
   for (const auto &[name, values] : cell_fields)
     if (values.size() > 0)
-      fields.add_data_vector(values, name, dealii::DataOut<dim>::type_cell_data);
+      fields.add_data_vector(values, name, DataOut<dim>::type_cell_data);
   fields.build_patches(
     space.mesh().mapping(), space.mesh().has_parents() ? 2 : 1, curved_region(space.mesh()));
   FieldPiece<dim> piece;
@@ -307,8 +307,8 @@ FieldPiece<dim> fields_by_degree(const DisplacementSpace<dim> &space,
     FieldsOnCells<dim> fields;
     add_displacement(space.dofs(), U, "displacement", fields);
     fields.add_data_vector(space.dofs(), U.entries(), stress);
-    fields.add_data_vector(degrees, "degree", dealii::DataOut<dim>::type_cell_data);
-    fields.set_cell_selection([&](const typename dealii::DataOut<dim>::cell_iterator &cell) {
+    fields.add_data_vector(degrees, "degree", DataOut<dim>::type_cell_data);
+    fields.set_cell_selection([&](const typename DataOut<dim>::cell_iterator &cell) {
       return cell->is_active() && degrees[cell->active_cell_index()] == degree;
     });
     fields.build_patches(space.mesh().mapping(), degree, curved_region(space.mesh()));
@@ -326,8 +326,7 @@ void write_solution_vtu(const std::filesystem::path &path,
                         const BoundFields &bound,
                         const unsigned int number)
 {
-  const dealii::DataOutBase::VtkFlags flags(
-    number, number, false, dealii::DataOutBase::VtkFlags::best_speed);
+  const DataOutBase::VtkFlags flags(number, number, false, DataOutBase::VtkFlags::best_speed);
   const StressPostprocessor<dim> stress(*scene.material,
                                         space.strain_operator() == StrainOperator::mean_dilatation
                                           ? mean_dilatations(space, U)
@@ -342,7 +341,7 @@ void write_pvd(const std::filesystem::path &path,
                const std::vector<std::pair<double, std::string>> &files)
 {
   std::ostringstream record;
-  dealii::DataOutBase::write_pvd_record(record, files);
+  DataOutBase::write_pvd_record(record, files);
   // The comment, which contains the time, is removed: the same run gives the same file.
   std::string text = record.str();
   const std::size_t start = text.find("<!--"), end = text.find("-->");

@@ -37,9 +37,7 @@ constexpr unsigned int first_stress = 3;
 /** Returns the stresses in the order of the names; not a number where the material's data has no
  * value. */
 std::array<double, field_names_3d.size() - first_stress>
-stresses_at(const Material<3> &material,
-            const dealii::Point<3> &x,
-            const dealii::SymmetricTensor<2, 3> &strain)
+stresses_at(const Material<3> &material, const Point<3> &x, const SymmetricTensor<2, 3> &strain)
 {
   try
   {
@@ -64,20 +62,20 @@ stresses_at(const Material<3> &material,
   }
 }
 
-using Hexahedra = std::vector<dealii::DataOutBase::Patch<3, 3>>;
+using Hexahedra = std::vector<DataOutBase::Patch<3, 3>>;
 
 /** Returns the cells of this rank with their fields. */
 Hexahedra fields_of_hexahedra(const DisplacementSpace<3> &space,
                               const Material<3> &material,
                               const Displacement &U)
 {
-  std::vector<dealii::Point<3>> corners;
-  for (const unsigned int v : dealii::GeometryInfo<3>::vertex_indices())
-    corners.push_back(dealii::GeometryInfo<3>::unit_cell_vertex(v));
-  dealii::FEValues<3> values(space.mesh().mapping(),
-                             space.element(),
-                             dealii::Quadrature<3>(corners),
-                             dealii::update_inverse_jacobians | dealii::update_quadrature_points);
+  std::vector<Point<3>> corners;
+  for (const unsigned int v : GeometryInfo<3>::vertex_indices())
+    corners.push_back(GeometryInfo<3>::unit_cell_vertex(v));
+  FEValues<3> values(space.mesh().mapping(),
+                     space.element(),
+                     Quadrature<3>(corners),
+                     update_inverse_jacobians | update_quadrature_points);
   PatchInterpolation<3> field(space,
                               values.get_quadrature(),
                               space.max_element_degree() > 1 ? 0 : best_interpolation(space, U));
@@ -88,9 +86,9 @@ Hexahedra fields_of_hexahedra(const DisplacementSpace<3> &space,
       continue;
     values.reinit(cell);
     const FieldValues<3> &u = field.evaluate(U, cell, values);
-    dealii::DataOutBase::Patch<3, 3> &patch = cells.emplace_back();
+    DataOutBase::Patch<3, 3> &patch = cells.emplace_back();
     patch.patch_index = cells.size() - 1;
-    patch.reference_cell = dealii::ReferenceCells::get_hypercube<3>();
+    patch.reference_cell = ReferenceCells::get_hypercube<3>();
     patch.n_subdivisions = 1;
     patch.data.reinit(field_names_3d.size(), corners.size());
     for (unsigned int v = 0; v < corners.size(); ++v)
@@ -134,11 +132,10 @@ void write_solution_vtu(const std::filesystem::path &path,
                            dealii::DataComponentInterpretation::DataComponentInterpretation>;
   const std::vector<Range> vectors = {
     {0, 2, "displacement", dealii::DataComponentInterpretation::component_is_part_of_vector}};
-  const dealii::DataOutBase::VtkFlags flags(
-    number, number, false, dealii::DataOutBase::VtkFlags::best_speed);
+  const DataOutBase::VtkFlags flags(number, number, false, DataOutBase::VtkFlags::best_speed);
   const Hexahedra cells = fields_of_hexahedra(space, *scene.material, U);
   std::ostringstream stream;
-  dealii::DataOutBase::write_vtu_main(
+  DataOutBase::write_vtu_main(
     cells, {field_names_3d.begin(), field_names_3d.end()}, vectors, flags, stream);
   std::string piece = stream.str();
   // A rank may have no cells, and then has no point data.

@@ -64,7 +64,7 @@ ResultsWriter::ResultsWriter(const Parameters &parameters,
   , directory_(std::move(directory))
   , communicator_(communicator)
 {
-  if (!directory_.empty() && dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+  if (!directory_.empty() && Utilities::MPI::this_mpi_process(communicator_) == 0)
     held_.emplace(directory_);
 }
 
@@ -119,8 +119,7 @@ std::filesystem::path ResultsWriter::level_file(const char *name,
                                                 const unsigned int level,
                                                 const char *ending) const
 {
-  return directory_ /
-         (std::string(name) + "-" + dealii::Utilities::int_to_string(level, 2) + ending);
+  return directory_ / (std::string(name) + "-" + Utilities::int_to_string(level, 2) + ending);
 }
 
 template <int dim>
@@ -196,7 +195,7 @@ void ResultsWriter::write_case_fields(const Discretization<dim> &discretization,
   if (directory_.empty())
     return;
   start_directory();
-  const std::string ending = "-case-" + dealii::Utilities::int_to_string(number, 6);
+  const std::string ending = "-case-" + Utilities::int_to_string(number, 6);
   if (parameters_.output.vtu != VtuLevels::none)
     write_solution_vtu(
       directory_ / ("solution" + ending + ".vtu"), discretization.space, scene, U, {}, number);
@@ -234,8 +233,7 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   // F = G - Dᵀ A⁻¹ f for unconstrained unknowns: prescribed displacements count as gap.
   dealii::Vector<double> G = discretization.G;
   G -= discretization.D.transpose_product(space.complete(space.make_vector()));
-  const dealii::FullMatrix<double> C =
-    solution.dual->C ? solution.dual->C->dense() : dealii::FullMatrix<double>();
+  const FullMatrix<double> C = solution.dual->C ? solution.dual->C->dense() : FullMatrix<double>();
   const auto write = [&](const char *name, const std::function<void(std::ostream &)> &content) {
     write_file(level_file(name, solution.record.sizes.level, ".mtx"), content);
   };
@@ -321,7 +319,7 @@ void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,
   }
   try
   {
-    if (!dealii::Utilities::MPI::broadcast(communicator_, keeps_earlier_results))
+    if (!Utilities::MPI::broadcast(communicator_, keeps_earlier_results))
       write_tables(levels, verdict);
   }
   catch (const WritingError &)

@@ -14,15 +14,15 @@ namespace Signorini
 {
 namespace
 {
-using Polyline = std::vector<dealii::Point<2>>;
+using Polyline = std::vector<Point<2>>;
 
 /** The rectangle that is drawn. */
 struct Frame
 {
-  dealii::Point<2> lower = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-  dealii::Point<2> upper = -1. * lower;
+  Point<2> lower = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+  Point<2> upper = -1. * lower;
 
-  void include(const dealii::Point<2> &x)
+  void include(const Point<2> &x)
   {
     for (unsigned int d = 0; d < 2; ++d)
     {
@@ -32,7 +32,7 @@ struct Frame
   }
   void include(const Polyline &points)
   {
-    for (const dealii::Point<2> &x : points)
+    for (const Point<2> &x : points)
       include(x);
   }
 };
@@ -86,13 +86,13 @@ std::vector<const DrawnPoint *> points_of_edge(const DrawnCell &cell, const unsi
   return points;
 }
 
-void write_point(std::ostream &script, const dealii::Point<2> &x)
+void write_point(std::ostream &script, const Point<2> &x)
 {
   script << plot_number(x[0]) << " " << plot_number(x[1]) << " 0\n";
 }
 
 /** Writes a straight line. (What gnuplot's surfaces offer as lines, it joins to a grid.) */
-void write_vector(std::ostream &script, const dealii::Point<2> &a, const dealii::Point<2> &b)
+void write_vector(std::ostream &script, const Point<2> &a, const Point<2> &b)
 {
   script << plot_number(a[0]) << " " << plot_number(a[1]) << " 0 " << plot_number(b[0] - a[0])
          << " " << plot_number(b[1] - a[1]) << " 0\n";
@@ -166,13 +166,13 @@ public:
   }
 
 private:
-  dealii::Point<2> deformed(const DrawnPoint &point) const
+  Point<2> deformed(const DrawnPoint &point) const
   {
     return point.x + factor_ * point.u;
   }
   void write_corner(const DrawnPoint &point)
   {
-    const dealii::Point<2> x = deformed(point);
+    const Point<2> x = deformed(point);
     script_ << plot_number(x[0]) << " " << plot_number(x[1]) << " " << plot_number(point.von_mises)
             << "\n";
   }
@@ -213,7 +213,7 @@ std::vector<DrawnFoundation> foundations(const std::vector<ContactSegment> &line
       if (!open)
         runs.emplace_back();
       open = true;
-      const dealii::Point<2> x = point.x + distance * point.n;
+      const Point<2> x = point.x + distance * point.n;
       Polyline &surface = runs.back().surface;
       // The point where two pieces meet comes twice.
       if (!surface.empty() && surface.back().distance(x) < 1e-3 * size &&
@@ -246,7 +246,7 @@ void write_foundations(std::ostream &script, const std::vector<DrawnFoundation> 
   script << "$foundation << END_OF_DATA\n";
   for (const DrawnFoundation &run : runs)
   {
-    for (const dealii::Point<2> &x : run.surface)
+    for (const Point<2> &x : run.surface)
       write_point(script, x);
     script << "\n\n";
   }
@@ -274,7 +274,7 @@ void write_contact_sides(std::ostream &script,
  * dark. */
 void set_view(std::ostream &script, const Frame &frame, const double end_of_scale)
 {
-  const dealii::Tensor<1, 2> extent = frame.upper - frame.lower;
+  const Tensor<1, 2> extent = frame.upper - frame.lower;
   const double margin = 0.04 * std::max(extent[0], extent[1]);
   script << "set xrange [" << plot_number(frame.lower[0] - margin) << ":"
          << plot_number(frame.upper[0] + margin) << "]\nset yrange ["
@@ -314,7 +314,7 @@ Picture deformed_picture(const DisplacementSpace<2> &space,
   write_contact_sides(data, line, factor);
   write_foundations(data, foundation);
 
-  const dealii::Tensor<1, 2> extent = drawing.frame().upper - drawing.frame().lower;
+  const Tensor<1, 2> extent = drawing.frame().upper - drawing.frame().lower;
   constexpr double width = 820., plot_width = 600., around = 150.;
   const double height = std::min(900., std::max(360., around + plot_width * extent[1] / extent[0]));
   std::ostringstream script;

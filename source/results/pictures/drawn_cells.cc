@@ -36,29 +36,27 @@ public:
     , interpolated_(!space.has_several_elements() && space.mesh().has_parents())
   {
     if (interpolated_)
-      interpolation_.emplace(space, dealii::Quadrature<2>(), 1);
+      interpolation_.emplace(space, Quadrature<2>(), 1);
   }
 
   /** Returns the values at the points of a rule. @param rule_number the number of the rule among
    * those used with this element. */
   std::vector<DrawnPoint> at(const DisplacementSpace<2>::CellIterator &cell,
                              const unsigned int rule_number,
-                             const dealii::Quadrature<2> &rule)
+                             const Quadrature<2> &rule)
   {
     const auto dof_cell = space_.dof_cell(cell);
-    std::unique_ptr<dealii::FEValues<2>> &values =
-      values_[{space_.element_number(cell), rule_number}];
+    std::unique_ptr<FEValues<2>> &values = values_[{space_.element_number(cell), rule_number}];
     if (values == nullptr)
-      values = std::make_unique<dealii::FEValues<2>>(
-        space_.mesh().mapping(),
-        space_.element(cell),
-        rule,
-        dealii::update_values | dealii::update_gradients | dealii::update_inverse_jacobians |
-          dealii::update_quadrature_points);
+      values = std::make_unique<FEValues<2>>(space_.mesh().mapping(),
+                                             space_.element(cell),
+                                             rule,
+                                             update_values | update_gradients |
+                                               update_inverse_jacobians | update_quadrature_points);
     values->reinit(dof_cell);
-    std::vector<dealii::Tensor<1, 2>> u(values->n_quadrature_points);
-    std::vector<dealii::Tensor<2, 2>> gradients(values->n_quadrature_points);
-    const dealii::FEValuesExtractors::Vector displacement(0);
+    std::vector<Tensor<1, 2>> u(values->n_quadrature_points);
+    std::vector<Tensor<2, 2>> gradients(values->n_quadrature_points);
+    const FEValuesExtractors::Vector displacement(0);
     (*values)[displacement].get_function_values(U_.entries(), u);
     if (interpolated_)
       gradients = interpolation_->evaluate(U_, dof_cell, *values).gradients;
@@ -67,17 +65,17 @@ public:
     std::vector<DrawnPoint> points(values->n_quadrature_points);
     for (const unsigned int q : values->quadrature_point_indices())
     {
-      dealii::SymmetricTensor<2, 2> strain = symmetrize(gradients[q]);
+      SymmetricTensor<2, 2> strain = symmetrize(gradients[q]);
       if (!dilatation_.empty())
         replace_trace(strain, dilatation_[cell->active_cell_index()]);
-      const dealii::Point<2> &x = values->quadrature_point(q);
+      const Point<2> &x = values->quadrature_point(q);
       points[q] = {x, u[q], stress_at(x, strain)};
     }
     return points;
   }
 
 private:
-  double stress_at(const dealii::Point<2> &x, const dealii::SymmetricTensor<2, 2> &strain) const
+  double stress_at(const Point<2> &x, const SymmetricTensor<2, 2> &strain) const
   {
     try
     {
@@ -96,17 +94,17 @@ private:
   const bool interpolated_;
   std::optional<PatchInterpolation<2>> interpolation_;
   /** The values by the number of the element and of the rule. */
-  std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<dealii::FEValues<2>>> values_;
+  std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<FEValues<2>>> values_;
 };
 
 /** Returns (n+1)² points of the reference cell, row after row. */
-dealii::Quadrature<2> lattice(const unsigned int n)
+Quadrature<2> lattice(const unsigned int n)
 {
-  std::vector<dealii::Point<2>> points;
+  std::vector<Point<2>> points;
   for (unsigned int j = 0; j <= n; ++j)
     for (unsigned int i = 0; i <= n; ++i)
       points.emplace_back(static_cast<double>(i) / n, static_cast<double>(j) / n);
-  return dealii::Quadrature<2>(points);
+  return Quadrature<2>(points);
 }
 
 /** Returns the number of parts of a cell per direction. */
@@ -121,23 +119,22 @@ unsigned int n_parts(const DisplacementSpace<2> &space,
 
 /** Returns an ancestor of active cells. Its corners are corners of active cells, whose values they
  * get. */
-DrawnCell coarse_cell(const dealii::Triangulation<2>::cell_iterator &cell, FieldSampler &sampler)
+DrawnCell coarse_cell(const Triangulation<2>::cell_iterator &cell, FieldSampler &sampler)
 {
   DrawnCell drawn;
-  for (const unsigned int v : dealii::GeometryInfo<2>::vertex_indices())
+  for (const unsigned int v : GeometryInfo<2>::vertex_indices())
   {
-    dealii::Triangulation<2>::cell_iterator descendant = cell;
+    Triangulation<2>::cell_iterator descendant = cell;
     while (descendant->has_children())
       descendant = descendant->child(v);
     drawn.points.push_back(
-      sampler.at(descendant, v, dealii::Quadrature<2>(dealii::GeometryInfo<2>::unit_cell_vertex(v)))
-        .front());
+      sampler.at(descendant, v, Quadrature<2>(GeometryInfo<2>::unit_cell_vertex(v))).front());
   }
   return drawn;
 }
 
 /** Returns the finest level of the mesh with few enough cells; the first one where no level has. */
-unsigned int drawn_level(const dealii::Triangulation<2> &triangulation)
+unsigned int drawn_level(const Triangulation<2> &triangulation)
 {
   unsigned int level = triangulation.n_levels() - 1;
   while (level > 0 && triangulation.n_cells(level) > max_cells)
@@ -150,11 +147,11 @@ std::vector<DrawnCell> collect_drawn_cells(const DisplacementSpace<2> &space,
                                            const Scene<2> &scene,
                                            const Displacement &U)
 {
-  const dealii::Triangulation<2> &triangulation = space.mesh().triangulation();
+  const Triangulation<2> &triangulation = space.mesh().triangulation();
   FieldSampler sampler(space, scene, U);
   std::vector<DrawnCell> cells;
   const auto add = [&](DrawnCell drawn, const auto &cell) {
-    for (const unsigned int f : dealii::GeometryInfo<2>::face_indices())
+    for (const unsigned int f : GeometryInfo<2>::face_indices())
       drawn.at_boundary[f] = cell->face(f)->at_boundary();
     cells.push_back(std::move(drawn));
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 
 #include <sstream>
@@ -12,8 +13,8 @@ namespace Signorini
 /** A point of the body as it is drawn. */
 struct DrawnPoint
 {
-  dealii::Point<2> x;
-  dealii::Tensor<1, 2> u;
+  Point<2> x;
+  Tensor<1, 2> u;
   /** The von Mises stress (force/area); NaN where the material's data has no value. */
   double von_mises = 0.;
 };

@@ -101,7 +101,7 @@ ComplianceOperator::Matrix ColumnCompliance::solve_for(const Indices &numbers) c
       unit[numbers[j]] = 1.;
       right_hand_sides.push_back(inverse_.make_vector());
       D_.add_product(unit, right_hand_sides.back());
-      right_hand_sides.back().compress(dealii::VectorOperation::add);
+      right_hand_sides.back().compress(VectorOperation::add);
       solutions.push_back(inverse_.make_vector());
     }
     inverse_.solve(solutions, right_hand_sides);
@@ -114,7 +114,7 @@ ComplianceOperator::Matrix ColumnCompliance::solve_for(const Indices &numbers) c
     if (progress_)
       progress_(n_known_ + last);
   }
-  dealii::Utilities::MPI::sum(found, inverse_.communicator(), found);
+  Utilities::MPI::sum(found, inverse_.communicator(), found);
   return found;
 }
 
@@ -169,10 +169,10 @@ SolvedCompliance::Vector SolvedCompliance::apply(const Vector &P) const
     return Vector(P.size());
   DistributedVector b = inverse_.make_vector(), x = inverse_.make_vector();
   D_.add_product(P, b);
-  b.compress(dealii::VectorOperation::add);
+  b.compress(VectorOperation::add);
   inverse_.solve(x, b);
   Vector product = D_.local_transpose_product(x);
-  dealii::Utilities::MPI::sum(product, inverse_.communicator(), product);
+  Utilities::MPI::sum(product, inverse_.communicator(), product);
   return product;
 }
 
@@ -217,27 +217,27 @@ bool SolvedCompliance::is_explicit() const
 namespace
 {
 /** Returns C = Dᵀ S⁻¹ D = Wᵀ W with S = L Lᵀ and W = L⁻¹ D. */
-dealii::FullMatrix<double> compliance_from(TrailingFactor &factor, const Coupling &condensed_D)
+FullMatrix<double> compliance_from(TrailingFactor &factor, const Coupling &condensed_D)
 {
   // A moved LAPACK matrix loses its properties.
-  factor.L.set_property(dealii::LAPACKSupport::lower_triangular);
+  factor.L.set_property(LAPACKSupport::lower_triangular);
   const unsigned int m = condensed_D.n_columns();
-  dealii::LAPACKFullMatrix<double> W(factor.L.m(), m);
+  LAPACKFullMatrix<double> W(factor.L.m(), m);
   for (unsigned int k = 0; k < m; ++k)
     for (const auto &entry : condensed_D.column(k))
       W(factor.rows.at(entry.first), k) += entry.second;
   factor.L.solve(W);
-  dealii::LAPACKFullMatrix<double> C(m, m);
+  LAPACKFullMatrix<double> C(m, m);
   W.Tmmult(C, W);
-  dealii::FullMatrix<double> result(m, m);
+  FullMatrix<double> result(m, m);
   result = C;
   return result;
 }
 } // namespace
 
-std::vector<dealii::types::global_dof_index> contact_unknowns(const Coupling &condensed_D)
+std::vector<types::global_dof_index> contact_unknowns(const Coupling &condensed_D)
 {
-  std::set<dealii::types::global_dof_index> rows;
+  std::set<types::global_dof_index> rows;
   for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
     for (const auto &entry : condensed_D.column(k))
       rows.insert(entry.first);
@@ -300,7 +300,7 @@ Displacement recover_displacement(const StiffnessInverse &inverse,
 {
   DistributedVector DP_plus_f(f);
   condensed_D.add_product(P, DP_plus_f);
-  DP_plus_f.compress(dealii::VectorOperation::add);
+  DP_plus_f.compress(VectorOperation::add);
   DistributedVector U = space.make_vector();
   inverse.solve(U, DP_plus_f);
   return space.complete(U);
@@ -311,7 +311,7 @@ Displacement solve_homogeneous(const StiffnessInverse &inverse,
                                const DisplacementSpace<dim> &space,
                                DistributedVector &b)
 {
-  b.compress(dealii::VectorOperation::add);
+  b.compress(VectorOperation::add);
   DistributedVector x = space.make_vector();
   inverse.solve(x, b);
   Displacement w = space.displacement(x);

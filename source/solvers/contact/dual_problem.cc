@@ -103,14 +103,14 @@ BoundConstrainedQP::BoundConstrainedQP(std::shared_ptr<const ComplianceOperator>
                                   std::to_string(i) + ".");
 }
 
-BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, Vector F_, AdmissibleSet K_)
+BoundConstrainedQP::BoundConstrainedQP(FullMatrix<double> C_, Vector F_, AdmissibleSet K_)
   : BoundConstrainedQP(std::make_shared<const DenseCompliance>(std::move(C_)),
                        std::move(F_),
                        std::move(K_))
 {
 }
 
-BoundConstrainedQP::BoundConstrainedQP(dealii::FullMatrix<double> C_, const Vector &F_)
+BoundConstrainedQP::BoundConstrainedQP(FullMatrix<double> C_, const Vector &F_)
   : BoundConstrainedQP(std::move(C_), F_, AdmissibleSet::nonpositive(F_.size()))
 {
 }
@@ -159,15 +159,15 @@ bool BoundConstrainedQP::has_unique_solution(const Vector &P) const
   const auto n = static_cast<unsigned int>(touching.size());
   if (n == 0)
     return true;
-  const dealii::FullMatrix<double> C_TT = submatrix(*C, touching);
-  dealii::LAPACKFullMatrix<double> L(n, n);
+  const FullMatrix<double> C_TT = submatrix(*C, touching);
+  LAPACKFullMatrix<double> L(n, n);
   L = C_TT;
-  L.set_property(dealii::LAPACKSupport::symmetric);
+  L.set_property(LAPACKSupport::symmetric);
   try
   {
     L.compute_cholesky_factorization();
   }
-  catch (const dealii::ExceptionBase &)
+  catch (const ExceptionBase &)
   {
     return false;
   }

@@ -20,9 +20,9 @@ namespace
 {
 using Vector = dealii::Vector<double>;
 
-std::string message_of(const dealii::ExceptionBase &exception)
+std::string message_of(const ExceptionBase &exception)
 {
-  if (dynamic_cast<const dealii::LACExceptions::ExcSingular *>(&exception) != nullptr)
+  if (dynamic_cast<const LACExceptions::ExcSingular *>(&exception) != nullptr)
     return "the compliance of the patches in contact is singular";
   std::ostringstream text;
   exception.print_info(text);
@@ -51,7 +51,7 @@ QPResult by_chosen_method(const BoundConstrainedQP &qp,
   {
     return solve_by_active_set(qp, start, {options.tolerance, options.maximum_iterations});
   }
-  catch (const dealii::ExceptionBase &exception)
+  catch (const ExceptionBase &exception)
   {
     QPResult result = by_psor(qp, start, options);
     result.active_set_failure = message_of(exception);
@@ -168,7 +168,7 @@ States states_of(const AdmissibleSet &K, const Vector &P)
   return states;
 }
 
-/** Solves C_AA P_A = F_A - C_AI e_I, P_I = e_I. @throws dealii::ExceptionBase if C_AA is not
+/** Solves C_AA P_A = F_A - C_AI e_I, P_I = e_I. @throws ExceptionBase if C_AA is not
  * positive definite. */
 Vector solve_on_set(const BoundConstrainedQP &qp, const States &states)
 {
@@ -182,12 +182,12 @@ Vector solve_on_set(const BoundConstrainedQP &qp, const States &states)
   if (A.empty())
     return P;
   const Vector minus_rhs = qp.gradient(P);
-  dealii::LAPACKFullMatrix<double> C_AA(A.size(), A.size());
+  LAPACKFullMatrix<double> C_AA(A.size(), A.size());
   C_AA = submatrix(*qp.C, A);
   Vector P_A(A.size());
   for (unsigned int r = 0; r < A.size(); ++r)
     P_A[r] = -minus_rhs[A[r]];
-  C_AA.set_property(dealii::LAPACKSupport::symmetric);
+  C_AA.set_property(LAPACKSupport::symmetric);
   C_AA.compute_cholesky_factorization();
   C_AA.solve(P_A);
   for (unsigned int r = 0; r < A.size(); ++r)

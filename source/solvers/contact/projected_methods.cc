@@ -12,7 +12,7 @@ namespace Signorini
 {
 double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, dealii::Vector<double> &P)
 {
-  const dealii::FullMatrix<double> &C = qp.C->dense();
+  const FullMatrix<double> &C = qp.C->dense();
   double squared_increment = 0.;
   for (unsigned int i = 0; i < qp.size(); ++i)
   {

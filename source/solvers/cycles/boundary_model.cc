@@ -63,7 +63,7 @@ Vector BoundaryModel::solve_by_factor(const Indices &set, const Vector &rhs) con
         factor_(r, c) = value;
         factor_(c, r) = value;
       }
-    factor_.set_property(dealii::LAPACKSupport::symmetric);
+    factor_.set_property(LAPACKSupport::symmetric);
     factor_.compute_cholesky_factorization();
     factorised_set_ = set;
   }
@@ -159,7 +159,7 @@ template <int dim>
 double relative_contact_modulus(const ContactSurface<dim> &surface, const Patch<dim> &patch)
 {
   const Side<dim> &side = surface.side(patch);
-  const dealii::Tensor<1, dim> n = side.normal(patch.centre());
+  const Tensor<1, dim> n = side.normal(patch.centre());
   const auto hooke = surface.scene().material->relative_hooke(side.point(patch.centre()));
   // Σ_j H(n, e_j, n, e_j) is M and one μ for each direction on the surface.
   double M = 0., sum = 0.;
@@ -197,7 +197,7 @@ std::optional<GridBlock> grid_of(const ContactSurface<dim> &surface,
   if (!surface.side(first).is_flat())
     return {};
   const auto extent = first.upper - first.lower;
-  dealii::Point<dim - 1> lower = first.lower, upper = first.upper;
+  Point<dim - 1> lower = first.lower, upper = first.upper;
   for (const unsigned int k : patches)
     for (unsigned int d = 0; d < dim - 1; ++d)
     {
@@ -259,7 +259,7 @@ FlatPatch<dim> flat_patch(const ContactSurface<dim> &surface, const Patch<dim> &
   FlatPatch<dim> flat = {side.point(patch.lower), {}, patch.measure};
   for (unsigned int d = 0; d < dim - 1; ++d)
   {
-    dealii::Point<dim - 1> end = patch.lower;
+    Point<dim - 1> end = patch.lower;
     end[d] = patch.upper[d];
     flat.edges[d] = side.point(end) - flat.corner;
   }
@@ -309,12 +309,11 @@ std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim>
   std::vector<FlatPatch<dim>> flat;
   for (const Patch<dim> &patch : patches)
     flat.push_back(flat_patch(surface, patch));
-  dealii::FullMatrix<double> C(m, m);
+  FullMatrix<double> C(m, m);
   for (unsigned int i = 0; i < m; ++i)
     for (unsigned int j = 0; j <= i; ++j)
     {
-      C(i, j) =
-        scaling[i] * scaling[j] / dealii::numbers::PI * patch_interaction(flat[i], flat[j], radius);
+      C(i, j) = scaling[i] * scaling[j] / numbers::PI * patch_interaction(flat[i], flat[j], radius);
       C(j, i) = C(i, j);
     }
   return std::make_shared<const KernelModel>(std::move(C));

@@ -150,7 +150,7 @@ void Acceleration::remember(const ContactStep &step)
 dealii::Vector<double> Acceleration::coefficients(const ContactStep &step) const
 {
   const unsigned int n = differences_.size();
-  dealii::FullMatrix<double> M(n, n), inverse(n, n);
+  FullMatrix<double> M(n, n), inverse(n, n);
   dealii::Vector<double> rhs(n), gamma(n);
   if (n == 0)
     return gamma;

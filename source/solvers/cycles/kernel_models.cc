@@ -15,8 +15,8 @@ namespace Signorini
 {
 namespace
 {
-using Matrix = dealii::FullMatrix<double>;
-using dealii::numbers::PI;
+using Matrix = FullMatrix<double>;
+using numbers::PI;
 
 constexpr int n_aliases = 8;
 
@@ -263,9 +263,9 @@ double kernel_of(const double distance, const double radius)
 } // namespace
 
 template <int dim>
-dealii::Point<dim> FlatPatch<dim>::centre() const
+Point<dim> FlatPatch<dim>::centre() const
 {
-  dealii::Point<dim> x = corner;
+  Point<dim> x = corner;
   for (const auto &edge : edges)
     x += 0.5 * edge;
   return x;
@@ -274,17 +274,17 @@ dealii::Point<dim> FlatPatch<dim>::centre() const
 template <int dim>
 double FlatPatch<dim>::diameter() const
 {
-  dealii::Tensor<1, dim> diagonal;
+  Tensor<1, dim> diagonal;
   for (const auto &edge : edges)
     diagonal += edge;
   return diagonal.norm();
 }
 
 template <>
-double patch_potential(const FlatPatch<2> &patch, const dealii::Point<2> &x, const double radius)
+double patch_potential(const FlatPatch<2> &patch, const Point<2> &x, const double radius)
 {
   const double length = patch.edges[0].norm();
-  const dealii::Tensor<1, 2> from = x - patch.corner;
+  const Tensor<1, 2> from = x - patch.corner;
   const double s = from * patch.edges[0] / length;
   // Rounding must not make a line of no width.
   const double z = (from - s / length * patch.edges[0]).norm();
@@ -294,13 +294,11 @@ double patch_potential(const FlatPatch<2> &patch, const dealii::Point<2> &x, con
 }
 
 template <>
-double patch_potential(const FlatPatch<3> &patch,
-                       const dealii::Point<3> &x,
-                       const double /*radius*/)
+double patch_potential(const FlatPatch<3> &patch, const Point<3> &x, const double /*radius*/)
 {
-  const dealii::Tensor<1, 3> from = x - patch.corner;
+  const Tensor<1, 3> from = x - patch.corner;
   std::array<double, 2> low, high;
-  dealii::Tensor<1, 3> rest = from;
+  Tensor<1, 3> rest = from;
   double area = 1.;
   for (unsigned int d = 0; d < 2; ++d)
   {
@@ -326,13 +324,13 @@ double patch_interaction(const FlatPatch<dim> &a, const FlatPatch<dim> &b, const
   const double size = std::max(a.diameter(), b.diameter());
   if (distance > far_away * size)
     return a.measure * b.measure * kernel_of<dim>(distance, radius);
-  static const dealii::QGauss<dim - 1> usual(2), near(4);
-  const dealii::Quadrature<dim - 1> &rule = distance > 1.5 * size ? usual : near;
+  static const QGauss<dim - 1> usual(2), near(4);
+  const Quadrature<dim - 1> &rule = distance > 1.5 * size ? usual : near;
   const auto one_way = [&](const FlatPatch<dim> &outer, const FlatPatch<dim> &inner) {
     double sum = 0.;
     for (unsigned int q = 0; q < rule.size(); ++q)
     {
-      dealii::Point<dim> x = outer.corner;
+      Point<dim> x = outer.corner;
       for (unsigned int d = 0; d < dim - 1; ++d)
         x += rule.point(q)[d] * outer.edges[d];
       sum += rule.weight(q) * outer.measure * patch_potential(inner, x, radius);
@@ -348,7 +346,7 @@ KernelModel::KernelModel(Matrix C)
   , L_(C_.m(), C_.m())
 {
   L_ = C_;
-  L_.set_property(dealii::LAPACKSupport::symmetric);
+  L_.set_property(LAPACKSupport::symmetric);
   L_.compute_cholesky_factorization();
 }
 

@@ -207,8 +207,8 @@ public:
 
   BlockVector make_vector() const
   {
-    return BlockVector(std::vector<dealii::types::global_dof_index>{
-      system_.A.size(), static_cast<dealii::types::global_dof_index>(set_.size())});
+    return BlockVector(std::vector<types::global_dof_index>{
+      system_.A.size(), static_cast<types::global_dof_index>(set_.size())});
   }
 
   void vmult(BlockVector &y, const BlockVector &x) const
@@ -266,13 +266,13 @@ void solve_on(const ContactSystem &system,
   const Vector W = system.opening(result.U);
   for (unsigned int r = 0; r < set.size(); ++r)
     rhs.block(1)[r] = W[set[r]];
-  dealii::ReductionControl control(max_cycles, 1e-300, reduction, false, false);
-  dealii::SolverMinRes<BlockVector> minres(control);
+  ReductionControl control(max_cycles, 1e-300, reduction, false, false);
+  SolverMinRes<BlockVector> minres(control);
   try
   {
     minres.solve(matrix, x, rhs, SaddlePoint::Preconditioner{matrix, result.cycles});
   }
-  catch (const dealii::SolverControl::NoConvergence &)
+  catch (const SolverControl::NoConvergence &)
   {
     // The residual is checked by the caller.
   }

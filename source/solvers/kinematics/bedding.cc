@@ -14,7 +14,7 @@ namespace Signorini
 namespace
 {
 using Vector = dealii::Vector<double>;
-using Matrix = dealii::FullMatrix<double>;
+using Matrix = FullMatrix<double>;
 
 Vector pressure_at(const ReducedMotions &motions, const Vector &F, const Vector &c, const Vector &z)
 {
@@ -159,7 +159,7 @@ bool StiffenedCompliance::is_explicit() const
 namespace
 {
 using Vector = dealii::Vector<double>;
-using Matrix = dealii::FullMatrix<double>;
+using Matrix = FullMatrix<double>;
 
 /** Returns P ≤ 0 with Bᵀ P = -b on few patches; nothing if K resists, where every P will do. */
 std::optional<Vector> pressure_in_balance(const ReducedMotions &motions, const unsigned int m)

@@ -15,7 +15,7 @@ namespace Signorini
 namespace
 {
 using Vector = dealii::Vector<double>;
-using Matrix = dealii::FullMatrix<double>;
+using Matrix = FullMatrix<double>;
 using Compliance = std::shared_ptr<const ComplianceOperator>;
 
 /** The problem in the coordinates of ReducedMotions. */

@@ -18,8 +18,8 @@ namespace
 /** Returns the nodal values of a rigid motion. */
 Displacement interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space)
 {
-  return interpolate_at_nodes(
-    space, FieldFunction([&](const dealii::Point<2> &x) { return motion.velocity(x); }));
+  return interpolate_at_nodes(space,
+                              FieldFunction([&](const Point<2> &x) { return motion.velocity(x); }));
 }
 
 /** Returns the values of the motion on plates, pins and other supports; zero elsewhere. */
@@ -122,9 +122,9 @@ MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space,
 } // namespace
 
 template <int dim>
-dealii::FullMatrix<double> MotionModes<dim>::couple(const Coupling &D) const
+FullMatrix<double> MotionModes<dim>::couple(const Coupling &D) const
 {
-  dealii::FullMatrix<double> B(D.n_columns(), size());
+  FullMatrix<double> B(D.n_columns(), size());
   for (unsigned int j = 0; j < size(); ++j)
   {
     const dealii::Vector<double> column = D.transpose_product(Z[j]);
@@ -228,7 +228,7 @@ RigidMotion rigid_part(const MotionModes<2> &modes, const dealii::Vector<double>
   return combine(rigid, weights);
 }
 
-bool opens(const dealii::FullMatrix<double> &B, const dealii::Vector<double> &v)
+bool opens(const FullMatrix<double> &B, const dealii::Vector<double> &v)
 {
   constexpr double negligible = 1e-8;
   dealii::Vector<double> opening(B.m());

@@ -16,7 +16,7 @@ namespace Signorini
 namespace
 {
 using Vector = dealii::Vector<double>;
-using Matrix = dealii::FullMatrix<double>;
+using Matrix = FullMatrix<double>;
 using Columns = std::vector<unsigned int>;
 
 /** Returns the y with the smallest |b - A_S y| regardless of signs. */
@@ -27,7 +27,7 @@ Vector least_squares(const Matrix &A, const Columns &S, const Vector &b)
     for (unsigned int j = 0; j < S.size(); ++j)
       A_S(i, j) = A(i, S[j]);
   Vector y(S.size());
-  dealii::Householder<double>(A_S).least_squares(y, b);
+  Householder<double>(A_S).least_squares(y, b);
   return y;
 }
 
@@ -116,10 +116,10 @@ ConeProjection project_on_cone(const Matrix &A, const Vector &b, const double ro
 namespace
 {
 using Vector = dealii::Vector<double>;
-using Matrix = dealii::FullMatrix<double>;
+using Matrix = FullMatrix<double>;
 using Indices = ComplianceOperator::Indices;
 
-using Factor = dealii::LAPACKFullMatrix<double>;
+using Factor = LAPACKFullMatrix<double>;
 
 /** Adds part of the mean diagonal entry to the diagonal. */
 void add_to_diagonal(Matrix &Q, const double part)
@@ -139,12 +139,12 @@ bool try_to_factorise(const Matrix &C_AA, Factor &factor)
 {
   factor.reinit(C_AA.m());
   factor = C_AA;
-  factor.set_property(dealii::LAPACKSupport::symmetric);
+  factor.set_property(LAPACKSupport::symmetric);
   try
   {
     factor.compute_cholesky_factorization();
   }
-  catch (const dealii::ExceptionBase &)
+  catch (const ExceptionBase &)
   {
     return false;
   }

@@ -16,11 +16,11 @@ namespace
 {
 /** Returns R of M = Q R, k x k, by Gram and Schmidt, each column made orthogonal twice. A column
  * that depends on those before it has R_jj = 0, and no column of Q. */
-dealii::FullMatrix<double> triangle_of(const dealii::FullMatrix<double> &M)
+FullMatrix<double> triangle_of(const FullMatrix<double> &M)
 {
   constexpr double dependent = 1e-15;
   const unsigned int k = M.n();
-  dealii::FullMatrix<double> Q(M.m(), k), R(k, k);
+  FullMatrix<double> Q(M.m(), k), R(k, k);
   for (unsigned int j = 0; j < k; ++j)
   {
     double before = 0.;
@@ -49,7 +49,7 @@ dealii::FullMatrix<double> triangle_of(const dealii::FullMatrix<double> &M)
 }
 } // namespace
 
-SmallCholesky::SmallCholesky(const dealii::FullMatrix<double> &Q)
+SmallCholesky::SmallCholesky(const FullMatrix<double> &Q)
   : L_(Q.m(), Q.m())
 {
   for (unsigned int j = 0; j < Q.m(); ++j)
@@ -88,13 +88,13 @@ dealii::Vector<double> SmallCholesky::solve(const dealii::Vector<double> &x) con
   return y;
 }
 
-Splitting split_by_size(const dealii::FullMatrix<double> &M, const double threshold)
+Splitting split_by_size(const FullMatrix<double> &M, const double threshold)
 {
   const unsigned int k = M.n();
   Splitting split;
   if (k == 0)
     return split;
-  dealii::LAPACKFullMatrix<double> R(k, k);
+  LAPACKFullMatrix<double> R(k, k);
   R = triangle_of(M);
   R.compute_svd();
   for (unsigned int i = 0; i < k; ++i)
@@ -107,7 +107,7 @@ Splitting split_by_size(const dealii::FullMatrix<double> &M, const double thresh
   return split;
 }
 
-dealii::Vector<double> times(const dealii::FullMatrix<double> &M, const dealii::Vector<double> &x)
+dealii::Vector<double> times(const FullMatrix<double> &M, const dealii::Vector<double> &x)
 {
   dealii::Vector<double> product(M.m());
   for (unsigned int i = 0; i < M.m(); ++i)
@@ -116,8 +116,7 @@ dealii::Vector<double> times(const dealii::FullMatrix<double> &M, const dealii::
   return product;
 }
 
-dealii::Vector<double> transpose_times(const dealii::FullMatrix<double> &M,
-                                       const dealii::Vector<double> &y)
+dealii::Vector<double> transpose_times(const FullMatrix<double> &M, const dealii::Vector<double> &y)
 {
   dealii::Vector<double> product(M.n());
   for (unsigned int i = 0; i < y.size(); ++i)
@@ -131,7 +130,7 @@ dealii::Vector<double> transpose_times(const dealii::FullMatrix<double> &M,
 namespace
 {
 using Vector = dealii::Vector<double>;
-using Matrix = dealii::FullMatrix<double>;
+using Matrix = FullMatrix<double>;
 
 /** Returns the unit of each motion: 1/|B_j|, or by its resistance, or as large as the others. */
 Vector units_of(const FreeMotions &motions, const Vector &norms, const double stiffness)

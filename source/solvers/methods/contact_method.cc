@@ -190,8 +190,8 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
   , solvers_(choose_solvers(parameters,
                             scene,
                             parameters.discretization.finest_level,
-                            dealii::Utilities::MPI::n_mpi_processes(communicator)))
-  , condensed_(resolve(solvers_.linear, dealii::Utilities::MPI::n_mpi_processes(communicator)) ==
+                            Utilities::MPI::n_mpi_processes(communicator)))
+  , condensed_(resolve(solvers_.linear, Utilities::MPI::n_mpi_processes(communicator)) ==
                LinearSolver::condensed)
   , available_(available_bytes())
 {
@@ -205,7 +205,7 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
                      ", allowed: levels that fit into the " + describe_available() + ".");
   };
   refuse_if_huge();
-  dealii::Triangulation<dim> coarse_mesh;
+  Triangulation<dim> coarse_mesh;
   scene.geometry.make_coarse_mesh(coarse_mesh);
   double all_faces = 0.;
   for (const auto &face : coarse_mesh.active_face_iterators())

@@ -52,7 +52,7 @@ Displacement complete_free_part(const DisplacementSpace<dim> &space, const Vecto
   DistributedVector free = space.make_vector();
   for (const auto i : space.locally_owned())
     free(i) = U_free[i];
-  free.compress(dealii::VectorOperation::insert);
+  free.compress(VectorOperation::insert);
   return space.complete(free);
 }
 

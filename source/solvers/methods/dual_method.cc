@@ -368,13 +368,13 @@ template std::unique_ptr<ContactMethod<3>> make_dual_method(const Parameters &,
 namespace
 {
 /** Returns z_j·n at the ends of all pieces of the contact boundary. */
-dealii::FullMatrix<double> closing_of_points(const Discretization<2> &discretization,
-                                             const MotionModes<2> &modes)
+FullMatrix<double> closing_of_points(const Discretization<2> &discretization,
+                                     const MotionModes<2> &modes)
 {
   const ContactSurface<2> &surface = discretization.surface;
-  const std::vector<dealii::Point<1>> ends = {dealii::Point<1>(0.), dealii::Point<1>(1.)};
+  const std::vector<Point<1>> ends = {Point<1>(0.), Point<1>(1.)};
   TraceValues<2> traces(discretization.space);
-  dealii::FullMatrix<double> closing(ends.size() * surface.pieces().size(), modes.size());
+  FullMatrix<double> closing(ends.size() * surface.pieces().size(), modes.size());
   for (std::size_t i = 0; i < surface.pieces().size(); ++i)
   {
     const Piece<2> &piece = surface.pieces()[i];

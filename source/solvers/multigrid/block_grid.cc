@@ -152,12 +152,12 @@ template std::vector<NodeNumber> every_other<3>(const std::vector<NodeNumber> &,
 // Essential conditions, node by node.
 
 template <int dim>
-dealii::Tensor<2, dim> projection_onto_range(const dealii::Tensor<2, dim> &T)
+Tensor<2, dim> projection_onto_range(const Tensor<2, dim> &T)
 {
-  dealii::Tensor<2, dim> projection;
+  Tensor<2, dim> projection;
   for (unsigned int c = 0; c < dim; ++c)
   {
-    dealii::Tensor<1, dim> column;
+    Tensor<1, dim> column;
     for (unsigned int d = 0; d < dim; ++d)
       column[d] = T[d][c];
     const double size = column.norm();
@@ -177,7 +177,7 @@ void project(LevelVector<dim, float> &x, const ConstrainedNodes<dim> &conditions
 {
   for (const ConstrainedNode<dim> &condition : conditions)
   {
-    dealii::Tensor<1, dim> u;
+    Tensor<1, dim> u;
     for (unsigned int c = 0; c < dim; ++c)
       u[c] = x[c][condition.node];
     u = condition.projection * u;
@@ -202,8 +202,8 @@ ConstrainedNodes<dim> coarsen(const ConstrainedNodes<dim> &fine,
   return conditions;
 }
 
-template dealii::Tensor<2, 2> projection_onto_range(const dealii::Tensor<2, 2> &);
-template dealii::Tensor<2, 3> projection_onto_range(const dealii::Tensor<2, 3> &);
+template Tensor<2, 2> projection_onto_range(const Tensor<2, 2> &);
+template Tensor<2, 3> projection_onto_range(const Tensor<2, 3> &);
 template void project(LevelVector<2, float> &, const ConstrainedNodes<2> &);
 template void project(LevelVector<3, float> &, const ConstrainedNodes<3> &);
 template ConstrainedNodes<2> coarsen(const ConstrainedNodes<2> &,

@@ -144,8 +144,8 @@ CellIntegration<dim>::CellIntegration(const Mesh<dim> &mesh, const Material<dim>
   : mesh_(mesh)
   , material_(material)
 {
-  const dealii::QGauss<dim> gauss(4);
-  using Info = dealii::GeometryInfo<dim>;
+  const QGauss<dim> gauss(4);
+  using Info = GeometryInfo<dim>;
   for (unsigned int q = 0; q < gauss.size(); ++q)
   {
     Point point;
@@ -165,7 +165,7 @@ template <int dim>
 std::array<double, CellIntegration<dim>::n_moduli>
 CellIntegration<dim>::moduli(const dealii::Point<dim> &x) const
 {
-  const dealii::SymmetricTensor<4, dim> hooke = material_.relative_hooke(mesh_.from_unit_body(x));
+  const SymmetricTensor<4, dim> hooke = material_.relative_hooke(mesh_.from_unit_body(x));
   std::array<double, n_moduli> result;
   for (int c = 0; c < dim; ++c)
     for (int d = 0; d <= c; ++d)
@@ -301,14 +301,13 @@ make_point_rule(const NodePlaces<dim> &places,
     for (unsigned int node = 0; node < n_nodes; ++node)
       rule->places[d][node] = static_cast<Number>(places[d][node]);
   std::copy(moduli.begin(), moduli.end(), rule->moduli.begin());
-  const dealii::QGauss<dim> gauss(n_points);
+  const QGauss<dim> gauss(n_points);
   for (unsigned int q = 0; q < gauss.size(); ++q)
   {
     rule->weights.push_back(static_cast<Number>(gauss.weight(q)));
     for (unsigned int v = 0; v < (1U << dim); ++v)
     {
-      const auto gradient =
-        dealii::GeometryInfo<dim>::d_linear_shape_function_gradient(gauss.point(q), v);
+      const auto gradient = GeometryInfo<dim>::d_linear_shape_function_gradient(gauss.point(q), v);
       for (unsigned int d = 0; d < dim; ++d)
         rule->gradients.push_back(static_cast<Number>(gradient[d]));
     }

@@ -233,7 +233,7 @@ public:
     for (unsigned int l = 0; l < n; ++l)
       for (unsigned int v = 0; v < (1U << dim); ++v)
       {
-        dealii::Tensor<2, dim> block;
+        Tensor<2, dim> block;
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
             block[c][d] = K[Matrices::entry(v * dim + c, v * dim + d) * n + l];

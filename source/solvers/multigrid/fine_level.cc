@@ -98,7 +98,7 @@ std::vector<NodeNumber> node_identities(const DisplacementSpace<dim> &space)
                                  power<dim>((std::size_t(1) << space.mesh().level()) + 1));
   for_nodes<dim>(space, [&](const std::size_t place, const auto &cell, const unsigned int v) {
     const auto first = cell->vertex_dof_index(v, 0, cell->active_fe_index());
-    Assert(first % dim == 0, dealii::ExcInternalError());
+    Assert(first % dim == 0, ExcInternalError());
     places[place] = static_cast<NodeNumber>(first / dim);
   });
   return places;
@@ -113,10 +113,10 @@ NodePlaces<dim> node_places(const DisplacementSpace<dim> &space,
                             const std::vector<NodeNumber> &numbers,
                             const unsigned int n_nodes)
 {
-  const dealii::Point<dim> origin = space.mesh().from_unit_body(dealii::Point<dim>());
+  const Point<dim> origin = space.mesh().from_unit_body(Point<dim>());
   NodePlaces<dim> result(n_nodes);
   for_nodes<dim>(space, [&](const std::size_t place, const auto &cell, const unsigned int v) {
-    const dealii::Tensor<1, dim> x = (cell->vertex(v) - origin) / space.mesh().size();
+    const Tensor<1, dim> x = (cell->vertex(v) - origin) / space.mesh().size();
     for (int d = 0; d < dim; ++d)
       result[d][numbers[place]] = x[d];
   });
@@ -132,7 +132,7 @@ bool has_congruent_descendants(const Mesh<dim> &mesh, const Cell &cell)
     return false;
   for (unsigned int v = 0; v < (1U << dim); ++v)
   {
-    dealii::Tensor<1, dim> difference = cell->vertex(v) - cell->vertex(0);
+    Tensor<1, dim> difference = cell->vertex(v) - cell->vertex(0);
     for (int d = 0; d < dim; ++d)
       if (((v >> d) & 1U) != 0)
         difference -= cell->vertex(1U << d) - cell->vertex(0);
@@ -296,7 +296,7 @@ private:
           target[Matrices::entry(i, j) * n_lanes] = matrix[i * dof_index_.size() + j];
     }
   }
-  void store(const std::size_t cell, const dealii::FullMatrix<double> &matrix)
+  void store(const std::size_t cell, const FullMatrix<double> &matrix)
   {
     double *const target = matrices_.stored_matrices(cell / n_lanes) + cell % n_lanes;
     for (unsigned int i = 0; i < dof_index_.size(); ++i)
@@ -325,9 +325,9 @@ ConstrainedNodes<dim> conditions_of(const DisplacementSpace<dim> &space,
   ConstrainedNodes<dim> conditions;
   for (NodeNumber node = 0; node < identities.size(); ++node)
   {
-    const auto first = static_cast<dealii::types::global_dof_index>(identities[node]) * dim;
+    const auto first = static_cast<types::global_dof_index>(identities[node]) * dim;
     bool is_free = true;
-    dealii::Tensor<2, dim> T;
+    Tensor<2, dim> T;
     for (unsigned int c = 0; c < dim; ++c)
       if (const auto *const line = constraints.get_constraint_entries(first + c))
       {
@@ -335,7 +335,7 @@ ConstrainedNodes<dim> conditions_of(const DisplacementSpace<dim> &space,
         for (const auto &[other, weight] : *line)
         {
           AssertThrow(other >= first && other < first + dim,
-                      dealii::ExcMessage("Multigrid: a condition joins two nodes."));
+                      ExcMessage("Multigrid: a condition joins two nodes."));
           T[c][other - first] = weight;
         }
       }

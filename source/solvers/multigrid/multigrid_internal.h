@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/multigrid/block_grid.h>
@@ -22,9 +23,9 @@ struct ConstrainedNode
 {
   NodeNumber node;
   /** The matrix in u = T u_free: columns of constrained components are zero. */
-  dealii::Tensor<2, dim> T;
+  Tensor<2, dim> T;
   /** The orthogonal projection onto the displacements that the conditions allow. */
-  dealii::Tensor<2, dim> projection;
+  Tensor<2, dim> projection;
 };
 
 /** The conditions of the nodes that are not free. */
@@ -33,7 +34,7 @@ using ConstrainedNodes = std::vector<ConstrainedNode<dim>>;
 
 /** Returns the projection onto the range of T. */
 template <int dim>
-dealii::Tensor<2, dim> projection_onto_range(const dealii::Tensor<2, dim> &T);
+Tensor<2, dim> projection_onto_range(const Tensor<2, dim> &T);
 
 /** Computes x = projection x at all nodes that are not free. */
 template <int dim>
@@ -152,7 +153,7 @@ private:
   const ConstrainedNodes<dim> &conditions_;
   /** The inverse of a small level, row by row. */
   std::vector<double> inverse_;
-  dealii::TrilinosWrappers::SparseMatrix matrix_;
+  TrilinosWrappers::SparseMatrix matrix_;
   std::unique_ptr<const StiffnessInverse> factors_;
 };
 

@@ -53,16 +53,15 @@ void MultigridLevel<dim>::make_blocks()
   std::size_t next = 0;
   for (unsigned int node = 0; node < grid_->n_nodes(); ++node)
   {
-    dealii::Tensor<2, dim> block;
+    Tensor<2, dim> block;
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)
         block[c][d] = blocks[c * dim + d][node];
     const double size = trace(block);
     if (next < conditions_.size() && conditions_[next].node == node)
     {
-      const dealii::Tensor<2, dim> &projection = conditions_[next++].projection;
-      const dealii::Tensor<2, dim> rest =
-        dealii::Tensor<2, dim>(dealii::unit_symmetric_tensor<dim>()) - projection;
+      const Tensor<2, dim> &projection = conditions_[next++].projection;
+      const Tensor<2, dim> rest = Tensor<2, dim>(unit_symmetric_tensor<dim>()) - projection;
       block = projection * invert(projection * block * projection + size * rest) * projection;
     }
     else
@@ -117,9 +116,8 @@ void for_entries(const BlockGrid<dim> &grid,
   for (const ConstrainedNode<dim> &condition : conditions)
     condition_of[condition.node] = &condition;
   const auto projected = [&](const NodeNumber node) {
-    return condition_of[node] == nullptr
-             ? dealii::Tensor<2, dim>(dealii::unit_symmetric_tensor<dim>())
-             : condition_of[node]->projection;
+    return condition_of[node] == nullptr ? Tensor<2, dim>(unit_symmetric_tensor<dim>())
+                                         : condition_of[node]->projection;
   };
   std::vector<double> buffer;
   const double *K = nullptr;
@@ -131,7 +129,7 @@ void for_entries(const BlockGrid<dim> &grid,
     for (unsigned int v = 0; v < nodes.size(); ++v)
       for (unsigned int w = 0; w < nodes.size(); ++w)
       {
-        dealii::Tensor<2, dim> block;
+        Tensor<2, dim> block;
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int d = 0; d < dim; ++d)
             block[c][d] = K[CellMatrices<dim, double>::entry(v * dim + c, w * dim + d) * n_lanes +
@@ -161,19 +159,19 @@ CoarsestInverse<dim>::CoarsestInverse(const BlockGrid<dim> &grid,
   const unsigned int n = dim * n_nodes_;
   if (n <= max_dense_unknowns)
   {
-    dealii::LAPACKFullMatrix<double> A(n, n);
+    LAPACKFullMatrix<double> A(n, n);
     for_entries(
       grid,
       matrices,
       conditions,
       [&](const unsigned int i, const unsigned int j, const double value) { A(i, j) += value; });
-    A.set_property(dealii::LAPACKSupport::symmetric);
+    A.set_property(LAPACKSupport::symmetric);
     try
     {
       A.compute_cholesky_factorization();
       A.invert();
     }
-    catch (const dealii::LACExceptions::ExcSingular &)
+    catch (const LACExceptions::ExcSingular &)
     {
       throw ComputationError("The matrix of the coarsest multigrid level is not positive definite, "
                              "by rounding: the body is very slender, or its moduli differ much; "
@@ -185,8 +183,8 @@ CoarsestInverse<dim>::CoarsestInverse(const BlockGrid<dim> &grid,
         inverse_[static_cast<std::size_t>(i) * n + j] = A(i, j);
     return;
   }
-  const dealii::IndexSet all = dealii::complete_index_set(n);
-  dealii::DynamicSparsityPattern pattern(n, n);
+  const IndexSet all = complete_index_set(n);
+  DynamicSparsityPattern pattern(n, n);
   for_entries(grid, matrices, conditions, [&](const unsigned int i, const unsigned int j, double) {
     pattern.add(i, j);
   });
@@ -197,9 +195,9 @@ CoarsestInverse<dim>::CoarsestInverse(const BlockGrid<dim> &grid,
               [&](const unsigned int i, const unsigned int j, const double value) {
                 matrix_.add(i, j, value);
               });
-  matrix_.compress(dealii::VectorOperation::add);
+  matrix_.compress(VectorOperation::add);
   factors_ =
-    std::make_unique<CondensedInverse>(matrix_, 1., std::vector<dealii::types::global_dof_index>());
+    std::make_unique<CondensedInverse>(matrix_, 1., std::vector<types::global_dof_index>());
 }
 
 template <int dim>

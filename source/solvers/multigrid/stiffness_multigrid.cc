@@ -70,7 +70,7 @@ public:
         result[grid_->identities()[node] * dim + c] = unit_ * blocks[c * dim + c][node];
     for (const ConstrainedNode<dim> &condition : fine_.conditions)
     {
-      dealii::Tensor<2, dim> block;
+      Tensor<2, dim> block;
       for (unsigned int c = 0; c < dim; ++c)
         for (unsigned int d = 0; d < dim; ++d)
           block[c][d] = blocks[c * dim + d][condition.node];
@@ -160,7 +160,7 @@ private:
 
   static void for_node_residual(MultigridLevel<dim> &level, const ConstrainedNode<dim> &condition)
   {
-    dealii::Tensor<1, dim> r;
+    Tensor<1, dim> r;
     for (unsigned int c = 0; c < dim; ++c)
       r[c] = level.b[c][condition.node] - level.y[c][condition.node];
     r = condition.projection * r;
@@ -170,11 +170,9 @@ private:
 
   /** Computes u = T u at a node. */
   template <typename Number>
-  static void transform(LevelVector<dim, Number> &u,
-                        const NodeNumber node,
-                        const dealii::Tensor<2, dim> &T)
+  static void transform(LevelVector<dim, Number> &u, const NodeNumber node, const Tensor<2, dim> &T)
   {
-    dealii::Tensor<1, dim> value;
+    Tensor<1, dim> value;
     for (unsigned int c = 0; c < dim; ++c)
       value[c] = u[c][node];
     value = T * value;

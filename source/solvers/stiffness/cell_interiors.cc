@@ -22,14 +22,13 @@ constexpr int one = 1;
 constexpr double plus = 1., minus = -1., nothing = 0.;
 } // namespace
 
-Rows::Rows(const dealii::TrilinosWrappers::SparseMatrix &A)
+Rows::Rows(const TrilinosWrappers::SparseMatrix &A)
   : n(A.trilinos_matrix().NumMyRows())
 {
   // With all rows on this rank the columns are numbered like the rows.
-  Assert(A.trilinos_matrix().ColMap().SameAs(A.trilinos_matrix().RowMap()),
-         dealii::ExcInternalError());
+  Assert(A.trilinos_matrix().ColMap().SameAs(A.trilinos_matrix().RowMap()), ExcInternalError());
   const int error = A.trilinos_matrix().ExtractCrsDataPointers(start, column, value);
-  AssertThrow(error == 0, dealii::ExcTrilinosError(error));
+  AssertThrow(error == 0, ExcTrilinosError(error));
 }
 
 CellInteriors::CellInteriors(const Rows &A, const std::vector<bool> &kept)
@@ -131,7 +130,7 @@ void CellInteriors::eliminate(const Rows &A, const int first, const int size)
     diagonal[i] = group.L[i * (size + 1)];
 
   int info = 0;
-  dealii::potrf("L", &size, group.L.data(), &size, &info);
+  potrf("L", &size, group.L.data(), &size, &info);
   if (info != 0)
     throw ComputationError("The factorisation of the stiffness matrix failed: the matrix is "
                            "singular or not positive definite.");
@@ -141,9 +140,8 @@ void CellInteriors::eliminate(const Rows &A, const int first, const int size)
     min_pivot_ = std::min(min_pivot_, L_ii * L_ii / diagonal[i]);
   }
   const int n_others = static_cast<int>(group.others.size());
-  dealii::trtrs(
-    "L", "N", "N", &size, &n_others, group.L.data(), &size, group.W.data(), &size, &info);
-  AssertThrow(info == 0, dealii::ExcInternalError());
+  trtrs("L", "N", "N", &size, &n_others, group.L.data(), &size, group.W.data(), &size, &info);
+  AssertThrow(info == 0, ExcInternalError());
   subtract_from_rest(group);
   groups_.push_back(std::move(group));
 }
@@ -152,8 +150,7 @@ void CellInteriors::subtract_from_rest(const Group &group)
 {
   const int n = static_cast<int>(group.others.size());
   std::vector<double> product(n * n);
-  dealii::syrk(
-    "L", "T", &n, &group.size, &plus, group.W.data(), &group.size, &nothing, product.data(), &n);
+  syrk("L", "T", &n, &group.size, &plus, group.W.data(), &group.size, &nothing, product.data(), &n);
   for (int i = 0; i < n; ++i)
   {
     // Both are in increasing order.
@@ -177,20 +174,19 @@ void CellInteriors::reduce(double *b, double *rest) const
   {
     const int n = static_cast<int>(group.others.size());
     double *const b_G = b + group.first;
-    dealii::trtrs(
-      "L", "N", "N", &group.size, &one, group.L.data(), &group.size, b_G, &group.size, &info);
+    trtrs("L", "N", "N", &group.size, &one, group.L.data(), &group.size, b_G, &group.size, &info);
     change.resize(n);
-    dealii::gemv("T",
-                 &group.size,
-                 &n,
-                 &plus,
-                 group.W.data(),
-                 &group.size,
-                 b_G,
-                 &one,
-                 &nothing,
-                 change.data(),
-                 &one);
+    gemv("T",
+         &group.size,
+         &n,
+         &plus,
+         group.W.data(),
+         &group.size,
+         b_G,
+         &one,
+         &nothing,
+         change.data(),
+         &one);
     for (int i = 0; i < n; ++i)
       rest[group.others[i]] -= change[i];
   }
@@ -209,19 +205,18 @@ void CellInteriors::expand(double *x, const double *rest) const
     others.clear();
     for (const int i : group.others)
       others.push_back(rest[i]);
-    dealii::gemv("N",
-                 &group.size,
-                 &n,
-                 &minus,
-                 group.W.data(),
-                 &group.size,
-                 others.data(),
-                 &one,
-                 &plus,
-                 x_G,
-                 &one);
-    dealii::trtrs(
-      "L", "T", "N", &group.size, &one, group.L.data(), &group.size, x_G, &group.size, &info);
+    gemv("N",
+         &group.size,
+         &n,
+         &minus,
+         group.W.data(),
+         &group.size,
+         others.data(),
+         &one,
+         &plus,
+         x_G,
+         &one);
+    trtrs("L", "T", "N", &group.size, &one, group.L.data(), &group.size, x_G, &group.size, &info);
   }
 }
 } // namespace Signorini

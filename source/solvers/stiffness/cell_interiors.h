@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
+
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace Signorini
 struct Rows
 {
   Rows() = default;
-  explicit Rows(const dealii::TrilinosWrappers::SparseMatrix &A);
+  explicit Rows(const TrilinosWrappers::SparseMatrix &A);
 
   bool same_pattern(const int i, const int j) const
   {

@@ -233,7 +233,7 @@ public:
 
   /** Returns the smallest L_jj² / A_jj: the part of a diagonal entry that is left when it is
    * eliminated. */
-  double min_pivot(const dealii::TrilinosWrappers::SparseMatrix &A) const
+  double min_pivot(const TrilinosWrappers::SparseMatrix &A) const
   {
     const Long *const super = static_cast<Long *>(L_->super);
     const Long *const row_start = static_cast<Long *>(L_->pi);
@@ -319,7 +319,7 @@ private:
   cholmod_dense *e_ = nullptr;
 };
 
-CondensedInverse::CondensedInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+CondensedInverse::CondensedInverse(const TrilinosWrappers::SparseMatrix &matrix,
                                    const double unit,
                                    const std::vector<Index> &last)
   : MatrixInverse(matrix, unit)
@@ -342,7 +342,7 @@ CondensedInverse::trailing_factor(const std::vector<Index> &unknowns) const
     return {};
   const Long first = factor_->first_of_last();
   const auto n = static_cast<unsigned int>(rows_.size());
-  TrailingFactor trailing = {dealii::LAPACKFullMatrix<double>(n, n), rows_};
+  TrailingFactor trailing = {LAPACKFullMatrix<double>(n, n), rows_};
   const double root = std::sqrt(unit());
   factor_->for_each_entry(first, [&](const Long i, const Long j, const double L_ij) {
     trailing.L(i - first, j - first) = root * L_ij;

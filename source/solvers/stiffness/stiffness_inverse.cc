@@ -28,7 +28,7 @@ namespace
 {
 /** Returns a number in [-1, 1) without a pattern that a kernel could be orthogonal to (a hash of
  * i). */
-double irregular_number(const dealii::types::global_dof_index i)
+double irregular_number(const types::global_dof_index i)
 {
   const unsigned long long hash = (static_cast<unsigned long long>(i) + 1) * 0x9E3779B97F4A7C15ULL;
   return std::ldexp(static_cast<double>((hash ^ (hash >> 29U)) & 0xFFFFFFFFULL), -31) - 1.;
@@ -78,13 +78,13 @@ std::string cause_of_failure(const std::string &printed)
                    : "the matrix is singular, or out of memory";
 }
 
-StiffnessInverse::Vector diagonal_of(const dealii::TrilinosWrappers::SparseMatrix &matrix)
+StiffnessInverse::Vector diagonal_of(const TrilinosWrappers::SparseMatrix &matrix)
 {
   StiffnessInverse::Vector diagonal(matrix.locally_owned_range_indices(),
                                     matrix.get_mpi_communicator());
   for (const auto i : matrix.locally_owned_range_indices())
     diagonal(i) = matrix.diag_element(i);
-  diagonal.compress(dealii::VectorOperation::insert);
+  diagonal.compress(VectorOperation::insert);
   return diagonal;
 }
 
@@ -92,13 +92,13 @@ StiffnessInverse::Vector diagonal_of(const dealii::TrilinosWrappers::SparseMatri
 class AmesosInverse final : public MatrixInverse
 {
 public:
-  AmesosInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+  AmesosInverse(const TrilinosWrappers::SparseMatrix &matrix,
                 const double unit,
                 const char *const type,
                 const unsigned int n_threads)
     : MatrixInverse(matrix, unit)
     , n_threads_(n_threads)
-    , solver_(control_, dealii::TrilinosWrappers::SolverDirect::AdditionalData(false, type))
+    , solver_(control_, TrilinosWrappers::SolverDirect::AdditionalData(false, type))
   {
     const LibraryThreads threads(n_threads_);
     const CapturedErrors errors;
@@ -106,7 +106,7 @@ public:
     {
       solver_.initialize(matrix);
     }
-    catch (const dealii::ExceptionBase &)
+    catch (const ExceptionBase &)
     {
       throw ComputationError("The factorisation of the stiffness matrix by " + std::string(type) +
                              " failed: " + cause_of_failure(errors.text()) + ".");
@@ -124,15 +124,15 @@ private:
       for (std::size_t k = 0; k < x.size(); ++k)
         solver_.solve(x[k], b[k]);
     }
-    catch (const dealii::ExceptionBase &)
+    catch (const ExceptionBase &)
     {
       throw ComputationError("A linear solve failed: " + cause_of_failure(errors.text()) + ".");
     }
   }
 
   unsigned int n_threads_;
-  mutable dealii::SolverControl control_;
-  mutable dealii::TrilinosWrappers::SolverDirect solver_;
+  mutable SolverControl control_;
+  mutable TrilinosWrappers::SolverDirect solver_;
 };
 } // namespace
 
@@ -145,7 +145,7 @@ StiffnessInverse::StiffnessInverse(const Vector &diagonal,
 {
   for (const auto i : diagonal.locally_owned_elements())
     scaling_(i) = 1. / std::sqrt(diagonal(i));
-  scaling_.compress(dealii::VectorOperation::insert);
+  scaling_.compress(VectorOperation::insert);
 }
 
 StiffnessInverse::Vector StiffnessInverse::make_vector() const
@@ -169,8 +169,7 @@ double StiffnessInverse::refine(Vector &x, const Vector &r) const
   return size > 0. ? correction[0].l2_norm() / size : 0.;
 }
 
-MatrixInverse::MatrixInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
-                             const double unit)
+MatrixInverse::MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, const double unit)
   : StiffnessInverse(diagonal_of(matrix), unit, SolveAccuracy())
   , matrix_(matrix)
 {
@@ -274,7 +273,7 @@ void StiffnessInverse::refuse_singular_matrix() const
   Vector b = make_vector();
   for (const auto i : b.locally_owned_elements())
     b(i) = irregular_number(i);
-  b.compress(dealii::VectorOperation::insert);
+  b.compress(VectorOperation::insert);
   std::vector<Vector> x = {b};
   apply(x, {b});
   improve(x[0], b);
@@ -288,18 +287,17 @@ LinearSolver resolve(const LinearSolver solver, const unsigned int n_ranks)
 }
 
 std::unique_ptr<StiffnessInverse>
-factorise(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+factorise(const TrilinosWrappers::SparseMatrix &matrix,
           const double unit,
           const LinearSolver solver,
-          const std::vector<dealii::types::global_dof_index> &contact_unknowns)
+          const std::vector<types::global_dof_index> &contact_unknowns)
 {
   MPI_Comm communicator = matrix.get_mpi_communicator();
-  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
   switch (resolve(solver == LinearSolver::multigrid ? LinearSolver::automatic : solver, n_ranks))
   {
   case LinearSolver::condensed:
-    AssertThrow(n_ranks == 1,
-                dealii::ExcMessage("The condensed factorisation works on one rank only."));
+    AssertThrow(n_ranks == 1, ExcMessage("The condensed factorisation works on one rank only."));
     return std::make_unique<CondensedInverse>(matrix, unit, contact_unknowns);
   case LinearSolver::amesos_klu:
     return std::make_unique<AmesosInverse>(matrix, unit, "Amesos_Klu", 1);

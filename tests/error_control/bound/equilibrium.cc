@@ -131,7 +131,7 @@ void add_cell(const EquilibratedStress &stress,
               Work &work)
 {
   const EdgeCell &cell = stress.mesh().cells()[c];
-  const CellData data(CellShape(cell.corners), {false, true}, {});
+  const Signorini::CellData data(CellShape(cell.corners), {false, true}, {});
   const CellLoad load = stress.load(c);
   const std::vector<Components> tau = stress.stress(c, data);
   const Vector2 g1 = 0.5 * (cell.corners[1] - cell.corners[0]);

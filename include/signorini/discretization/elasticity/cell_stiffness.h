@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/elasticity/integration.h>
 
@@ -22,17 +23,17 @@ template <int dim>
 class CellStiffness
 {
 public:
-  using CellIterator = typename dealii::Triangulation<dim>::active_cell_iterator;
+  using CellIterator = typename Triangulation<dim>::active_cell_iterator;
 
   CellStiffness(const DisplacementSpace<dim> &space, const Scene<dim> &scene);
 
   /** A matrix that similar cells share. */
-  using Matrix = std::shared_ptr<const dealii::FullMatrix<double>>;
+  using Matrix = std::shared_ptr<const FullMatrix<double>>;
 
   /** Returns the matrix of the cell, to be shared. */
   Matrix share(const CellIterator &cell);
   /** Returns the matrix of the cell, valid until the next call. */
-  const dealii::FullMatrix<double> &operator()(const CellIterator &cell)
+  const FullMatrix<double> &operator()(const CellIterator &cell)
   {
     last_ = share(cell);
     return *last_;
@@ -44,14 +45,14 @@ private:
   {
     unsigned int element_number;
     double size;
-    std::vector<dealii::Tensor<1, dim>> shape;
+    std::vector<Tensor<1, dim>> shape;
     Matrix matrix;
   };
 
-  Matrix integrate(const dealii::FEValues<dim> &values);
+  Matrix integrate(const FEValues<dim> &values);
   /** Returns the sample of the same element and shape, if there is one. */
   const Sample *find_sample(unsigned int element_number,
-                            const std::vector<dealii::Tensor<1, dim>> &shape,
+                            const std::vector<Tensor<1, dim>> &shape,
                             double tolerance) const;
 
   const DisplacementSpace<dim> &space_;
@@ -66,7 +67,7 @@ private:
   CellValues<dim> affine_values_;
   CellValues<dim> general_values_;
   Matrix last_;
-  dealii::FullMatrix<double> strains_, stresses_;
+  FullMatrix<double> strains_, stresses_;
   /** The samples of a constant tensor, in the order of their first use. */
   std::vector<Sample> samples_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/mesh.h>
 #include <signorini/problem/scene/scene.h>
 
@@ -16,23 +17,23 @@
 namespace Signorini
 {
 /** A vector whose rows are distributed over the ranks like those of A. */
-using DistributedVector = dealii::TrilinosWrappers::MPI::Vector;
+using DistributedVector = TrilinosWrappers::MPI::Vector;
 
 /**
  * A functional r on V^h by its values r_j = r(φ_j), such as forces at nodes. A rank stores the rows
  * that it owns; the products r·U and the norms are sums over all ranks.
  */
-using DualVector = dealii::LinearAlgebra::distributed::Vector<double>;
+using DualVector = LinearAlgebra::distributed::Vector<double>;
 
 /**
  * U, the nodal values of a function in V^h. A rank stores the values that it owns and, as ghosts,
  * those at all other nodes of the cells that its mesh holds (DisplacementSpace::zero()). What is
  * read cell by cell on these cells is there; nothing else is. Norms and products are collective.
  */
-class Displacement : public dealii::LinearAlgebra::distributed::Vector<double>
+class Displacement : public LinearAlgebra::distributed::Vector<double>
 {
 public:
-  using Base = dealii::LinearAlgebra::distributed::Vector<double>;
+  using Base = LinearAlgebra::distributed::Vector<double>;
 
   Displacement() = default;
   /** Zero values, all of them on this rank. */
@@ -41,7 +42,7 @@ public:
   {
   }
   /** Zero values with this distribution. */
-  explicit Displacement(const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &rows)
+  explicit Displacement(const std::shared_ptr<const Utilities::MPI::Partitioner> &rows)
     : Base(rows)
   {
   }
@@ -85,7 +86,7 @@ enum class StrainOperator
 
 /** Replaces the trace of @p strain by @p dilatation and keeps the deviator. */
 template <int dim>
-void replace_trace(dealii::SymmetricTensor<2, dim> &strain, const double dilatation)
+void replace_trace(SymmetricTensor<2, dim> &strain, const double dilatation)
 {
   const double change = (dilatation - trace(strain)) / dim;
   for (unsigned int d = 0; d < dim; ++d)
@@ -124,10 +125,10 @@ public:
   {
     return strain_operator_;
   }
-  using CellIterator = typename dealii::Triangulation<dim>::active_cell_iterator;
+  using CellIterator = typename Triangulation<dim>::active_cell_iterator;
 
   /** Returns the elements that cells may have. */
-  const dealii::hp::FECollection<dim> &elements() const
+  const hp::FECollection<dim> &elements() const
   {
     return dofs_.get_fe_collection();
   }
@@ -141,14 +142,14 @@ public:
   {
     return has_several_elements() ? dof_cell(cell)->active_fe_index() : 0;
   }
-  const dealii::FiniteElement<dim> &element(const CellIterator &cell) const
+  const FiniteElement<dim> &element(const CellIterator &cell) const
   {
     return elements()[element_number(cell)];
   }
   /** Returns the element of all cells. Where cells have different ones, call element(cell). */
-  const dealii::FiniteElement<dim> &element() const
+  const FiniteElement<dim> &element() const
   {
-    Assert(!has_several_elements(), dealii::ExcInternalError());
+    Assert(!has_several_elements(), ExcInternalError());
     return elements()[0];
   }
   /** Returns the highest degree of an element. */
@@ -156,18 +157,18 @@ public:
   {
     return elements().max_degree();
   }
-  const dealii::DoFHandler<dim> &dofs() const
+  const DoFHandler<dim> &dofs() const
   {
     return dofs_;
   }
   /** Returns the constraints of the degrees of freedom: U = T U_free + k. */
-  const dealii::AffineConstraints<double> &constraints() const
+  const AffineConstraints<double> &constraints() const
   {
     return constraints_;
   }
   /** Returns the degrees of freedom through which clamped, prescribed and roller sides hold the
    * body: the only ones that carry reactions. (Other constraints keep u_h continuous.) */
-  const dealii::IndexSet &supports() const
+  const IndexSet &supports() const
   {
     return supports_;
   }
@@ -175,8 +176,8 @@ public:
    */
   struct Pin
   {
-    dealii::types::global_dof_index dof;
-    dealii::Point<dim> node;
+    types::global_dof_index dof;
+    Point<dim> node;
     unsigned int component;
   };
   /** Returns one pin for each rigid motion that supports leave free, where
@@ -188,7 +189,7 @@ public:
   /** Returns the prescribed values of a scene with the same roles: k at constrained degrees of
    * freedom (those on pins are zero), zero at all others. */
   Displacement prescribed(const Scene<dim> &scene) const;
-  const dealii::IndexSet &locally_owned() const
+  const IndexSet &locally_owned() const
   {
     return dofs_.locally_owned_dofs();
   }
@@ -213,7 +214,7 @@ public:
   /** Sets the same values without pins: the body may move as a whole. */
   void distribute_without_pins(Displacement &w) const;
   /** Returns constraints() without pins. */
-  const dealii::AffineConstraints<double> &constraints_without_pins() const
+  const AffineConstraints<double> &constraints_without_pins() const
   {
     return pins_.empty() ? constraints_ : constraints_without_pins_;
   }
@@ -226,26 +227,26 @@ public:
    * else. */
   void carry_to_masters(DualVector &functional) const;
   /** Returns one of the mesh's cells with its degrees of freedom. */
-  typename dealii::DoFHandler<dim>::active_cell_iterator dof_cell(const CellIterator &cell) const;
+  typename DoFHandler<dim>::active_cell_iterator dof_cell(const CellIterator &cell) const;
   /** Returns the degrees of freedom of one of the mesh's cells. */
-  std::vector<dealii::types::global_dof_index> cell_dofs(const CellIterator &cell) const;
+  std::vector<types::global_dof_index> cell_dofs(const CellIterator &cell) const;
 
 private:
   /** Distributes the degrees of freedom after the elements are chosen. */
-  void distribute(const Scene<dim> &scene, const dealii::hp::FECollection<dim> &elements);
+  void distribute(const Scene<dim> &scene, const hp::FECollection<dim> &elements);
 
   const Mesh<dim> &mesh_;
   StrainOperator strain_operator_;
-  dealii::DoFHandler<dim> dofs_;
-  dealii::AffineConstraints<double> constraints_;
+  DoFHandler<dim> dofs_;
+  AffineConstraints<double> constraints_;
   /** The constraints without pins, set only where there are pins. */
-  dealii::AffineConstraints<double> constraints_without_pins_;
+  AffineConstraints<double> constraints_without_pins_;
   /** The constraints that keep u_h continuous; empty where no node hangs and all degrees are equal.
    */
-  dealii::AffineConstraints<double> continuity_;
-  dealii::IndexSet supports_;
+  AffineConstraints<double> continuity_;
+  IndexSet supports_;
   /** The rows that this rank owns, and its ghosts. */
-  std::shared_ptr<const dealii::Utilities::MPI::Partitioner> rows_;
+  std::shared_ptr<const Utilities::MPI::Partitioner> rows_;
   std::vector<Pin> pins_;
 };
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/base/parallel.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/mesh/contact_surface.h>
@@ -21,7 +22,7 @@
 namespace Signorini
 {
 template <int dim>
-using Cells = std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator>;
+using Cells = std::vector<typename DoFHandler<dim>::active_cell_iterator>;
 
 /** Returns the cells of this rank, in their order, in chunks that one thread works on at a time. */
 template <int dim>
@@ -65,11 +66,11 @@ public:
    * Stores the arguments.
    * @param n_points per direction, for degree one.
    */
-  ValuesByElement(const dealii::Mapping<dim> &mapping,
+  ValuesByElement(const Mapping<dim> &mapping,
                   const DisplacementSpace<dim> &space,
                   const Kinks<dim> &kinks,
                   const unsigned int n_points,
-                  const dealii::UpdateFlags flags)
+                  const UpdateFlags flags)
     : kinks_(kinks)
     , mapping_(mapping)
     , space_(space)
@@ -91,12 +92,12 @@ protected:
   {
     std::unique_ptr<Values> &values = plain_[space_.element_number(cell)];
     if (values == nullptr)
-      values = make(cell, dealii::QGauss<rule_dim>(n_points(cell)));
+      values = make(cell, QGauss<rule_dim>(n_points(cell)));
     return *values;
   }
   /** Returns the values with another rule; valid until the next call. */
   template <typename CellIterator>
-  Values &cut(const CellIterator &cell, const dealii::Quadrature<rule_dim> &rule)
+  Values &cut(const CellIterator &cell, const Quadrature<rule_dim> &rule)
   {
     cut_ = make(cell, rule);
     return *cut_;
@@ -106,15 +107,15 @@ protected:
 
 private:
   template <typename CellIterator>
-  std::unique_ptr<Values> make(const CellIterator &cell, const dealii::Quadrature<rule_dim> &rule)
+  std::unique_ptr<Values> make(const CellIterator &cell, const Quadrature<rule_dim> &rule)
   {
     return std::make_unique<Values>(mapping_, space_.element(cell), rule, flags_);
   }
 
-  const dealii::Mapping<dim> &mapping_;
+  const Mapping<dim> &mapping_;
   const DisplacementSpace<dim> &space_;
   unsigned int n_points_;
-  dealii::UpdateFlags flags_;
+  UpdateFlags flags_;
   std::vector<std::unique_ptr<Values>> plain_;
   std::unique_ptr<Values> cut_;
 };
@@ -122,19 +123,19 @@ private:
 /** The shape functions at the Gauss points of a cell; on the pieces of a cell that a kink crosses,
  * at the Gauss points of each piece. */
 template <int dim>
-class CellValues : public ValuesByElement<dim, dim, dealii::FEValues<dim>>
+class CellValues : public ValuesByElement<dim, dim, FEValues<dim>>
 {
 public:
-  using ValuesByElement<dim, dim, dealii::FEValues<dim>>::ValuesByElement;
+  using ValuesByElement<dim, dim, FEValues<dim>>::ValuesByElement;
 
   /**
    * Computes the values on a cell.
    * @param cell of the mesh, or of a DoFHandler where functions are to be evaluated.
    */
   template <typename CellIterator>
-  const dealii::FEValues<dim> &reinit(const CellIterator &cell)
+  const FEValues<dim> &reinit(const CellIterator &cell)
   {
-    dealii::FEValues<dim> &values =
+    FEValues<dim> &values =
       needs_cuts<dim>(this->kinks_, cell)
         ? this->cut(cell, cut_quadrature<dim>(this->kinks_, cell, this->n_points(cell)))
         : this->plain(cell);
@@ -146,23 +147,22 @@ public:
 /** The shape functions at the Gauss points of a face; where a kink cuts the face, at the Gauss
  * points of its parts. */
 template <int dim>
-class FaceValues : public ValuesByElement<dim, dim - 1, dealii::FEFaceValues<dim>>
+class FaceValues : public ValuesByElement<dim, dim - 1, FEFaceValues<dim>>
 {
 public:
-  using CellIterator = typename dealii::Triangulation<dim>::active_cell_iterator;
-  using ValuesByElement<dim, dim - 1, dealii::FEFaceValues<dim>>::ValuesByElement;
+  using CellIterator = typename Triangulation<dim>::active_cell_iterator;
+  using ValuesByElement<dim, dim - 1, FEFaceValues<dim>>::ValuesByElement;
 
-  const dealii::FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no)
+  const FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no)
   {
-    dealii::FEFaceValues<dim> *values = nullptr;
+    FEFaceValues<dim> *values = nullptr;
     // In 3-D planes do not cut faces yet.
     if constexpr (dim == 2)
     {
       const auto face = cell->face(face_no);
       const std::vector<double> cuts = this->kinks_.cut(face->vertex(0), face->vertex(1));
       if (cuts.size() > 2)
-        values =
-          &this->cut(cell, split_quadrature(dealii::QGauss<dim - 1>(this->n_points(cell)), cuts));
+        values = &this->cut(cell, split_quadrature(QGauss<dim - 1>(this->n_points(cell)), cuts));
     }
     if (values == nullptr)
       values = &this->plain(cell);
@@ -215,13 +215,13 @@ public:
    * Computes the shape functions on a face.
    * @param on_face points in the reference coordinates of the face.
    */
-  const dealii::FEFaceValues<dim> &reinit(const ContactFace<dim> &face,
-                                          const std::vector<dealii::Point<dim - 1>> &on_face);
+  const FEFaceValues<dim> &reinit(const ContactFace<dim> &face,
+                                  const std::vector<Point<dim - 1>> &on_face);
 
   /** Returns u_h at the points of a rule on the face. */
-  std::vector<dealii::Tensor<1, dim>> displacement(const ContactFace<dim> &face,
-                                                   const SurfaceRule<dim> &rule,
-                                                   const Displacement &U);
+  std::vector<Tensor<1, dim>> displacement(const ContactFace<dim> &face,
+                                           const SurfaceRule<dim> &rule,
+                                           const Displacement &U);
 
   /** Returns u_h.n at the points of a rule on the face. */
   std::vector<double> normal_displacement(const ContactFace<dim> &face,
@@ -230,9 +230,9 @@ public:
 
 private:
   const DisplacementSpace<dim> &space_;
-  std::vector<dealii::Point<dim - 1>> on_face_;
+  std::vector<Point<dim - 1>> on_face_;
   unsigned int element_number_ = 0;
-  std::unique_ptr<dealii::FEFaceValues<dim>> values_;
+  std::unique_ptr<FEFaceValues<dim>> values_;
 };
 
 /** The positions of the nodes of a cell, in the order of the cell's scalar shape functions. */
@@ -247,19 +247,19 @@ public:
   }
 
   /** Returns the positions, valid until the next call. */
-  const std::vector<dealii::Point<dim>> &
+  const std::vector<Point<dim>> &
   operator()(const typename DisplacementSpace<dim>::CellIterator &cell)
   {
     const unsigned int number = space_.element_number(cell);
-    std::unique_ptr<dealii::FEValues<dim>> &values = values_[number];
+    std::unique_ptr<FEValues<dim>> &values = values_[number];
     if (values == nullptr)
     {
-      const dealii::FiniteElement<dim> &element = space_.elements()[number];
-      values = std::make_unique<dealii::FEValues<dim>>(
+      const FiniteElement<dim> &element = space_.elements()[number];
+      values = std::make_unique<FEValues<dim>>(
         space_.mesh().mapping(),
         element,
-        dealii::Quadrature<dim>(element.base_element(0).get_unit_support_points()),
-        dealii::update_quadrature_points);
+        Quadrature<dim>(element.base_element(0).get_unit_support_points()),
+        update_quadrature_points);
     }
     values->reinit(cell);
     return values->get_quadrature_points();
@@ -268,39 +268,38 @@ public:
 private:
   const DisplacementSpace<dim> &space_;
   /** The values by element. */
-  std::vector<std::unique_ptr<dealii::FEValues<dim>>> values_;
+  std::vector<std::unique_ptr<FEValues<dim>>> values_;
 };
 
 /** Returns I^h u: the values of u at the nodes of V^h, all of them on every rank. */
 template <int dim>
-Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space,
-                                  const dealii::Function<dim> &u);
+Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Function<dim> &u);
 
 /** A moment: a number in 2-D, a vector in 3-D. */
 template <int dim>
-using Moment = dealii::Tensor<1, dim == 2 ? 1 : dim>;
+using Moment = Tensor<1, dim == 2 ? 1 : dim>;
 
 /** Returns the moment x × F; in 2-D x1 F2 - x2 F1. */
-inline Moment<2> moment_of(const dealii::Tensor<1, 2> &x, const dealii::Tensor<1, 2> &F)
+inline Moment<2> moment_of(const Tensor<1, 2> &x, const Tensor<1, 2> &F)
 {
   Moment<2> moment;
   moment[0] = x[0] * F[1] - x[1] * F[0];
   return moment;
 }
-inline Moment<3> moment_of(const dealii::Tensor<1, 3> &x, const dealii::Tensor<1, 3> &F)
+inline Moment<3> moment_of(const Tensor<1, 3> &x, const Tensor<1, 3> &F)
 {
-  return dealii::cross_product_3d(x, F);
+  return cross_product_3d(x, F);
 }
 
 /** The resultant of surface and body forces: force and moment about the origin. */
 template <int dim>
 struct Resultant
 {
-  dealii::Tensor<1, dim> force;
+  Tensor<1, dim> force;
   Moment<dim> moment;
 
   /** Adds a force that acts at a point. */
-  void add(const dealii::Tensor<1, dim> &F, const dealii::Point<dim> &x)
+  void add(const Tensor<1, dim> &F, const Point<dim> &x)
   {
     force += F;
     moment += moment_of(x, F);
@@ -312,7 +311,7 @@ struct Resultant
     return *this;
   }
   /** Returns the moment about another point. */
-  Moment<dim> moment_about(const dealii::Point<dim> &x) const
+  Moment<dim> moment_about(const Point<dim> &x) const
   {
     return moment - moment_of(x, force);
   }
@@ -322,7 +321,7 @@ struct Resultant
 template <int dim>
 Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator)
 {
-  return {dealii::Utilities::MPI::sum(part.force, communicator),
-          dealii::Utilities::MPI::sum(part.moment, communicator)};
+  return {Utilities::MPI::sum(part.force, communicator),
+          Utilities::MPI::sum(part.moment, communicator)};
 }
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/elasticity/integration.h>
 
@@ -10,7 +11,7 @@ namespace Signorini
 {
 /** Returns a matrix of V^h with the couplings of A, rows distributed, entries zero. Collective. */
 template <int dim>
-dealii::TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space);
+TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space);
 
 /**
  * Adds matrices of cells to a matrix of V^h that make_matrix() made, condensing the constraints.
@@ -22,44 +23,43 @@ template <int dim>
 class MatrixScatter
 {
 public:
-  using Indices = std::vector<dealii::types::global_dof_index>;
+  using Indices = std::vector<types::global_dof_index>;
 
   /** Prepares the rows. Both arguments must outlive the object. */
-  MatrixScatter(const DisplacementSpace<dim> &space,
-                dealii::TrilinosWrappers::SparseMatrix &matrix);
+  MatrixScatter(const DisplacementSpace<dim> &space, TrilinosWrappers::SparseMatrix &matrix);
 
   /** Adds cell_matrix to matrix(indices, indices). */
-  void add(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
+  void add(const FullMatrix<double> &cell_matrix, const Indices &indices);
   /** Adds cell_matrix to matrix(indices, indices), and cell_vector, reduced by prescribed
    * displacements, to vector(indices). */
-  void add(const dealii::FullMatrix<double> &cell_matrix,
+  void add(const FullMatrix<double> &cell_matrix,
            const dealii::Vector<double> &cell_vector,
            const Indices &indices,
            DistributedVector &vector);
 
 private:
   bool has_constraints(const Indices &indices) const;
-  void add_to_rows(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
+  void add_to_rows(const FullMatrix<double> &cell_matrix, const Indices &indices);
   /** Computes Tᵀ K T and Tᵀ (b - K k) of a cell with constraints, U = T U_free + k, in condensed_
    * and condensed_vector_, for the indices in masters_. */
-  void condense(const dealii::FullMatrix<double> &cell_matrix,
+  void condense(const FullMatrix<double> &cell_matrix,
                 const dealii::Vector<double> &cell_vector,
                 const Indices &indices);
   /** Calls condense() and adds the matrix to the rows. */
-  void add_condensed(const dealii::FullMatrix<double> &cell_matrix,
+  void add_condensed(const FullMatrix<double> &cell_matrix,
                      const dealii::Vector<double> &cell_vector,
                      const Indices &indices);
   /** Adds a positive number to the diagonal of a constrained row. */
-  void add_diagonals(const dealii::FullMatrix<double> &cell_matrix, const Indices &indices);
+  void add_diagonals(const FullMatrix<double> &cell_matrix, const Indices &indices);
 
-  const dealii::AffineConstraints<double> &constraints_;
-  dealii::TrilinosWrappers::SparseMatrix &matrix_;
+  const AffineConstraints<double> &constraints_;
+  TrilinosWrappers::SparseMatrix &matrix_;
   bool one_rank_;
   /** The rows as Trilinos stores them: row i has the entries start[i] to start[i + 1]. */
   int *start_ = nullptr;
   int *column_ = nullptr;
   double *value_ = nullptr;
-  dealii::FullMatrix<double> half_condensed_, condensed_;
+  FullMatrix<double> half_condensed_, condensed_;
   dealii::Vector<double> condensed_vector_;
   Indices masters_;
 };
@@ -72,7 +72,7 @@ struct LinearSystem
 {
   /** The matrix A/unit with the essential conditions eliminated. It is symmetric positive definite;
    * constrained rows hold a diagonal entry only. It is empty where A is not assembled. */
-  dealii::TrilinosWrappers::SparseMatrix matrix;
+  TrilinosWrappers::SparseMatrix matrix;
   /** The unit stiffness_unit(). */
   double unit = 1.;
   /** The right-hand side f_j, reduced by the contribution of the prescribed displacements; zero in

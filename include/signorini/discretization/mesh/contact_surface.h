@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/mesh.h>
 #include <signorini/problem/scene/scene.h>
 
@@ -13,7 +14,7 @@ namespace Signorini
 template <int dim>
 struct ContactFace
 {
-  typename dealii::Triangulation<dim>::active_cell_iterator cell;
+  typename Triangulation<dim>::active_cell_iterator cell;
   unsigned int face_no;
   /** The number of the side in the geometry. */
   unsigned int side;
@@ -27,11 +28,11 @@ struct Patch
   /** The number of the side in the geometry. */
   unsigned int side;
   /** The corners of the smallest box around the patch in the coordinates of the side (length). */
-  dealii::Point<dim - 1> lower, upper;
+  Point<dim - 1> lower, upper;
   /** The measure |τ| (length^{dim-1}). */
   double measure;
 
-  dealii::Point<dim - 1> centre() const
+  Point<dim - 1> centre() const
   {
     return lower + 0.5 * (upper - lower);
   }
@@ -46,13 +47,13 @@ template <int dim>
 struct SurfaceRule
 {
   /** The points in the reference coordinates of the face. */
-  std::vector<dealii::Point<dim - 1>> on_face;
+  std::vector<Point<dim - 1>> on_face;
   /** The points in the coordinates of the side (length). */
-  std::vector<dealii::Point<dim - 1>> on_side;
+  std::vector<Point<dim - 1>> on_side;
   /** The points themselves. */
-  std::vector<dealii::Point<dim>> points;
+  std::vector<Point<dim>> points;
   /** The outward unit normals. */
-  std::vector<dealii::Tensor<1, dim>> normals;
+  std::vector<Tensor<1, dim>> normals;
   /** The quadrature weights times the surface element (length^{dim-1}). */
   std::vector<double> weights;
 
@@ -70,8 +71,8 @@ struct Piece
   unsigned int face, patch;
   /** The corners of the box of the piece in the coordinates of the side, and the same points in the
    * reference coordinates of the face. */
-  dealii::Point<dim - 1> lower, upper;
-  dealii::Point<dim - 1> lower_on_face, upper_on_face;
+  Point<dim - 1> lower, upper;
+  Point<dim - 1> lower_on_face, upper_on_face;
   /** The Gauss points on the face of the mesh. They integrate products of a trace of V^h, a
    * multiplier and, on parabolas, a component of the normal exactly. */
   SurfaceRule<dim> on_mesh;
@@ -166,8 +167,7 @@ public:
 
   /** Returns the points of the piece with the given positions between lower (0) and upper (1),
    * without weights. */
-  SurfaceRule<dim> at(const Piece<dim> &piece,
-                      const std::vector<dealii::Point<dim - 1>> &positions) const;
+  SurfaceRule<dim> at(const Piece<dim> &piece, const std::vector<Point<dim - 1>> &positions) const;
 
   /** Returns H: the largest diameter of a patch (length). */
   double longest_patch() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/geometry.h>
 
 #include <deal.II/base/quadrature.h>
@@ -12,14 +13,12 @@ namespace Signorini
 {
 /** Returns whether a line runs through the interior of the cell. */
 template <int dim>
-bool lines_cross(const Kinks<dim> &kinks,
-                 const typename dealii::Triangulation<dim>::cell_iterator &cell);
+bool lines_cross(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell);
 
 /** Returns whether the plain rule is not enough on a cell: a line crosses it or meets a contact
  * side near it. */
 template <int dim>
-bool needs_cuts(const Kinks<dim> &kinks,
-                const typename dealii::Triangulation<dim>::cell_iterator &cell);
+bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell);
 
 /**
  * Returns a rule on the reference cell that integrates on the pieces into which the lines cut a
@@ -29,15 +28,13 @@ bool needs_cuts(const Kinks<dim> &kinks,
  * there for smooth functions, and nearly so for others.
  */
 template <int dim>
-dealii::Quadrature<dim>
-cut_quadrature(const Kinks<dim> &kinks,
-               const typename dealii::Triangulation<dim>::cell_iterator &cell,
-               unsigned int n_points);
+Quadrature<dim> cut_quadrature(const Kinks<dim> &kinks,
+                               const typename Triangulation<dim>::cell_iterator &cell,
+                               unsigned int n_points);
 
 /** Returns the rule from the first to the last of the sorted @p cuts that applies @p rule, a rule
  * on [0,1], between consecutive ones. */
-dealii::Quadrature<1> split_quadrature(const dealii::Quadrature<1> &rule,
-                                       const std::vector<double> &cuts);
+Quadrature<1> split_quadrature(const Quadrature<1> &rule, const std::vector<double> &cuts);
 
 /** The number of divisions of the distance from a singular point by four: down to 4e-9 of the
  * first. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/geometry.h>
 
 #include <deal.II/distributed/shared_tria.h>
@@ -40,34 +41,33 @@ public:
    * most one refinement. The maps of curved cells have the degree @p mapping_degree. Serial.
    * @param must_split also gets the number of splits of the cell since the first mesh.
    */
-  using Splits =
-    std::function<bool(const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
-                       unsigned int n_splits)>;
+  using Splits = std::function<bool(const typename Triangulation<dim>::active_cell_iterator &cell,
+                                    unsigned int n_splits)>;
   Mesh(const Geometry<dim> &geometry,
        unsigned int base_level,
        const std::array<std::vector<double>, dim> &lines,
        const Splits &must_split,
        unsigned int mapping_degree);
 
-  const dealii::Triangulation<dim> &triangulation() const
+  const Triangulation<dim> &triangulation() const
   {
     return triangulation_;
   }
-  const dealii::Mapping<dim> &mapping() const
+  const Mapping<dim> &mapping() const
   {
     return *mapping_;
   }
   /** Returns the map onto the body of size one, (x - lower)/l with the length l of size(). A
    * stiffness matrix that is integrated with it depends neither on the unit of length nor on the
    * position of the origin, to the last digit. */
-  const dealii::Mapping<dim> &unit_mapping() const
+  const Mapping<dim> &unit_mapping() const
   {
     return *unit_mapping_;
   }
   /** Returns the point that unit_mapping() maps to @p x. */
-  dealii::Point<dim> from_unit_body(const dealii::Point<dim> &x) const
+  Point<dim> from_unit_body(const Point<dim> &x) const
   {
-    return lower_ + size_ * (x - dealii::Point<dim>());
+    return lower_ + size_ * (x - Point<dim>());
   }
   /** Returns the longest edge of the box around the body (length). */
   double size() const
@@ -94,7 +94,7 @@ public:
   /** Returns the shortest edge (length). */
   double shortest_edge() const;
   /** Returns the number of splits of a cell since the mesh was uniform. */
-  unsigned int splits(const typename dealii::Triangulation<dim>::cell_iterator &cell) const
+  unsigned int splits(const typename Triangulation<dim>::cell_iterator &cell) const
   {
     return cell->level() - uniform_levels_;
   }
@@ -114,11 +114,11 @@ private:
   /** Makes the maps of the given degree, for curved bodies. */
   void make_mappings(unsigned int degree);
 
-  dealii::parallel::shared::Triangulation<dim> triangulation_;
+  parallel::shared::Triangulation<dim> triangulation_;
   bool curved_;
-  dealii::Point<dim> lower_;
+  Point<dim> lower_;
   double size_;
-  std::unique_ptr<const dealii::Mapping<dim>> mapping_, unit_mapping_;
+  std::unique_ptr<const Mapping<dim>> mapping_, unit_mapping_;
   unsigned int n_nested_ancestors_;
   unsigned int uniform_levels_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/mesh.h>
 #include <signorini/problem/scene/scene.h>
 
@@ -25,7 +26,7 @@ struct Singularity
   };
   Kind kind;
   /** The corner, the kink, or the middle of the bracket. */
-  dealii::Point<2> point;
+  Point<2> point;
   /** The exponent λ, as far as it is known. */
   double exponent = 1.;
   /** The side of kinks and ends of contact, and the bracket in its arc length (length). */
@@ -39,13 +40,11 @@ struct Singularity
   double last_error = 0., last_layers = 0.;
 
   /** Returns whether the place, or a part of the bracket, lies in the closure of a cell. */
-  bool touches(const Scene<2> &scene,
-               const dealii::Triangulation<2>::active_cell_iterator &cell) const;
+  bool touches(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell) const;
 };
 
 /** Returns the singularity with layers that is closest to a point, if there is any. */
-const Singularity *nearest(const std::vector<Singularity> &singularities,
-                           const dealii::Point<2> &x);
+const Singularity *nearest(const std::vector<Singularity> &singularities, const Point<2> &x);
 
 /** The demands of the solution on earlier meshes on a cell. */
 struct CellDemand
@@ -71,7 +70,7 @@ struct MeshPlan
   /** The size of the cells of the mesh of the first step (length). */
   double base_size = 1.;
   std::vector<Singularity> singularities;
-  std::map<dealii::CellId, CellDemand> demands;
+  std::map<CellId, CellDemand> demands;
   double rise = 0.;
   /** The part of the error of the mesh before that should be left. */
   double aim = 1.;
@@ -79,7 +78,7 @@ struct MeshPlan
 
   /** Returns whether a cell must be split. */
   bool must_split(const Scene<2> &scene,
-                  const dealii::Triangulation<2>::active_cell_iterator &cell,
+                  const Triangulation<2>::active_cell_iterator &cell,
                   unsigned int n_splits) const;
 };
 
@@ -92,5 +91,5 @@ std::vector<unsigned int> plan_degrees(const MeshPlan &plan, const Mesh<2> &mesh
 /** Returns the degree that a plan gives to a cell of a mesh, regardless of its neighbours. */
 unsigned int planned_degree(const MeshPlan &plan,
                             const Mesh<2> &mesh,
-                            const dealii::Triangulation<2>::active_cell_iterator &cell);
+                            const Triangulation<2>::active_cell_iterator &cell);
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/multiplier/admissible_set.h>
@@ -52,7 +53,7 @@ public:
   /** The numbers of the unknowns at the nodes of a patch, in the order of arc length. */
   using Unknowns = std::vector<unsigned int>;
   /** The number of a node without an unknown: there p_H is zero. */
-  static constexpr unsigned int no_unknown = dealii::numbers::invalid_unsigned_int;
+  static constexpr unsigned int no_unknown = numbers::invalid_unsigned_int;
 
   /** The nodes of a patch with several unknowns. */
   enum class Nodes
@@ -101,7 +102,7 @@ public:
     return unknowns_[patch];
   }
   /** Returns the function of the i-th of these unknowns at a point of the side. */
-  double shape_value(unsigned int patch, unsigned int i, const dealii::Point<dim - 1> &s) const;
+  double shape_value(unsigned int patch, unsigned int i, const Point<dim - 1> &s) const;
 
   /** Returns the first unknown of a patch. Every unknown belongs to one patch, which has
    * first_of(patch), ..., first_of(patch + 1) - 1; of two patches that share a node, to the first.
@@ -124,12 +125,12 @@ public:
     return n_multipliers() == surface_.patches().size();
   }
   /** Returns the point of the side at which the unknown is the value of p_H. */
-  dealii::Point<dim - 1> node(unsigned int unknown) const;
+  Point<dim - 1> node(unsigned int unknown) const;
 
   /** Returns ψ_k at the point @p s of the side, on the patch to which the unknown belongs. */
-  double shape_value(unsigned int unknown, const dealii::Point<dim - 1> &s) const;
+  double shape_value(unsigned int unknown, const Point<dim - 1> &s) const;
   /** Returns p_H at a point of a patch. */
-  double value(const Pressure &P, unsigned int patch, const dealii::Point<dim - 1> &s) const;
+  double value(const Pressure &P, unsigned int patch, const Point<dim - 1> &s) const;
 
   /** Returns the largest P_k that N^H allows: p_H ≤ 0 at every node. */
   Vector upper_bounds() const;
@@ -211,7 +212,7 @@ dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
 class Coupling
 {
 public:
-  using Column = std::vector<std::pair<dealii::types::global_dof_index, double>>;
+  using Column = std::vector<std::pair<types::global_dof_index, double>>;
 
   explicit Coupling(std::vector<Column> columns);
 
@@ -243,5 +244,5 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
                            const MultiplierSpace<dim> &multipliers);
 
 /** Returns Tᵀ D: the coupling of the unconstrained degrees of freedom. */
-Coupling condense(const Coupling &D, const dealii::AffineConstraints<double> &constraints);
+Coupling condense(const Coupling &D, const AffineConstraints<double> &constraints);
 } // namespace Signorini

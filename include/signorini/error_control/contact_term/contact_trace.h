@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/error_control/loads/edge_function.h>
@@ -38,18 +39,18 @@ struct FaceField
  * the face. */
 struct PenetrationFace
 {
-  using Dofs = std::array<dealii::types::global_dof_index, 2>;
+  using Dofs = std::array<types::global_dof_index, 2>;
 
   /** The number of the face in the surface. */
   unsigned int number;
   unsigned int side;
-  dealii::Point<2> start, end;
+  Point<2> start, end;
   /** The outward unit normal. */
-  dealii::Tensor<1, 2> normal;
+  Tensor<1, 2> normal;
   double length;
   /** The vector from the middle of the chord to that of the face. It is zero unless the face is
    * curved. */
-  dealii::Tensor<1, 2> bulge;
+  Tensor<1, 2> bulge;
   /** The degrees of freedom of both ends. */
   std::array<Dofs, 2> dofs;
   /** The numbers of the conditions at both ends, see ContactTrace::conditions(). */
@@ -66,7 +67,7 @@ struct PenetrationFace
   /** The upper interpolant of d. */
   EdgeFunction d;
 
-  dealii::Point<2> point(const double t) const
+  Point<2> point(const double t) const
   {
     return start + t * (end - start) + 4. * t * (1. - t) * bulge;
   }
@@ -82,7 +83,7 @@ struct PenetrationFace
   bool presses() const;
   bool presses_everywhere() const;
   /** Returns the component of a function of V^h at t. */
-  double component(const Displacement &V, double t, const dealii::Tensor<1, 2> &direction) const;
+  double component(const Displacement &V, double t, const Tensor<1, 2> &direction) const;
   /** Returns v_n at t, with the normal of the face. */
   double normal_value(const Displacement &V, const double t) const
   {
@@ -94,7 +95,7 @@ struct PenetrationFace
  * conditions. */
 struct NodeCondition
 {
-  dealii::Tensor<1, 2> normal;
+  Tensor<1, 2> normal;
   SidePlace place;
   double required;
   /** Whether a neighbouring face presses. */
@@ -146,14 +147,14 @@ public:
   struct TractionChange
   {
     double normal_force = 0.;
-    dealii::Tensor<1, 2> force;
+    Tensor<1, 2> force;
     double work_of_gap = 0.;
   };
   /**
    * Returns these integrals.
    * @param c a translation.
    */
-  TractionChange traction_change(const dealii::Tensor<1, 2> &c) const;
+  TractionChange traction_change(const Tensor<1, 2> &c) const;
   /** Returns ∫ τ_n d over Γ_c, by the same points. */
   double work_of_penetration() const;
   /** Returns max (d)_+ over all samples; place_of_largest() returns its place. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/error_control/contact_term/contact_trace.h>
 #include <signorini/error_control/loads/law_sampling.h>
 
@@ -30,7 +31,7 @@ namespace Signorini
 class LiftField
 {
 public:
-  using CellIterator = dealii::DoFHandler<2>::active_cell_iterator;
+  using CellIterator = DoFHandler<2>::active_cell_iterator;
 
   /**
    * Builds the columns below all faces with a remainder. Space, scene and trace must outlive the
@@ -51,7 +52,7 @@ public:
     return remainders_[face];
   }
   /** Returns w at a point of the reference cell. */
-  dealii::Tensor<1, 2> value(const CellIterator &cell, const dealii::Point<2> &reference) const;
+  Tensor<1, 2> value(const CellIterator &cell, const Point<2> &reference) const;
 
   /**
    * Returns ∫_K ε(w):E:ε(w) for every active cell K (force x length per thickness), and zero
@@ -80,8 +81,8 @@ private:
   /** The values of w_h, the vertices and the columns that pass through a cell. */
   struct LocalField
   {
-    std::array<dealii::Point<2>, 4> vertices;
-    std::array<dealii::Tensor<1, 2>, 4> w_h;
+    std::array<Point<2>, 4> vertices;
+    std::array<Tensor<1, 2>, 4> w_h;
     const std::vector<Passage> *passages;
   };
 
@@ -89,7 +90,7 @@ private:
   double depth(unsigned int face) const;
   LocalField local_field(const CellIterator &cell) const;
   /** Returns the gradient of w with respect to reference coordinates. */
-  dealii::Tensor<2, 2> reference_gradient(const LocalField &field, const dealii::Point<2> &x) const;
+  Tensor<2, 2> reference_gradient(const LocalField &field, const Point<2> &x) const;
   double energy_of(const CellIterator &cell, const LocalField &field) const;
   /** Returns the positions at which pieces of w or of the material begin and end in reference
    * coordinate @p d, with those of @p n_equal parts. */
@@ -107,7 +108,7 @@ private:
   Displacement w_h_;
   std::vector<EdgeFunction> remainders_;
   /** The Gauss rules of two, three and four points. */
-  std::array<dealii::QGauss<1>, 3> rules_;
+  std::array<QGauss<1>, 3> rules_;
   /** The samples of the material, if it varies. */
   std::optional<LawSampling> sampling_;
   /** The passages through each cell, by active cell index. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/error_control/contact_term/contact_trace.h>
 #include <signorini/solvers/contact/dual_problem.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
@@ -59,7 +60,7 @@ private:
   std::shared_ptr<const ComplianceOperator> C_;
   /** The matrix M, which is at first Ĉ for constant pressures around the nodes; empty where C is
    * explicit. */
-  dealii::FullMatrix<double> model_;
+  FullMatrix<double> model_;
 };
 
 /**

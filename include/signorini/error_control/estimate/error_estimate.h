@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/columns.h>
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
@@ -156,7 +157,7 @@ public:
    * Collective. */
   RecoveredDisplacement(const DisplacementSpace<dim> &space, const Displacement &U);
 
-  const dealii::DoFHandler<dim> &dofs() const
+  const DoFHandler<dim> &dofs() const
   {
     return dofs_;
   }
@@ -167,8 +168,8 @@ public:
   }
 
 private:
-  dealii::FESystem<dim> element_;
-  dealii::DoFHandler<dim> dofs_;
+  FESystem<dim> element_;
+  DoFHandler<dim> dofs_;
   Displacement values_;
 };
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/mesh_plan.h>
 #include <signorini/error_control/hp/indicators.h>
 
@@ -20,7 +21,7 @@ namespace Signorini
  *
  * @return a point at which the material still hides after many splits; no solution would notice.
  */
-std::optional<dealii::Point<2>> resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan);
+std::optional<Point<2>> resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan);
 
 /** Adds the misfit of jumps of the moduli inside of cells to the indicators: u_h has no kink at a
  * jump. Where layers lie one behind the other the body is as stiff as the harmonic mean E_h of its

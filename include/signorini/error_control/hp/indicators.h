@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/problem/scene/scene.h>
@@ -17,7 +18,7 @@ namespace Signorini
 struct LineTable
 {
   /** The matrices points × nodes. */
-  dealii::FullMatrix<double> values, derivatives;
+  FullMatrix<double> values, derivatives;
 };
 
 /**
@@ -33,7 +34,7 @@ const std::vector<double> &nodes_of_edge(unsigned int degree);
 class CellField
 {
 public:
-  CellField(const dealii::DoFHandler<2>::active_cell_iterator &cell, const Displacement &U);
+  CellField(const DoFHandler<2>::active_cell_iterator &cell, const Displacement &U);
 
   unsigned int degree() const
   {
@@ -46,12 +47,12 @@ public:
   }
   /** Returns the derivatives with respect to the reference coordinates of the cell at the points
    * (x_i, y_j), point i + n_x j; [c][d] is that of component c with respect to coordinate d. */
-  std::vector<dealii::Tensor<2, 2>> gradients(const LineTable &x, const LineTable &y) const;
+  std::vector<Tensor<2, 2>> gradients(const LineTable &x, const LineTable &y) const;
 
 private:
   unsigned int degree_;
   /** The nodal values by component: second times first coordinate. */
-  std::array<dealii::FullMatrix<double>, 2> values_;
+  std::array<FullMatrix<double>, 2> values_;
 };
 
 /** The error and the smoothness of u_h on a cell, from its coefficients. */
@@ -80,7 +81,7 @@ std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
 
 /** Returns a modulus for the energy of all strains but those that incompressible bodies avoid
  * (force/area). */
-double indicator_modulus(const Scene<2> &scene, const dealii::Point<2> &x);
+double indicator_modulus(const Scene<2> &scene, const Point<2> &x);
 
 /** Returns the root of the sum of the squares of the errors. */
 double total(const std::vector<CellIndicator> &indicators);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/composite_cell.h>
 
 #include <array>
@@ -66,7 +67,7 @@ public:
   /** Returns the constants of a cell with the given number of its shape, which is below n_shared if
    * it is shared. They are valid until the next call. */
   const OscillationConstants &operator()(const unsigned int shape,
-                                         const std::array<dealii::Point<2>, 4> &corners)
+                                         const std::array<Point<2>, 4> &corners)
   {
     std::optional<OscillationConstants> &known = shape < shared_.size() ? shared_[shape] : own_;
     if (!known || shape >= shared_.size())
@@ -90,7 +91,7 @@ double turning_constant(double L, double d);
 struct CellLoad
 {
   /** The nodal forces ∫ f φ_i at the four corners, with the quadrature of the system. */
-  std::array<dealii::Tensor<1, 2>, 4> nodal;
+  std::array<Tensor<1, 2>, 4> nodal;
   /** The loads d_k, the part of f_h that is constant on triangle k. */
   CompositeCell::Loads constant{};
   /** The linear part of f_h on parallelograms. With the half edges g_1 = (x_1 - x_0)/2 and g_2 =
@@ -101,7 +102,7 @@ struct CellLoad
   double rest = 0.;
 
   /** Returns the components of a stress whose divergence is minus the linear part of f_h. */
-  Components stress(const CellShape &shape, const dealii::Point<2> &reference) const;
+  Components stress(const CellShape &shape, const Point<2> &reference) const;
   /** Returns the moments of the tractions of that stress on the edges of the cell. The tractions
    * are linear along edges. */
   CellMoments moments(const CellShape &shape) const;
@@ -110,7 +111,7 @@ struct CellLoad
 /** The values of a force density f at points of a cell. */
 struct ForceAtPoints
 {
-  std::vector<dealii::Tensor<1, 2>> offsets;
+  std::vector<Tensor<1, 2>> offsets;
   std::vector<std::array<double, 4>> shape_values;
   std::vector<double> weights;
   std::vector<dealii::Vector<double>> values;
@@ -129,7 +130,7 @@ CellLoad make_load(const CellShape &shape, const ForceAtPoints &force);
 double add_couple(const CellShape &shape, double moment, CellLoad &load);
 
 /** Returns all active cells in their order, which is that of EdgeMesh::cells(). */
-std::vector<dealii::Triangulation<2>::active_cell_iterator>
+std::vector<Triangulation<2>::active_cell_iterator>
 cells_in_order(const DisplacementSpace<2> &space);
 
 /** Returns the loads of all cells, with @p n_points Gauss points per direction as in the system;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/composite_cell.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace Signorini
 /** Hooke's law at a point: s = stiffness e, e = compliance s. */
 struct Law
 {
-  explicit Law(const dealii::SymmetricTensor<4, 2> &hooke);
+  explicit Law(const SymmetricTensor<4, 2> &hooke);
 
   Components stress(const Components &strain) const;
   Components strain(const Components &stress) const;
@@ -30,11 +31,11 @@ struct StressPoint
   std::array<double, 3> psi;
   double weight;
   /** The vector from corner 0 to the point, or on curved cells to its image. */
-  dealii::Tensor<1, 2> offset;
+  Tensor<1, 2> offset;
   /** The gradients of the shape functions of the four corners. */
-  std::array<dealii::Tensor<1, 2>, 4> gradients;
+  std::array<Tensor<1, 2>, 4> gradients;
   /** The reference coordinates in [-1,1]². The corners are (-1,-1), (1,-1), (1,1), (-1,1). */
-  dealii::Point<2> reference;
+  Point<2> reference;
   /** The part of the rule that the point belongs to, if the law is not resolved there; otherwise
    * the constant resolved. Points of a part follow each other. */
   unsigned int unresolved_part = resolved;
@@ -87,8 +88,8 @@ private:
 
 /** Returns the strain (e11, e22, 2 e12) from gradients of the shape functions and values at the
  * corners. */
-Components strain_of(const std::array<dealii::Tensor<1, 2>, 4> &gradients,
-                     const std::array<dealii::Tensor<1, 2>, 4> &values);
+Components strain_of(const std::array<Tensor<1, 2>, 4> &gradients,
+                     const std::array<Tensor<1, 2>, 4> &values);
 
 /** A point on the edge from corner k to corner k + 1. */
 struct EdgePoint
@@ -96,8 +97,8 @@ struct EdgePoint
   /** The share of the edge between corner k and the point. */
   double position;
   /** The vector from corner 0 to the point. */
-  dealii::Tensor<1, 2> offset;
-  std::array<dealii::Tensor<1, 2>, 4> gradients;
+  Tensor<1, 2> offset;
+  std::array<Tensor<1, 2>, 4> gradients;
 };
 
 /** Returns two Gauss points on every edge. */
@@ -120,7 +121,7 @@ struct RuleKind
 struct RulePart
 {
   /** A triangle with its corners counter-clockwise. */
-  using Triangle = std::array<dealii::Point<2>, 3>;
+  using Triangle = std::array<Point<2>, 3>;
 
   Triangle corners;
   /** Whether data is smooth on it. */

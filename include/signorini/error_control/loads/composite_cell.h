@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/edge_mesh.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -13,7 +14,7 @@ namespace Signorini
 using Components = std::array<double, 3>;
 
 /** Returns a1 b2 - a2 b1. */
-inline double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b)
+inline double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
 {
   return a[0] * b[1] - a[1] * b[0];
 }
@@ -21,16 +22,16 @@ inline double cross(const dealii::Tensor<1, 2> &a, const dealii::Tensor<1, 2> &b
 /** The corners and diagonals of a convex quadrilateral. */
 struct CellShape
 {
-  explicit CellShape(const std::array<dealii::Point<2>, 4> &corners);
+  explicit CellShape(const std::array<Point<2>, 4> &corners);
   /** Takes the corners of a cell, and the bulges if it is curved. */
   explicit CellShape(const EdgeCell &cell);
 
-  std::array<dealii::Point<2>, 4> corners;
+  std::array<Point<2>, 4> corners;
   Bulges bulges{};
   bool is_curved = false;
   /** The point z in which the diagonals meet: x_c = z + t (x_0 - z) for c = 2 with t = -p, and so
    * on. */
-  dealii::Point<2> crossing;
+  Point<2> crossing;
   /** The ratios in x_2 = z - p (x_0 - z) and x_3 = z - q (x_1 - z). */
   double p, q;
   /** The areas of the triangles (x_k, x_{k+1}, z). */
@@ -45,9 +46,9 @@ struct CellShape
   /** Returns the longest diagonal or edge. */
   double diameter() const;
   /** Returns the centre of mass of triangle k. */
-  dealii::Point<2> centre(unsigned int k) const;
+  Point<2> centre(unsigned int k) const;
   /** Returns the centre of mass of the cell. */
-  dealii::Point<2> centre() const;
+  Point<2> centre() const;
 };
 
 /**

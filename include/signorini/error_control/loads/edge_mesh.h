@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 
 #include <boost/container/small_vector.hpp>
@@ -32,7 +33,7 @@ struct Edge
   /** The number of the side, on the boundary; else no_side. */
   unsigned int side;
   /** The outward unit normal of the first of its cells. */
-  dealii::Tensor<1, 2> normal;
+  Tensor<1, 2> normal;
   double length;
 
   static constexpr unsigned int no_side = static_cast<unsigned int>(-1);
@@ -40,13 +41,13 @@ struct Edge
 
 /** The difference between the biquadratic image of a cell and the bilinear one with the same
  * corners: in the middles of the edges, counter-clockwise, and in the centre. */
-using Bulges = std::array<dealii::Tensor<1, 2>, 5>;
+using Bulges = std::array<Tensor<1, 2>, 5>;
 
 /** A quadrilateral with its corners and edges counter-clockwise; edge k runs from corner k to
  * corner k + 1. */
 struct EdgeCell
 {
-  std::array<dealii::Point<2>, 4> corners;
+  std::array<Point<2>, 4> corners;
   std::array<unsigned int, 4> vertices;
   std::array<unsigned int, 4> edges;
   /** The sign of the traction: 1 for the first cell of an edge, -1 for the second one. */
@@ -132,7 +133,7 @@ public:
     return stars_;
   }
   /** Returns the degrees of freedom of both components at each vertex. */
-  const std::vector<std::array<dealii::types::global_dof_index, 2>> &dofs() const
+  const std::vector<std::array<types::global_dof_index, 2>> &dofs() const
   {
     return dofs_;
   }
@@ -168,7 +169,7 @@ private:
   std::vector<Edge> edges_;
   std::vector<unsigned int> edge_of_line_;
   std::vector<Star> stars_;
-  std::vector<std::array<dealii::types::global_dof_index, 2>> dofs_;
+  std::vector<std::array<types::global_dof_index, 2>> dofs_;
 };
 
 /** The 16 moments of the tractions on a cell at its edges: edge by edge, first at corner k, then at

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/cell_rule.h>
 
 #include <array>
@@ -26,7 +27,7 @@ public:
   using Features = std::array<double, 8>;
   struct Sample
   {
-    dealii::Point<2> x;
+    Point<2> x;
     Features features;
   };
   using Samples = std::vector<Sample>;
@@ -38,7 +39,7 @@ public:
   {
     return intervals_;
   }
-  Samples scan(const std::array<dealii::Point<2>, 4> &corners) const;
+  Samples scan(const std::array<Point<2>, 4> &corners) const;
   /** Returns whether the tensor varies by more than a factor of 1.5. */
   static bool varies(const Samples &samples);
   /**
@@ -50,7 +51,7 @@ public:
                                double least) const;
 
 private:
-  Sample sample(const dealii::Point<2> &x) const;
+  Sample sample(const Point<2> &x) const;
 
   const Material<2> &material_;
   unsigned int intervals_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/cell_rule.h>
 
 #include <functional>
@@ -43,8 +44,8 @@ public:
   double work(unsigned int cell, const CellMoments &moments) const;
 
 private:
-  using Values = std::vector<dealii::Tensor<1, 2>>;
-  using Rest = std::function<dealii::Tensor<1, 2>(double)>;
+  using Values = std::vector<Tensor<1, 2>>;
+  using Rest = std::function<Tensor<1, 2>(double)>;
   /** The values of r at the points of interpolation on the equal pieces of edge k, from corner k
    * on. */
   struct EdgeRest
@@ -52,7 +53,7 @@ private:
     EdgeRest(unsigned int k, unsigned int n_pieces, const Rest &r);
 
     /** Returns r(s), or its derivative. */
-    dealii::Tensor<1, 2> evaluate(double s, bool derivative) const;
+    Tensor<1, 2> evaluate(double s, bool derivative) const;
     double largest() const;
 
     unsigned int k;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/error_control/stress/edge_tractions.h>
 #include <signorini/error_control/stress/star_solver.h>
 
@@ -18,7 +19,7 @@ namespace Signorini
  * @return whether such edges exist; if not, moments are not changed.
  */
 bool balance_cells(const EdgeMesh &mesh,
-                   const std::vector<dealii::Tensor<1, 2>> &rest,
+                   const std::vector<Tensor<1, 2>> &rest,
                    std::vector<double> &moments);
 
 /**

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/cell_loads.h>
 #include <signorini/error_control/loads/edge_mesh.h>
 #include <signorini/error_control/loads/law_sampling.h>
@@ -71,7 +72,7 @@ public:
   const std::vector<Law> &laws(unsigned int cell, const CellData &data, CellScratch &room) const;
 
   /** Returns the law at a point. */
-  Law law(const dealii::Point<2> &x) const
+  Law law(const Point<2> &x) const
   {
     return kind_.constant_law ? law_[0] : Law(material_.hooke(x));
   }
@@ -112,7 +113,7 @@ private:
   /** Whether the law varies much in a cell; empty where the law is constant. */
   std::vector<bool> varied_;
   const PrescribedLift &lift_;
-  std::vector<std::array<dealii::Tensor<1, 2>, 3>> edges_of_shape_;
+  std::vector<std::array<Tensor<1, 2>, 3>> edges_of_shape_;
   std::vector<std::unique_ptr<CellData>> shared_;
   std::vector<unsigned int> shape_of_;
   /** The law, if it is constant. */
@@ -139,7 +140,7 @@ class PatchBubbles
 {
 public:
   /** The coefficients m_k of the four edges of an EdgeCell, 0 where m_k is held back, then c. */
-  using Coefficients = std::array<dealii::Tensor<1, 2>, 5>;
+  using Coefficients = std::array<Tensor<1, 2>, 5>;
 
   /** Interpolates u_h. Needs Mesh::has_parents(). */
   PatchBubbles(const DisplacementSpace<2> &space, const EdgeMesh &mesh, const Displacement &U);
@@ -160,19 +161,19 @@ public:
     return held_.at(cell);
   }
   /** Returns b in the middle of an edge, 0 where it is held back. */
-  const dealii::Tensor<1, 2> &on_edge(const unsigned int edge) const
+  const Tensor<1, 2> &on_edge(const unsigned int edge) const
   {
     return edges_[edge];
   }
 
 private:
   const EdgeMesh &mesh_;
-  std::vector<dealii::Tensor<1, 2>> edges_, cells_;
+  std::vector<Tensor<1, 2>> edges_, cells_;
   std::map<unsigned int, Coefficients> held_;
 };
 
 /** The gradients of the five functions at a point, see PatchBubbles. */
-using BubbleGradients = std::array<dealii::Tensor<1, 2>, 5>;
+using BubbleGradients = std::array<Tensor<1, 2>, 5>;
 BubbleGradients bubble_gradients(const StressPoint &point);
 
 /** Returns the strain (e11, e22, 2 e12) of a sum of the five functions. */
@@ -183,7 +184,7 @@ Components strain_of(const BubbleGradients &gradients,
 struct CellMisfit
 {
   /** The values of u_h at the corners, relative to one of them. */
-  std::array<dealii::Tensor<1, 2>, 4> u;
+  std::array<Tensor<1, 2>, 4> u;
   /** The stress τ without the part of CellLoad::slope. */
   CompositeCell::Stresses stresses;
   std::array<double, 4> slope;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/error_control/loads/edge_mesh.h>
 
@@ -34,7 +35,7 @@ GivenTractions given_tractions(const DisplacementSpace<2> &space,
  * then those of the system. */
 void give_to_contact(const EdgeMesh &mesh,
                      const Scene<2> &scene,
-                     const std::vector<dealii::Tensor<1, 2>> &rest,
+                     const std::vector<Tensor<1, 2>> &rest,
                      GivenTractions &given);
 
 /**
@@ -49,7 +50,7 @@ void give_to_contact(const EdgeMesh &mesh,
 class EdgeMoments
 {
 public:
-  using Vector2 = dealii::Tensor<1, 2>;
+  using Vector2 = Tensor<1, 2>;
   /** The forces R_K^i at the corners of a cell. */
   using CornerForces = std::array<Vector2, 4>;
 

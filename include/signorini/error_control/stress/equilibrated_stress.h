@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/cell_loads.h>
 #include <signorini/error_control/loads/prescribed_lift.h>
 #include <signorini/error_control/stress/cell_table.h>
@@ -113,7 +114,7 @@ struct StressBound
   Bracket complementary_energy = {0., 0.};
   /** The translation c, which is the displacement of a corner of the body, and the force
    * ∫_{Γ_D} τ n. */
-  dealii::Tensor<1, 2> translation, support_force;
+  Tensor<1, 2> translation, support_force;
   /** The largest force at a vertex that the linear solver left unbalanced, relative to the largest
    * force that a cell exerts on a vertex. */
   double algebra = 0.;
@@ -211,7 +212,7 @@ public:
   double normal_bubble(unsigned int contact_face) const;
 
 private:
-  using CornerValues = std::array<dealii::Tensor<1, 2>, 4>;
+  using CornerValues = std::array<Tensor<1, 2>, 4>;
 
   unsigned int n_threads() const;
   CornerValues displacement(const EdgeCell &cell) const;
@@ -280,9 +281,7 @@ private:
   double oscillation(unsigned int cell, double min_eigenvalue, OscillationTable &table) const;
   /** Returns ∫_{Γ_D} τ n.(u_D - c) on the edges of a cell; adds ∫_{Γ_D} τ n to @p
    * force. */
-  double support_work(unsigned int cell,
-                      const dealii::Tensor<1, 2> &c,
-                      dealii::Tensor<1, 2> &force) const;
+  double support_work(unsigned int cell, const Tensor<1, 2> &c, Tensor<1, 2> &force) const;
   /**
    * Brings the moments closer to those of the best stress.
    * @return their change.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/error_control/stress/cell_table.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -81,7 +82,7 @@ private:
 };
 
 /** Returns a basis of the null space of a matrix, as columns, by elimination with full pivoting. */
-dealii::FullMatrix<double> null_space(dealii::FullMatrix<double> matrix);
+FullMatrix<double> null_space(FullMatrix<double> matrix);
 
 /** Returns S b on a cell. */
 CellMoments multiply(const CellEnergy &energy, const CellMoments &b);

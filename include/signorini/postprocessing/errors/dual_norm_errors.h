@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/columns.h>
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/postprocessing/norms/rectangle_norm.h>
 #include <signorini/postprocessing/norms/spectral_norm.h>
@@ -52,8 +53,7 @@ private:
                                 unsigned int first,
                                 unsigned int last) const;
 
-  using Coefficients =
-    std::conditional_t<dim == 2, dealii::Vector<double>, dealii::FullMatrix<double>>;
+  using Coefficients = std::conditional_t<dim == 2, dealii::Vector<double>, FullMatrix<double>>;
 
   const Scene<dim> &scene_;
   std::map<unsigned int, Coefficients> coefficients_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/columns.h>
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/linear_system.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
@@ -88,7 +89,7 @@ public:
 
   /** Returns the value at the point @p s of the side to which @p patch belongs; @p patch contains
    * it. */
-  double operator()(unsigned int patch, const dealii::Point<dim - 1> &s) const;
+  double operator()(unsigned int patch, const Point<dim - 1> &s) const;
 
 private:
   /** A patch next to another one, and its middle in the coordinates of that one. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/postprocessing/fields/stress.h>
 
@@ -18,8 +19,8 @@ namespace Signorini
 template <int dim>
 struct FieldValues
 {
-  std::vector<dealii::Tensor<1, dim>> values;
-  std::vector<dealii::Tensor<2, dim>> gradients;
+  std::vector<Tensor<1, dim>> values;
+  std::vector<Tensor<2, dim>> gradients;
 };
 
 /**
@@ -37,25 +38,24 @@ template <int dim>
 class PatchInterpolation
 {
 public:
-  using CellIterator = typename dealii::DoFHandler<dim>::active_cell_iterator;
-  using AncestorIterator = typename dealii::DoFHandler<dim>::cell_iterator;
+  using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
+  using AncestorIterator = typename DoFHandler<dim>::cell_iterator;
 
   /**
    * Tabulates the shape functions.
    * @param usual_rule the rule of most cells; its shape functions are computed once.
    */
   explicit PatchInterpolation(const DisplacementSpace<dim> &space,
-                              const dealii::Quadrature<dim> &usual_rule = dealii::Quadrature<dim>(),
+                              const Quadrature<dim> &usual_rule = Quadrature<dim>(),
                               unsigned int n_generations = 1);
 
   /** Returns the interpolation of the nodal values @p U at the points of @p fe_values, which is at
    * @p cell and provides its inverse Jacobians. */
   const FieldValues<dim> &evaluate(const Displacement &U,
                                    const CellIterator &cell,
-                                   const dealii::FEValues<dim> &fe_values);
+                                   const FEValues<dim> &fe_values);
   /** Returns the values alone, at the points of the usual rule. */
-  const std::vector<dealii::Tensor<1, dim>> &values(const Displacement &U,
-                                                    const CellIterator &cell);
+  const std::vector<Tensor<1, dim>> &values(const Displacement &U, const CellIterator &cell);
 
 private:
   /** The place of a cell among the descendants of its ancestor: 0..2^k-1 per direction. */
@@ -67,15 +67,13 @@ private:
     /** The values point by point, n_nodes each. */
     std::vector<double> values;
     /** The gradients with respect to the reference coordinates of the descendant. */
-    std::vector<dealii::Tensor<1, dim>> gradients;
+    std::vector<Tensor<1, dim>> gradients;
   };
 
   unsigned int lexicographic(const Place &place, unsigned int n_per_direction) const;
-  ShapeTable make_table(const std::vector<dealii::Point<dim>> &points, const Place &place) const;
+  ShapeTable make_table(const std::vector<Point<dim>> &points, const Place &place) const;
   /** Returns the table at the usual points if @p is_usual, else at those of @p quadrature. */
-  const ShapeTable &table(const dealii::Quadrature<dim> &quadrature,
-                          bool is_usual,
-                          const Place &place);
+  const ShapeTable &table(const Quadrature<dim> &quadrature, bool is_usual, const Place &place);
   /** Fills result_ with values, and gradients in reference coordinates. */
   void sum_up(const ShapeTable &shapes, unsigned int n_points);
   /** Fills tables_. */
@@ -96,8 +94,8 @@ private:
   unsigned int degree_;
   /** The place of every node of the element among its (p + 1)^dim nodes, in the element's order. */
   std::vector<Place> nodes_of_cell_;
-  dealii::TensorProductPolynomials<dim> polynomials_;
-  std::vector<dealii::Point<dim>> usual_points_;
+  TensorProductPolynomials<dim> polynomials_;
+  std::vector<Point<dim>> usual_points_;
   /** The tables of all places, lexicographically; empty where tensor_ takes their place. */
   std::vector<ShapeTable> tables_;
   /** The evaluation at the usual points in 3-D, if they are those of a tensor product rule. */
@@ -105,9 +103,9 @@ private:
   ShapeTable cut_table_;
   /** The ancestor to which nodal_dofs_ belong. */
   AncestorIterator ancestor_;
-  std::vector<std::array<dealii::types::global_dof_index, dim>> nodal_dofs_;
-  std::vector<dealii::types::global_dof_index> cell_dofs_;
-  std::vector<dealii::Tensor<1, dim>> nodal_values_;
+  std::vector<std::array<types::global_dof_index, dim>> nodal_dofs_;
+  std::vector<types::global_dof_index> cell_dofs_;
+  std::vector<Tensor<1, dim>> nodal_values_;
   FieldValues<dim> result_;
 };
 
@@ -130,7 +128,7 @@ private:
   /** The level of the cells. */
   unsigned int level_;
   /** A vertex of every cell, by which it is recognised. */
-  std::vector<dealii::Point<dim>> first_vertices_;
+  std::vector<Point<dim>> first_vertices_;
   /** By cell (its index on the level), point and component. */
   std::vector<float> values_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/problem/scene/material.h>
 
@@ -27,7 +28,7 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
 class TensorEvaluation
 {
 public:
-  using Vector3 = dealii::Tensor<1, 3>;
+  using Vector3 = Tensor<1, 3>;
 
   /**
    * Tabulates the basis.
@@ -35,8 +36,8 @@ public:
    * first direction running fastest.
    * @param rule of the three directions, on a cell.
    */
-  TensorEvaluation(const std::vector<dealii::Polynomials::Polynomial<double>> &basis,
-                   const std::array<dealii::Quadrature<1>, 3> &rule,
+  TensorEvaluation(const std::vector<Polynomials::Polynomial<double>> &basis,
+                   const std::array<Quadrature<1>, 3> &rule,
                    unsigned int n_cells);
 
   /** Computes values, and gradients with respect to the reference coordinates of the cell at @p
@@ -44,7 +45,7 @@ public:
   void evaluate(const std::vector<Vector3> &nodal_values,
                 const std::array<unsigned int, 3> &place,
                 std::vector<Vector3> &values,
-                std::vector<dealii::Tensor<2, 3>> &gradients);
+                std::vector<Tensor<2, 3>> &gradients);
 
 private:
   /** The basis at the points of one direction of a cell: rows of points, columns of polynomials. */
@@ -65,7 +66,7 @@ private:
 
 /** The stress with all its components, also those of a 2-D body that point out of the plane
  * (force/area). */
-using Stress3D = dealii::SymmetricTensor<2, 3>;
+using Stress3D = SymmetricTensor<2, 3>;
 
 /**
  * Returns σ = E : ε at @p x. In 2-D σ_xz = σ_yz = 0, and σ_zz is
@@ -74,8 +75,8 @@ using Stress3D = dealii::SymmetricTensor<2, 3>;
  */
 template <int dim>
 Stress3D stress_in_3d(const Material<dim> &material,
-                      const dealii::Point<dim> &x,
-                      const dealii::SymmetricTensor<2, dim> &strain);
+                      const Point<dim> &x,
+                      const SymmetricTensor<2, dim> &strain);
 
 /** Returns the von Mises stress sqrt(3/2 s:s), s = σ - tr σ/3 I. */
 double von_mises(const Stress3D &stress);

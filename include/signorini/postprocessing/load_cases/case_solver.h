@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/contact/compliance.h>
@@ -109,7 +110,7 @@ private:
   CaseData data_;
   double seconds_ = 0.;
   std::shared_ptr<const ComplianceOperator> C_;
-  dealii::FullMatrix<double> B_;
+  FullMatrix<double> B_;
   dealii::Vector<double> G_;
   std::vector<LoadResponse> responses_;
   LoadCase last_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -25,7 +26,7 @@ namespace Signorini
 class RectangleNorm
 {
 public:
-  using Matrix = dealii::FullMatrix<double>;
+  using Matrix = FullMatrix<double>;
   using Counts = std::array<unsigned int, 2>;
   /** The number of the coefficients of a function, per direction. */
   static constexpr unsigned int n_modes = 256;
@@ -74,9 +75,9 @@ RectangleNorm rectangle_norm_on(const PatchGrid &grid);
 std::array<std::vector<unsigned int>, 2> equal_cells(const PatchGrid &grid);
 
 /** Returns the values on these cells, column by row. */
-dealii::FullMatrix<double> values_on(const PatchGrid &grid, const dealii::Vector<double> &P);
+FullMatrix<double> values_on(const PatchGrid &grid, const dealii::Vector<double> &P);
 
 /** Returns the block diagonal Gram matrix of the constants on the patches: the square of its norm
  * is the sum over the sides. */
-dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<3> &surface);
+FullMatrix<double> dual_gram_matrix(const ContactSurface<3> &surface);
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -62,10 +63,10 @@ private:
  * with A a polynomial between differences of the ends of I and J, and rules that are refined
  * towards the singularities of κ.
  */
-dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers);
+FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers);
 
 /** Returns the same matrix in 3-D, where patches have constants: the series of RectangleNorm. */
-dealii::FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers);
+FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers);
 
 /**
  * The paper's norm on one side of length L: the dual of
@@ -96,8 +97,8 @@ public:
 private:
   double length_;
   unsigned int n_cells_;
-  dealii::FullMatrix<double> seminorm_;
+  FullMatrix<double> seminorm_;
   /** The Cholesky factor of G. */
-  dealii::LAPACKFullMatrix<double> factor_;
+  LAPACKFullMatrix<double> factor_;
 };
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
@@ -17,7 +18,7 @@ namespace Signorini
 /** Assembles (A_1)_ij = (φ_j, φ_i)_{1,Ω} = ∫ φ_j.φ_i + grad φ_j : grad φ_i,
  * condensed like A. Collective. */
 template <int dim>
-dealii::TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space);
+TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space);
 
 /**
  * The dual of the interpolation norm between L2 and H1 on one side of length L:
@@ -58,7 +59,7 @@ public:
   double primal_norm(const Vector &f, unsigned int n_pieces) const;
 
   /** Returns the Gram matrix of the characteristic functions of the intervals. */
-  dealii::FullMatrix<double> gram_matrix(const std::vector<double> &ends) const;
+  FullMatrix<double> gram_matrix(const std::vector<double> &ends) const;
 
 private:
   /** Returns the number k of the mode of a coefficient. */
@@ -106,7 +107,7 @@ void for_each_side(const std::vector<Patch<2>> &patches, const Visitor &visit)
 
 /** Returns the block diagonal Gram matrix of the constants on the patches: the square of its norm
  * is the sum over the sides. */
-dealii::FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface);
+FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface);
 
 /**
  * Returns the constant of Lemma 1,

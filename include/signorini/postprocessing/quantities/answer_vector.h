@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -22,7 +24,7 @@ public:
   {
   }
   template <int dim>
-  AnswerVector(const dealii::Tensor<1, dim> &x)
+  AnswerVector(const Tensor<1, dim> &x)
   {
     for (unsigned int d = 0; d < dim; ++d)
       values_.push_back(x[d]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 
@@ -50,7 +51,7 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space,
 /** Returns the point nearest to @p centre on the line of action x × F = M (in 3-D: on the axis on
  * which the moment is parallel to F); none where |F| is rounding compared with @p scale (force). */
 template <int dim>
-std::optional<dealii::Point<dim>> point_of_action(const Resultant<dim> &resultant,
-                                                  const dealii::Point<dim> &centre,
-                                                  double scale);
+std::optional<Point<dim>> point_of_action(const Resultant<dim> &resultant,
+                                          const Point<dim> &centre,
+                                          double scale);
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
@@ -27,7 +28,7 @@ template <int dim>
 struct SingularPlace
 {
   /** The ends of the edge; equal in 2-D. */
-  std::array<dealii::Point<dim>, 2> ends;
+  std::array<Point<dim>, 2> ends;
   std::array<unsigned int, 2> sides;
   /** The angle inside the body (radians), and Kolosov's constant. */
   double angle, kappa;
@@ -36,8 +37,8 @@ struct SingularPlace
   double radius;
 
   /** Returns the point of the place that is nearest to @p x. */
-  dealii::Point<dim> nearest(const dealii::Point<dim> &x) const;
-  bool contains(const dealii::Point<dim> &x) const
+  Point<dim> nearest(const Point<dim> &x) const;
+  bool contains(const Point<dim> &x) const
   {
     return nearest(x).distance(x) < radius;
   }
@@ -50,12 +51,12 @@ std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene);
 
 /** Returns whether @p x lies at one of the places. */
 template <int dim>
-bool any_contains(const std::vector<SingularPlace<dim>> &places, const dealii::Point<dim> &x);
+bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim> &x);
 
 /** Returns the place where a value at @p x is part of unlimited growth: @p x lies next to it, and
  * the state of contact there makes λ < 1. The result is empty if there is none. */
 template <int dim>
-std::optional<GrowthPlace> growth_at(const dealii::Point<dim> &x,
+std::optional<GrowthPlace> growth_at(const Point<dim> &x,
                                      const std::vector<SingularPlace<dim>> &places,
                                      const MultiplierSpace<dim> &multipliers,
                                      const Pressure &P);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/grid/manifold.h>
@@ -28,16 +30,13 @@ class Curve
 {
 public:
   /** Makes a segment with the outward unit @p normal. */
-  Curve(const dealii::Point<2> &start,
-        const dealii::Point<2> &end,
-        const dealii::Tensor<1, 2> &normal);
+  Curve(const Point<2> &start, const Point<2> &end, const Tensor<1, 2> &normal);
 
   /**
    * Returns the arc about @p centre from the angle @p first to the angle @p last (radians, counted
    * from the x-axis), clockwise if last < first; a whole circle where they differ by 2 pi.
    */
-  static Curve
-  arc(const dealii::Point<2> &centre, double radius, double first, double last, Body body);
+  static Curve arc(const Point<2> &centre, double radius, double first, double last, Body body);
 
   /**
    * Returns the chain of segments and arcs, each of which begins where the one before it ends, all
@@ -49,12 +48,12 @@ public:
    * less are parts of a smooth side, which a polygon may approximate. */
   static constexpr double min_corner_turn = 0.1;
 
-  const dealii::Point<2> &start() const
+  const Point<2> &start() const
   {
     return start_;
   }
   /** Returns the end, which is the start on a closed curve. */
-  const dealii::Point<2> &end() const
+  const Point<2> &end() const
   {
     return end_;
   }
@@ -77,7 +76,7 @@ public:
     return circle_ ? circle_->radius : 0.;
   }
   /** Returns the centre of the circle of an arc. */
-  const dealii::Point<2> &centre_of_circle() const
+  const Point<2> &centre_of_circle() const
   {
     return circle_->centre;
   }
@@ -94,50 +93,50 @@ public:
   /** Returns whether there is a corner at s, but for rounding. */
   bool has_corner(double s) const;
   /** Returns the numbers of the pieces that are not farther than @p distance from a point. */
-  std::vector<unsigned int> pieces_near(const dealii::Point<2> &x, double distance) const;
+  std::vector<unsigned int> pieces_near(const Point<2> &x, double distance) const;
 
   /** Returns x(s); segments and circles go on beyond their ends, and so do the outer pieces of a
    * chain. */
-  dealii::Point<2> point(double s) const;
+  Point<2> point(double s) const;
   /** Returns n(s), the outward unit normal; where pieces of a chain meet, that of the piece behind.
    */
-  dealii::Tensor<1, 2> normal(double s) const;
+  Tensor<1, 2> normal(double s) const;
   /** Returns n(s) on the piece that lies in the direction of @p towards; these two are different
    * points. */
-  dealii::Tensor<1, 2> normal(double s, double towards) const;
+  Tensor<1, 2> normal(double s, double towards) const;
   /** Returns n at a point @p x of the curve, on the piece to which @p inside belongs. */
-  dealii::Tensor<1, 2> normal_at(const dealii::Point<2> &x, const dealii::Point<2> &inside) const;
+  Tensor<1, 2> normal_at(const Point<2> &x, const Point<2> &inside) const;
   /** Returns x'(s), on the piece that lies in the direction of @p towards. */
-  dealii::Tensor<1, 2> tangent(double s, double towards) const;
+  Tensor<1, 2> tangent(double s, double towards) const;
   /** Returns x(s) for s as a point of the real line. */
-  dealii::Point<2> point(const dealii::Point<1> &s) const
+  Point<2> point(const Point<1> &s) const
   {
     return point(s[0]);
   }
-  dealii::Tensor<1, 2> normal(const dealii::Point<1> &s) const
+  Tensor<1, 2> normal(const Point<1> &s) const
   {
     return normal(s[0]);
   }
-  dealii::Point<1> coordinates(const dealii::Point<2> &x) const
+  Point<1> coordinates(const Point<2> &x) const
   {
-    return dealii::Point<1>(arc_length(x));
+    return Point<1>(arc_length(x));
   }
-  dealii::Point<2> centre() const
+  Point<2> centre() const
   {
     return point(0.5 * length_);
   }
   /** Returns s of a point on the curve; on a closed one from 0 (included) to its length. */
-  double arc_length(const dealii::Point<2> &x) const;
+  double arc_length(const Point<2> &x) const;
 
   /** Returns all s in [from, to], sorted, at which the curve, continued beyond its ends, meets the
    * line m.x = position with the unit normal @p m; none for a line along a segment. */
   std::vector<double>
-  crossings(const dealii::Tensor<1, 2> &m, double position, double from, double to) const;
+  crossings(const Tensor<1, 2> &m, double position, double from, double to) const;
 
 private:
   struct Circle
   {
-    dealii::Point<2> centre;
+    Point<2> centre;
     double radius;
     /** The angle at s = 0. */
     double first;
@@ -148,11 +147,11 @@ private:
   };
   class Chain;
 
-  dealii::Point<2> start_;
-  dealii::Point<2> end_;
+  Point<2> start_;
+  Point<2> end_;
   double length_;
   /** The normal of a segment; of other curves the one at s = 0. */
-  dealii::Tensor<1, 2> normal_;
+  Tensor<1, 2> normal_;
   std::optional<Circle> circle_;
   std::shared_ptr<const Chain> chain_;
 };
@@ -164,20 +163,19 @@ private:
  * bilinear map of the corners. deal.II's TransfiniteInterpolationManifold looks through all coarse
  * cells for every point, which takes too long on meshes of many cells.
  */
-class ArcCell : public dealii::ChartManifold<2, 2, 2>
+class ArcCell : public ChartManifold<2, 2, 2>
 {
 public:
   /** Stores corners counter-clockwise; edge i leads from corner i to the next one. @param centres
    * of the circles of edges that are arcs. */
-  ArcCell(const std::array<dealii::Point<2>, 4> &corners,
-          const std::array<std::optional<dealii::Point<2>>, 4> &centres);
+  ArcCell(const std::array<Point<2>, 4> &corners,
+          const std::array<std::optional<Point<2>>, 4> &centres);
 
-  std::unique_ptr<dealii::Manifold<2, 2>> clone() const override;
+  std::unique_ptr<Manifold<2, 2>> clone() const override;
   /** Returns the chart point of x. @throws ComputationError if Newton's method does not find it. */
-  dealii::Point<2> pull_back(const dealii::Point<2> &x) const override;
-  dealii::Point<2> push_forward(const dealii::Point<2> &chart_point) const override;
-  dealii::DerivativeForm<1, 2, 2>
-  push_forward_gradient(const dealii::Point<2> &chart_point) const override;
+  Point<2> pull_back(const Point<2> &x) const override;
+  Point<2> push_forward(const Point<2> &chart_point) const override;
+  DerivativeForm<1, 2, 2> push_forward_gradient(const Point<2> &chart_point) const override;
 
   /** Returns whether at (n + 1) x (n + 1) points the determinant of the map is positive, and larger
    * than @p min_ratio times the largest one. */
@@ -186,14 +184,14 @@ public:
 private:
   struct Edge
   {
-    dealii::Point<2> start, end;
+    Point<2> start, end;
     /** The centre of an arc, the angle of its start and how far it turns (radians); empty for a
      * straight edge. */
-    std::optional<dealii::Point<2>> centre;
+    std::optional<Point<2>> centre;
     double angle = 0., turn = 0.;
 
-    dealii::Point<2> point(double t) const;
-    dealii::Tensor<1, 2> derivative(double t) const;
+    Point<2> point(double t) const;
+    Tensor<1, 2> derivative(double t) const;
   };
 
   std::array<Edge, 4> edges_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/curve.h>
 
 #include <deal.II/base/point.h>
@@ -26,10 +27,10 @@ class Rectangle
 public:
   /** @param first, second the edges from @p corner, at right angles. @param normal the outward unit
    * normal. */
-  Rectangle(const dealii::Point<3> &corner,
-            const dealii::Tensor<1, 3> &first,
-            const dealii::Tensor<1, 3> &second,
-            const dealii::Tensor<1, 3> &normal)
+  Rectangle(const Point<3> &corner,
+            const Tensor<1, 3> &first,
+            const Tensor<1, 3> &second,
+            const Tensor<1, 3> &normal)
     : corner_(corner)
     , edges_{first, second}
     , normal_(normal)
@@ -41,15 +42,15 @@ public:
     return true;
   }
   /** Returns x(s), also beyond the edges. */
-  dealii::Point<3> point(const dealii::Point<2> &s) const
+  Point<3> point(const Point<2> &s) const
   {
     return corner_ + s[0] * edges_[0] / edges_[0].norm() + s[1] * edges_[1] / edges_[1].norm();
   }
-  dealii::Tensor<1, 3> normal(const dealii::Point<2> & /*s*/) const
+  Tensor<1, 3> normal(const Point<2> & /*s*/) const
   {
     return normal_;
   }
-  dealii::Point<2> coordinates(const dealii::Point<3> &x) const
+  Point<2> coordinates(const Point<3> &x) const
   {
     return {(x - corner_) * edges_[0] / edges_[0].norm(),
             (x - corner_) * edges_[1] / edges_[1].norm()};
@@ -59,15 +60,15 @@ public:
   {
     return {{edges_[0].norm(), edges_[1].norm()}};
   }
-  dealii::Point<3> centre() const
+  Point<3> centre() const
   {
     return corner_ + 0.5 * (edges_[0] + edges_[1]);
   }
 
 private:
-  dealii::Point<3> corner_;
-  std::array<dealii::Tensor<1, 3>, 2> edges_;
-  dealii::Tensor<1, 3> normal_;
+  Point<3> corner_;
+  std::array<Tensor<1, 3>, 2> edges_;
+  Tensor<1, 3> normal_;
 };
 
 /** A smooth piece of the boundary with coordinates of its own: point(s), normal(s), coordinates(x).
@@ -104,13 +105,13 @@ struct Geometry
   /** The number of cells on level 0. */
   double n_coarse_cells = 1.;
   /** Makes the coarse mesh (level 0), with the manifolds of a curved body. */
-  std::function<void(dealii::Triangulation<dim> &)> make_coarse_mesh;
+  std::function<void(Triangulation<dim> &)> make_coarse_mesh;
   /**
    * Makes a mesh of a rectangle with 2^level times the coarse cells in each direction, in which
    * the lines x_d = lines[d][k] are lines of the mesh: the nearest one moves there, or one is
    * added. Empty for other bodies.
    */
-  std::function<void(dealii::Triangulation<dim> &,
+  std::function<void(Triangulation<dim> &,
                      unsigned int level,
                      const std::array<std::vector<double>, dim> &lines)>
     make_mesh_with_lines;
@@ -119,13 +120,13 @@ struct Geometry
   /** Whether the segments from inner_point() to the boundary lie in the body. */
   bool star_shaped = true;
   /** A point inside of the body. If it is empty, inner_point() is the mean of the sides. */
-  std::optional<dealii::Point<dim>> inside;
+  std::optional<Point<dim>> inside;
   /** Numbers the boundary faces of a refined mesh, where sides end inside coarse faces; otherwise
    * empty. */
-  std::function<void(dealii::Triangulation<dim> &)> number_after_refinement;
+  std::function<void(Triangulation<dim> &)> number_after_refinement;
   /** The lower corner of the bounding box, and the opposite one. */
-  dealii::Point<dim> lower;
-  dealii::Point<dim> upper;
+  Point<dim> lower;
+  Point<dim> upper;
   /** The share of h by which interior vertices of the coarsest level are moved. */
   double distortion = 0.;
   /** The beginning of a message about the distortion. */
@@ -137,7 +138,7 @@ struct Geometry
   }
   /** Returns a point inside of the body: the given one, or the mean of the centres of the sides,
    * which is inside of a convex body. */
-  dealii::Point<dim> inner_point() const;
+  Point<dim> inner_point() const;
   /** Returns the shortest edge of the box around the body (length). */
   double shortest_extent() const;
   /** Returns the longest edge of the box around the body (length). */
@@ -149,22 +150,21 @@ struct Geometry
 };
 
 /** Returns whether a side ends inside a boundary face, so that faces cannot be numbered. */
-bool ends_inside_a_face(const std::vector<Side<2>> &sides,
-                        const dealii::Triangulation<2> &triangulation);
+bool ends_inside_a_face(const std::vector<Side<2>> &sides, const Triangulation<2> &triangulation);
 
 /** Gives every boundary face the number of the side on which it lies. @throws InputError if a side
  * ends inside a face. */
-void number_boundary(const std::vector<Side<2>> &sides, dealii::Triangulation<2> &triangulation);
+void number_boundary(const std::vector<Side<2>> &sides, Triangulation<2> &triangulation);
 
 /** Returns a rectangle with @p cells coarse cells per direction; sides left, right, bottom, top. */
-Geometry<2> make_rectangle(const dealii::Point<2> &lower_left,
-                           const dealii::Point<2> &upper_right,
+Geometry<2> make_rectangle(const Point<2> &lower_left,
+                           const Point<2> &upper_right,
                            const std::vector<unsigned int> &cells);
 
 /** Returns a box with @p cells coarse cells per direction; sides left and right (x), front and back
  * (y), bottom and top (z). */
-Geometry<3> make_box(const dealii::Point<3> &lower,
-                     const dealii::Point<3> &upper,
+Geometry<3> make_box(const Point<3> &lower,
+                     const Point<3> &upper,
                      const std::vector<unsigned int> &cells);
 
 /**
@@ -172,38 +172,36 @@ Geometry<3> make_box(const dealii::Point<3> &lower,
  * vertices make one coarse cell; otherwise there is one per vertex, from the centroid of the
  * vertices and the mid-points of the sides.
  */
-Geometry<2> make_polygon(const std::vector<dealii::Point<2>> &vertices);
+Geometry<2> make_polygon(const std::vector<Point<2>> &vertices);
 
 /**
  * Returns the ring between two circles about a point; sides inner and outer. It has eight coarse
  * cells, in polar coordinates.
  */
-Geometry<2> make_ring(double inner_radius,
-                      double outer_radius,
-                      const dealii::Point<2> &centre = {});
+Geometry<2> make_ring(double inner_radius, double outer_radius, const Point<2> &centre = {});
 
 /**
  * Returns the half disc below a point; sides flat (from left to right) and arc (from (-R, 0) by (0,
  * -R) to (R, 0), seen from the centre). Inside of the four coarse cells the mesh is the transfinite
  * interpolation of their edges.
  */
-Geometry<2> make_half_disc(double radius, const dealii::Point<2> &centre = {});
+Geometry<2> make_half_disc(double radius, const Point<2> &centre = {});
 
 /** Returns the disc about a point; one side, arc, from the angle -pi. It has five coarse cells,
  * with the mesh of make_half_disc() inside of them. */
-Geometry<2> make_disc(double radius, const dealii::Point<2> &centre = {});
+Geometry<2> make_disc(double radius, const Point<2> &centre = {});
 
 /** The line (in 3-D, the plane) normal.x = position, |normal| = 1. */
 template <int dim>
 struct KinkLine
 {
-  dealii::Tensor<1, dim> normal;
+  Tensor<1, dim> normal;
   double position;
 
   /** Returns normal.x - position. */
-  double signed_distance(const dealii::Point<dim> &x) const
+  double signed_distance(const Point<dim> &x) const
   {
-    return normal * (x - dealii::Point<dim>()) - position;
+    return normal * (x - Point<dim>()) - position;
   }
 };
 
@@ -239,7 +237,7 @@ public:
     return lines_;
   }
   /** Returns the possible ends of contact zones. */
-  const std::vector<dealii::Point<dim>> &ends() const
+  const std::vector<Point<dim>> &ends() const
   {
     return ends_;
   }
@@ -248,7 +246,7 @@ public:
    * Returns the parameters t in [0,1], sorted, at which the segment from @p a to @p b is cut: 0,
    * the crossings, 1.
    */
-  std::vector<double> cut(const dealii::Point<dim> &a, const dealii::Point<dim> &b) const;
+  std::vector<double> cut(const Point<dim> &a, const Point<dim> &b) const;
 
   /**
    * Returns the arc lengths, sorted, at which the part [from, to] of a side (or of its
@@ -261,6 +259,6 @@ public:
 
 private:
   std::vector<KinkLine<dim>> lines_;
-  std::vector<dealii::Point<dim>> ends_;
+  std::vector<Point<dim>> ends_;
 };
 } // namespace Signorini

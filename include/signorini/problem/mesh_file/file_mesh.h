@@ -64,7 +64,7 @@ struct FileMesh
 {
   struct Vertex
   {
-    dealii::Point<2> position;
+    Point<2> position;
     /** The number of the node in the file. */
     std::size_t tag;
   };

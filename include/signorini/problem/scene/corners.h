@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/scene/scene.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -48,13 +49,13 @@ double corner_exponent(double angle, EdgeSupport first, EdgeSupport second, doub
  * over all plane rotations, which is the isotropic tensor nearest to it in the sum of squares of
  * E_ijkl. The exponents of such a body are then approximations.
  */
-double kolosov_constant(const dealii::SymmetricTensor<4, 2> &hooke);
+double kolosov_constant(const SymmetricTensor<4, 2> &hooke);
 
 /** A point where two sides of a 2-D body meet, also at a straight angle, or where one side has a
  * corner (Curve::corners()). */
 struct Corner
 {
-  dealii::Point<2> position;
+  Point<2> position;
   /** The angle between the tangents inside the body, 0 < angle <= 2 pi (radians). */
   double angle;
   /** The numbers of the two sides. Counter-clockwise about the corner the first one comes before

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
+
 #include <deal.II/base/point.h>
 
 #include <map>
@@ -34,10 +36,10 @@ public:
   ~Expression();
 
   /** Returns the value at a point; it is not finite where the formula is not defined. */
-  double operator()(const dealii::Point<dim> &x) const;
+  double operator()(const Point<dim> &x) const;
 
   /** Computes the values at many points; @p values has as many entries as @p points. */
-  void evaluate(const std::vector<dealii::Point<dim>> &points, std::vector<double> &values) const;
+  void evaluate(const std::vector<Point<dim>> &points, std::vector<double> &values) const;
 
   /** Returns whether the formula uses none of the coordinates. */
   bool is_constant() const

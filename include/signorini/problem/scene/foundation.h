@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/geometry.h>
 
 #include <deal.II/base/function.h>
@@ -20,18 +21,16 @@ class Obstacle
 public:
   /** Returns the half-plane (x - point).normal <= 0; @p normal (not zero, of any length) points out
    * of it, towards the body. */
-  static Obstacle plane(const dealii::Point<2> &point, const dealii::Tensor<1, 2> &normal);
+  static Obstacle plane(const Point<2> &point, const Tensor<1, 2> &normal);
 
   /** Returns the region behind the curve x(t) = point + t tau + (curvature/2) t² nu, where nu is
    * normal/|normal| and tau is perpendicular to it (t: length, curvature: 1/length). It bends away
    * from the body where curvature < 0. */
-  static Obstacle parabola(const dealii::Point<2> &point,
-                           const dealii::Tensor<1, 2> &normal,
-                           double curvature);
+  static Obstacle parabola(const Point<2> &point, const Tensor<1, 2> &normal, double curvature);
 
   /** Returns a disc if the body lies outside of it, or the complement of a disc if the body lies
    * inside. */
-  static Obstacle circle(const dealii::Point<2> &centre, double radius, Body body);
+  static Obstacle circle(const Point<2> &centre, double radius, Body body);
 
   /**
    * Returns the t (length) at which the line x + t n, |n| = 1, enters the obstacle: positive for a
@@ -43,30 +42,30 @@ public:
    * outside does not lead to a plane, and where n points out of an obstacle other than a disc or
    * such a parabola from inside.
    */
-  std::optional<double> distance(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const;
+  std::optional<double> distance(const Point<2> &x, const Tensor<1, 2> &n) const;
 
   /** Returns whether a line with the direction n, |n| = 1, can enter the obstacle, wherever that is
    * moved. */
-  bool can_be_hit_along(const dealii::Tensor<1, 2> &n) const;
+  bool can_be_hit_along(const Tensor<1, 2> &n) const;
 
   /** Returns whether the line x + t n, |n| = 1, enters the obstacle at t < @p reach (length), or x
    * lies in it. A line that misses does not count, although distance() has a value for it. */
-  bool is_hit_by_line(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n, double reach) const;
+  bool is_hit_by_line(const Point<2> &x, const Tensor<1, 2> &n, double reach) const;
 
   /** Returns a point of a plane or a parabola, or the centre of a circle. */
-  const dealii::Point<2> &anchor() const;
+  const Point<2> &anchor() const;
 
 private:
   /** A parabola, or a plane, which has the curvature 0. */
   struct Parabola
   {
-    dealii::Point<2> point;
-    dealii::Tensor<1, 2> normal;
+    Point<2> point;
+    Tensor<1, 2> normal;
     double curvature;
   };
   struct Circle
   {
-    dealii::Point<2> centre;
+    Point<2> centre;
     double radius;
     Body body;
   };
@@ -75,7 +74,7 @@ private:
 
   explicit Obstacle(std::variant<Parabola, Circle> shape);
 
-  LinePolynomial along(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const;
+  LinePolynomial along(const Point<2> &x, const Tensor<1, 2> &n) const;
 
   std::variant<Parabola, Circle> shape_;
 };
@@ -90,7 +89,7 @@ public:
 
   /** Returns the smallest distance of the obstacles from x along n, at most max_gap() (length).
    */
-  double gap(const dealii::Point<2> &x, const dealii::Tensor<1, 2> &n) const;
+  double gap(const Point<2> &x, const Tensor<1, 2> &n) const;
 
   double max_gap() const
   {
@@ -111,8 +110,8 @@ private:
  * foundation that was moved by @p position. Points beside a curved side count as those of the side
  * with the same arc length. Thread-safe.
  */
-std::shared_ptr<const dealii::Function<2>>
+std::shared_ptr<const Function<2>>
 foundation_gap(const Side<2> &side,
                const std::shared_ptr<const Foundation> &foundation,
-               const dealii::Tensor<1, 2> &position);
+               const Tensor<1, 2> &position);
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/scene/expression.h>
 
 #include <deal.II/base/function.h>
@@ -11,24 +12,24 @@
 namespace Signorini
 {
 /** A 2-D vector field as a deal.II function. */
-class FieldFunction final : public dealii::Function<2>
+class FieldFunction final : public Function<2>
 {
 public:
-  using Field = std::function<dealii::Tensor<1, 2>(const dealii::Point<2> &)>;
+  using Field = std::function<Tensor<1, 2>(const Point<2> &)>;
 
   explicit FieldFunction(Field field)
-    : dealii::Function<2>(2)
+    : Function<2>(2)
     , field_(std::move(field))
   {
   }
 
-  double value(const dealii::Point<2> &x, const unsigned int component = 0) const override
+  double value(const Point<2> &x, const unsigned int component = 0) const override
   {
     return field_(x)[component];
   }
-  void vector_value(const dealii::Point<2> &x, dealii::Vector<double> &values) const override
+  void vector_value(const Point<2> &x, dealii::Vector<double> &values) const override
   {
-    const dealii::Tensor<1, 2> u = field_(x);
+    const Tensor<1, 2> u = field_(x);
     for (unsigned int d = 0; d < 2; ++d)
       values[d] = u[d];
   }
@@ -45,11 +46,11 @@ private:
  * (scene.h), or InputError is thrown.
  */
 template <int dim>
-class ExpressionFunction : public dealii::Function<dim>
+class ExpressionFunction : public Function<dim>
 {
 public:
-  using Points = std::vector<dealii::Point<dim>>;
-  using Gradients = std::vector<dealii::Tensor<1, dim>>;
+  using Points = std::vector<Point<dim>>;
+  using Gradients = std::vector<Tensor<1, dim>>;
 
   ExpressionFunction(std::vector<Expression<dim>> values,
                      std::vector<Expression<dim>> gradients,
@@ -60,16 +61,15 @@ public:
   /** Returns whether no component uses a coordinate. */
   bool is_constant() const;
 
-  double value(const dealii::Point<dim> &x, unsigned int component = 0) const override;
-  void vector_value(const dealii::Point<dim> &x, dealii::Vector<double> &values) const override;
+  double value(const Point<dim> &x, unsigned int component = 0) const override;
+  void vector_value(const Point<dim> &x, dealii::Vector<double> &values) const override;
   void value_list(const Points &points,
                   std::vector<double> &values,
                   unsigned int component = 0) const override;
   void vector_value_list(const Points &points,
                          std::vector<dealii::Vector<double>> &values) const override;
-  dealii::Tensor<1, dim> gradient(const dealii::Point<dim> &x,
-                                  unsigned int component = 0) const override;
-  void vector_gradient(const dealii::Point<dim> &x, Gradients &gradients) const override;
+  Tensor<1, dim> gradient(const Point<dim> &x, unsigned int component = 0) const override;
+  void vector_gradient(const Point<dim> &x, Gradients &gradients) const override;
   void gradient_list(const Points &points,
                      Gradients &gradients,
                      unsigned int component = 0) const override;
@@ -78,7 +78,7 @@ public:
 private:
   /** Checks a value. @throws InputError if this is data and a value of a component cannot be used.
    */
-  void check(double value, unsigned int component, const dealii::Point<dim> &x) const;
+  void check(double value, unsigned int component, const Point<dim> &x) const;
 
   /** Computes du_c/dx_d at all points. */
   void derivative_list(const Points &points,
@@ -94,5 +94,5 @@ private:
 
 /** Returns whether a function is known to be the same everywhere. */
 template <int dim>
-bool is_constant(const dealii::Function<dim> &function);
+bool is_constant(const Function<dim> &function);
 } // namespace Signorini

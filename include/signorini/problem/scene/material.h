@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/parameters/options.h>
 #include <signorini/problem/scene/expression.h>
 
@@ -29,9 +30,9 @@ public:
     return modulus_;
   }
   /** Returns E_ijkl / E_0 at a point. @throws InputError where the data there is no material. */
-  virtual dealii::SymmetricTensor<4, dim> relative_hooke(const dealii::Point<dim> &x) const = 0;
+  virtual SymmetricTensor<4, dim> relative_hooke(const Point<dim> &x) const = 0;
   /** Returns E_ijkl at a point. @throws InputError like relative_hooke(). */
-  dealii::SymmetricTensor<4, dim> hooke(const dealii::Point<dim> &x) const
+  SymmetricTensor<4, dim> hooke(const Point<dim> &x) const
   {
     return modulus_ * relative_hooke(x);
   }
@@ -41,8 +42,8 @@ public:
 
   /** Returns sigma_zz, the stress normal to the plane. The problem does not contain it, but the von
    * Mises stress does. */
-  virtual double out_of_plane_stress(const dealii::Point<dim> &x,
-                                     const dealii::SymmetricTensor<2, dim> &strain) const = 0;
+  virtual double out_of_plane_stress(const Point<dim> &x,
+                                     const SymmetricTensor<2, dim> &strain) const = 0;
 
 private:
   double modulus_;
@@ -52,33 +53,29 @@ private:
  * mu/(lambda + 2 mu) for plane stress. Young's modulus and Poisson's ratio may depend on the point;
  * E_0 is Young's modulus at the point @p reference. */
 template <int dim>
-std::shared_ptr<const Material<dim>>
-make_isotropic(const Expression<dim> &youngs_modulus,
-               const Expression<dim> &poissons_ratio,
-               PlaneState plane_state,
-               const dealii::Point<dim> &reference = dealii::Point<dim>());
+std::shared_ptr<const Material<dim>> make_isotropic(const Expression<dim> &youngs_modulus,
+                                                    const Expression<dim> &poissons_ratio,
+                                                    PlaneState plane_state,
+                                                    const Point<dim> &reference = Point<dim>());
 
 /** Returns the material (s11,s22,s12) = C (e11,e22,2 e12) with the entries C11, C12, C13, C22, C23,
  * C33; C must be positive definite at every point. s33 = Z (e11,e22,2 e12) with the three entries Z
  * of @p across, which is empty in plane stress. E_0 is C11 at the point @p reference. */
-std::shared_ptr<const Material<2>>
-make_general(const std::vector<Expression<2>> &entries,
-             const std::vector<Expression<2>> &across = {},
-             const dealii::Point<2> &reference = dealii::Point<2>());
+std::shared_ptr<const Material<2>> make_general(const std::vector<Expression<2>> &entries,
+                                                const std::vector<Expression<2>> &across = {},
+                                                const Point<2> &reference = Point<2>());
 
 /** Returns the material with the moduli Q11, Q22, Q12, Q66 in axes that are rotated by @p degrees
  * against the x-axis; s33 = Q31 e11 + Q32 e22 in these axes with the two entries of @p across,
  * which is empty in plane stress. E_0 is Q11 at the point @p reference. */
-std::shared_ptr<const Material<2>>
-make_orthotropic(const std::vector<Expression<2>> &moduli,
-                 double degrees,
-                 const std::vector<Expression<2>> &across = {},
-                 const dealii::Point<2> &reference = dealii::Point<2>());
+std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression<2>> &moduli,
+                                                    double degrees,
+                                                    const std::vector<Expression<2>> &across = {},
+                                                    const Point<2> &reference = Point<2>());
 
 /** Returns the 3-D material (s11, s22, s33, s23, s13, s12) = C (e11, e22, e33, 2 e23, 2 e13, 2 e12)
  * with the upper triangle of C, row by row: C11, C12, ..., C16, C22, ..., C66; C must be positive
  * definite at every point. E_0 is C11 at the point @p reference. */
-std::shared_ptr<const Material<3>>
-make_general_3d(const std::vector<Expression<3>> &entries,
-                const dealii::Point<3> &reference = dealii::Point<3>());
+std::shared_ptr<const Material<3>> make_general_3d(const std::vector<Expression<3>> &entries,
+                                                   const Point<3> &reference = Point<3>());
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/scene/scene.h>
 
 #include <optional>
@@ -13,16 +14,16 @@ namespace Signorini
 struct RigidMotion
 {
   /** The translation t. */
-  dealii::Tensor<1, 2> translation;
+  Tensor<1, 2> translation;
   /** The rotation as omega L. */
   double rotation = 0.;
   /** The centre (x0, y0) of the box around the body. */
-  dealii::Point<2> centre;
+  Point<2> centre;
   /** The diameter L of the body (length). */
   double size = 1.;
 
   /** Returns the velocity at a point. */
-  dealii::Tensor<1, 2> velocity(const dealii::Point<2> &x) const;
+  Tensor<1, 2> velocity(const Point<2> &x) const;
   bool is_translation() const;
   /** Returns "the translation along (0, 1)" or "the rotation about (1, 2)". */
   std::string name() const;

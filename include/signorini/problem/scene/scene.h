@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/geometry.h>
 #include <signorini/problem/scene/foundation.h>
 #include <signorini/problem/scene/material.h>
@@ -41,7 +42,7 @@ struct LoadCase
   /** Factor of the gap. */
   double gap = 1.;
   /** The shift of the foundation, in addition to Contact/Foundation position (length). */
-  dealii::Tensor<1, 2> shift;
+  Tensor<1, 2> shift;
   /** Whether its fields are written. */
   bool has_fields = false;
 };
@@ -64,9 +65,9 @@ struct Plate
   /** The number of the side in the geometry. */
   unsigned int side = 0;
   /** The direction d, a unit vector. */
-  dealii::Tensor<1, 2> direction;
+  Tensor<1, 2> direction;
   /** The centre c, the middle of the side. */
-  dealii::Point<2> centre;
+  Point<2> centre;
   /** Whether a force drives the travel; otherwise it is given. */
   bool is_pushed = false;
   /** The force along d on a plate that is pushed (force per thickness). */
@@ -80,7 +81,7 @@ struct Plate
   double moment = 0.;
 
   /** Returns the displacement of the point @p x of the plate. */
-  dealii::Tensor<1, 2> displacement(const PlateMotion &motion, const dealii::Point<2> &x) const;
+  Tensor<1, 2> displacement(const PlateMotion &motion, const Point<2> &x) const;
   /** Returns the work that the force and the moment that drive the plate do in a motion (force x
    * length per thickness). */
   double work(const PlateMotion &motion) const
@@ -90,8 +91,8 @@ struct Plate
 };
 
 /** Returns the displacement of a plate as data of its side. */
-std::shared_ptr<const dealii::Function<2>> plate_displacement(const Plate &plate,
-                                                              const PlateMotion &motion);
+std::shared_ptr<const Function<2>> plate_displacement(const Plate &plate,
+                                                      const PlateMotion &motion);
 
 /** The condition on a side of the body; every side has exactly one role. */
 enum class Role
@@ -111,7 +112,7 @@ enum class Role
 };
 
 template <int dim>
-using FunctionPointer = std::shared_ptr<const dealii::Function<dim>>;
+using FunctionPointer = std::shared_ptr<const Function<dim>>;
 
 /** The role of one side and the data that belongs to it. */
 template <int dim>
@@ -154,7 +155,7 @@ struct Scene
   /** The exact displacement u of (1) with its gradient, dim components; empty means unknown. */
   FunctionPointer<dim> exact_displacement;
   /** The shift of the foundations of all sides that `data` contains (length). */
-  dealii::Tensor<1, dim> foundation_position;
+  Tensor<1, dim> foundation_position;
   /** The lines on which the data is not smooth. */
   Kinks<dim> kinks;
 

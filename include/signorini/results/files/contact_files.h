@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 
@@ -19,12 +20,12 @@ struct ContactPoint
 {
   /** The arc length along the side. */
   double s;
-  dealii::Point<2> x;
+  Point<2> x;
   /** The outward normal. */
-  dealii::Tensor<1, 2> n;
+  Tensor<1, 2> n;
   double p_H;
   double p_recovered;
-  dealii::Tensor<1, 2> u;
+  Tensor<1, 2> u;
   double u_n;
   double g;
   std::optional<double> p_exact;
@@ -81,10 +82,10 @@ void write_contact_vtu(std::ostream &stream,
  * formulas, sigma_n: negative in compression. */
 struct ContactAreaPoint
 {
-  dealii::Point<3> x;
+  Point<3> x;
   double p_H;
   double p_recovered;
-  dealii::Tensor<1, 3> u;
+  Tensor<1, 3> u;
   double u_n;
   double g;
   std::optional<double> p_exact;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/error_control/bound/error_bound.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -29,7 +30,7 @@ void add_to_point_data(std::string &piece, const std::string &array);
  * ranks. Collective. */
 void write_vtu_pieces(const std::filesystem::path &path,
                       std::string piece,
-                      const dealii::DataOutBase::VtkFlags &flags,
+                      const DataOutBase::VtkFlags &flags,
                       MPI_Comm communicator);
 
 /**

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/linear_system.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/solvers/contact/dual_problem.h>
@@ -17,7 +18,7 @@ using ColumnProgress = std::function<void(unsigned int)>;
 
 /** Returns the rows of D that are not zero, in ascending order: the contact unknowns of
  * factorise(). */
-std::vector<dealii::types::global_dof_index> contact_unknowns(const Coupling &condensed_D);
+std::vector<types::global_dof_index> contact_unknowns(const Coupling &condensed_D);
 
 /**
  * Makes C = Dᵀ A⁻¹ D, m x m, with the condensed coupling; every rank stores it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/multiplier/admissible_set.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -21,7 +22,7 @@ class ComplianceOperator
 {
 public:
   using Vector = dealii::Vector<double>;
-  using Matrix = dealii::FullMatrix<double>;
+  using Matrix = FullMatrix<double>;
   using Indices = std::vector<unsigned int>;
 
   virtual ~ComplianceOperator() = default;
@@ -63,8 +64,8 @@ private:
 dealii::Vector<double> diagonal_times(const ComplianceOperator &C, const dealii::Vector<double> &P);
 
 /** Returns the block of C that belongs to the given rows and columns. */
-dealii::FullMatrix<double> submatrix(const ComplianceOperator &C,
-                                     const ComplianceOperator::Indices &numbers);
+FullMatrix<double> submatrix(const ComplianceOperator &C,
+                             const ComplianceOperator::Indices &numbers);
 
 /**
  * The dual problem: min ½ Pᵀ C P - Pᵀ F over P in K, C symmetric positive definite, m x m.
@@ -79,9 +80,9 @@ struct BoundConstrainedQP
   /** Stores the problem. @throws std::invalid_argument if the sizes do not fit or a diagonal entry
    * of C is not positive. */
   BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C, Vector F, AdmissibleSet K);
-  BoundConstrainedQP(dealii::FullMatrix<double> C, Vector F, AdmissibleSet K);
+  BoundConstrainedQP(FullMatrix<double> C, Vector F, AdmissibleSet K);
   /** Makes the problem with K = {P ≤ 0}. */
-  BoundConstrainedQP(dealii::FullMatrix<double> C, const Vector &F);
+  BoundConstrainedQP(FullMatrix<double> C, const Vector &F);
 
   std::shared_ptr<const ComplianceOperator> C;
   /** The diagonal of C. */

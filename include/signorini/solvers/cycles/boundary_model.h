@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/solvers/contact/dual_problem.h>
 
@@ -51,7 +52,7 @@ private:
   // Cached results. They change no result of the functions.
   mutable Matrix dense_;
   mutable Indices factorised_set_;
-  mutable dealii::LAPACKFullMatrix<double> factor_;
+  mutable LAPACKFullMatrix<double> factor_;
 };
 
 /**

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/solvers/cycles/boundary_model.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -54,7 +55,7 @@ public:
   Vector apply_inverse(const Vector &P) const;
 
 private:
-  using Matrix = dealii::FullMatrix<double>;
+  using Matrix = FullMatrix<double>;
 
   /** Fills eigenvalues_. */
   void sum_aliases(const std::array<double, 2> &lengths, double omega_0);
@@ -109,13 +110,13 @@ private:
 template <int dim>
 struct FlatPatch
 {
-  dealii::Point<dim> corner;
+  Point<dim> corner;
   /** The edges, as vectors from the corner. */
-  std::array<dealii::Tensor<1, dim>, dim - 1> edges;
+  std::array<Tensor<1, dim>, dim - 1> edges;
   /** The measure of the patch itself; that of the segment or rectangle may be smaller. */
   double measure;
 
-  dealii::Point<dim> centre() const;
+  Point<dim> centre() const;
   double diameter() const;
 };
 
@@ -126,7 +127,7 @@ struct FlatPatch
  * @param radius R; it has no meaning in 3-D.
  */
 template <int dim>
-double patch_potential(const FlatPatch<dim> &patch, const dealii::Point<dim> &x, double radius);
+double patch_potential(const FlatPatch<dim> &patch, const Point<dim> &x, double radius);
 
 /** Returns ∫∫ k(x - y) over two patches. The inner integral is exact, the outer one by Gauss'
  * rule with two points per direction, or with four where the patches are near. Far away it is the
@@ -147,6 +148,6 @@ public:
 
 private:
   Matrix C_;
-  dealii::LAPACKFullMatrix<double> L_;
+  LAPACKFullMatrix<double> L_;
 };
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/solvers/contact/dual_solver.h>
 
 #include <memory>
@@ -17,9 +18,9 @@ struct FreeMotions
 {
   /** The entry B_ij is the amount by which motion j closes patch i, in the unit of W per unit of
    * q_j; m x k. */
-  dealii::FullMatrix<double> B;
+  FullMatrix<double> B;
   /** The elastic resistance, symmetric and positive semi-definite, k x k. */
-  dealii::FullMatrix<double> K;
+  FullMatrix<double> K;
   /** The work of the loads in the motions; k entries. */
   dealii::Vector<double> b;
   /** The sums of the absolute values of the terms of b_j; b_j has a rounding error relative to

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/problem/scene/rigid_motions.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
@@ -36,7 +37,7 @@ struct MotionModes
   /** The forces (a(z_j, φ_i))_i; empty where they vanish: for rigid motions that V^h contains. */
   std::vector<DualVector> forces;
   /** The stiffness K_ij = a(z_i, z_j). */
-  dealii::FullMatrix<double> K;
+  FullMatrix<double> K;
   /** The rigid motions that no contact resists, and their nodal values. They stay zero. */
   std::vector<FreeMotion> unseen;
   std::vector<Displacement> unseen_modes;
@@ -50,7 +51,7 @@ struct MotionModes
     return motions.size();
   }
   /** Returns B = Dᵀ Z, m x k. */
-  dealii::FullMatrix<double> couple(const Coupling &D) const;
+  FullMatrix<double> couple(const Coupling &D) const;
   /**
    * Returns the work on z_j of the forces and moments on plates, and of the loads f_i (not
    * condensed) less a(z_j, u_0).
@@ -85,5 +86,5 @@ std::string text_of_escape(const RigidMotion &motion, bool opens);
 RigidMotion rigid_part(const MotionModes<2> &modes, const dealii::Vector<double> &v);
 
 /** Returns whether the motion v leaves contact somewhere; otherwise it slides. */
-bool opens(const dealii::FullMatrix<double> &B, const dealii::Vector<double> &v);
+bool opens(const FullMatrix<double> &B, const dealii::Vector<double> &v);
 } // namespace Signorini

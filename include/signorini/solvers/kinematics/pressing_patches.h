@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/solvers/contact/dual_problem.h>
 #include <signorini/solvers/kinematics/seen_motions.h>
 
@@ -23,7 +24,7 @@ struct ConeProjection
 };
 
 /** Returns the projection, see remainder_outside_cone(). */
-ConeProjection project_on_cone(const dealii::FullMatrix<double> &A,
+ConeProjection project_on_cone(const FullMatrix<double> &A,
                                const dealii::Vector<double> &b,
                                double rounding);
 
@@ -35,7 +36,7 @@ ConeProjection project_on_cone(const dealii::FullMatrix<double> &A,
  *
  * @param rounding relative to |b|: a column joins only if it lessens the residual by more.
  */
-dealii::Vector<double> remainder_outside_cone(const dealii::FullMatrix<double> &A,
+dealii::Vector<double> remainder_outside_cone(const FullMatrix<double> &A,
                                               const dealii::Vector<double> &b,
                                               double rounding);
 
@@ -55,7 +56,7 @@ struct PressingSolution
   /** The pressure and the motions. P may be positive. */
   MotionState state;
   /** The stiffness B_Aᵀ C_AA⁻¹ B_A, n x n, of the unit 1/C. */
-  dealii::FullMatrix<double> stiffness;
+  FullMatrix<double> stiffness;
 };
 
 /**

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/solvers/kinematics/free_motions.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -19,7 +20,7 @@ public:
    * Factorises Q.
    * @throws std::invalid_argument if Q is not positive definite.
    */
-  explicit SmallCholesky(const dealii::FullMatrix<double> &Q);
+  explicit SmallCholesky(const FullMatrix<double> &Q);
 
   /** Returns Q⁻¹ x. */
   dealii::Vector<double> solve(const dealii::Vector<double> &x) const;
@@ -27,7 +28,7 @@ public:
   dealii::Vector<double> forward(const dealii::Vector<double> &x) const;
 
 private:
-  dealii::FullMatrix<double> L_;
+  FullMatrix<double> L_;
 };
 
 /** An orthonormal basis of a null space, and one of its orthogonal complement. */
@@ -38,11 +39,11 @@ struct Splitting
 
 /** Splits the space by singular values: |M v| ≤ threshold for unit vectors v in `null`; M is n x
  * k, k small. */
-Splitting split_by_size(const dealii::FullMatrix<double> &M, double threshold);
+Splitting split_by_size(const FullMatrix<double> &M, double threshold);
 
 /** times() returns M x, transpose_times() Mᵀ y, also for matrices without rows or columns. */
-dealii::Vector<double> times(const dealii::FullMatrix<double> &M, const dealii::Vector<double> &x);
-dealii::Vector<double> transpose_times(const dealii::FullMatrix<double> &M,
+dealii::Vector<double> times(const FullMatrix<double> &M, const dealii::Vector<double> &x);
+dealii::Vector<double> transpose_times(const FullMatrix<double> &M,
                                        const dealii::Vector<double> &y);
 
 /** The free motions in coordinates z without units: q = T z. Columns of B have norm one before they
@@ -52,7 +53,7 @@ class ReducedMotions
 {
 public:
   using Vector = dealii::Vector<double>;
-  using Matrix = dealii::FullMatrix<double>;
+  using Matrix = FullMatrix<double>;
 
   /**
    * Reduces the motions.
@@ -100,5 +101,5 @@ void check_sizes(const FreeMotions &motions, unsigned int m);
 
 /** Returns the norms of the columns of B; zero if below 1e-12 of the largest, as for normals (0, 1)
  * and motions along x. */
-dealii::Vector<double> column_norms(const dealii::FullMatrix<double> &B);
+dealii::Vector<double> column_norms(const FullMatrix<double> &B);
 } // namespace Signorini

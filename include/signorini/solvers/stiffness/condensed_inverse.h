@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
 #include <map>
@@ -17,7 +18,7 @@ public:
    * @param last the chosen unknowns, without repetitions; may be empty.
    * @throws ComputationError if A is not positive definite or memory runs out.
    */
-  CondensedInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+  CondensedInverse(const TrilinosWrappers::SparseMatrix &matrix,
                    double unit,
                    const std::vector<Index> &last);
   ~CondensedInverse() override;

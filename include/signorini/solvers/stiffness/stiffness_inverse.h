@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/parameters/options.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -48,10 +49,10 @@ public:
  */
 struct TrailingFactor
 {
-  using Index = dealii::types::global_dof_index;
+  using Index = types::global_dof_index;
 
   /** The lower triangular factor L. */
-  dealii::LAPACKFullMatrix<double> L;
+  LAPACKFullMatrix<double> L;
   /** The row of L that belongs to an unknown. */
   std::map<Index, unsigned int> rows;
 };
@@ -75,8 +76,8 @@ struct SolveAccuracy
 class StiffnessInverse
 {
 public:
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-  using Index = dealii::types::global_dof_index;
+  using Vector = TrilinosWrappers::MPI::Vector;
+  using Index = types::global_dof_index;
 
   virtual ~StiffnessInverse() = default;
 
@@ -194,13 +195,13 @@ protected:
    * Stores the matrix.
    * @param matrix must outlive the object.
    */
-  MatrixInverse(const dealii::TrilinosWrappers::SparseMatrix &matrix, double unit);
+  MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, double unit);
 
 private:
   void residual(Vector &r, const Vector &x, const Vector &b, bool accurate) const override;
   void accurate_residual(Vector &r, const Vector &x, const Vector &b) const;
 
-  const dealii::TrilinosWrappers::SparseMatrix &matrix_;
+  const TrilinosWrappers::SparseMatrix &matrix_;
 };
 
 /** Returns the solver that automatic stands for with the given number of ranks: condensed on one,
@@ -217,8 +218,8 @@ LinearSolver resolve(LinearSolver solver, unsigned int n_ranks);
  * @throws ComputationError if the factorisation fails.
  */
 std::unique_ptr<StiffnessInverse>
-factorise(const dealii::TrilinosWrappers::SparseMatrix &matrix,
+factorise(const TrilinosWrappers::SparseMatrix &matrix,
           double unit,
           LinearSolver solver,
-          const std::vector<dealii::types::global_dof_index> &contact_unknowns = {});
+          const std::vector<types::global_dof_index> &contact_unknowns = {});
 } // namespace Signorini
