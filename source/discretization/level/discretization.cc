@@ -80,50 +80,23 @@ void refuse_unstable_patches(const Parameters &parameters,
 }
 
 /** Makes Γ_c, face by face, with Gauss points enough for a trace, a multiplier and a component
- * of the normal of a curved face; for collocation with the nodes. */
-ContactSurface<2> make_surface(const DisplacementSpace<2> &space,
-                               const Scene<2> &scene,
-                               const HpMultipliers multipliers)
+ * of the normal of a curved face. */
+ContactSurface<2> make_surface(const DisplacementSpace<2> &space, const Scene<2> &scene)
 {
   std::vector<unsigned int> n_points = degrees_of(space);
-  const bool nodal = multipliers == HpMultipliers::nodal;
   for (unsigned int &n : n_points)
-    n += nodal ? 1 : space.mesh().is_curved() ? 3 : 0;
-  return ContactSurface<2>(
-    space.mesh(), scene, n_points, nodal ? FaceRule::lobatto : FaceRule::gauss);
+    n += space.mesh().is_curved() ? 3 : 0;
+  return ContactSurface<2>(space.mesh(), scene, n_points);
 }
 
-double max_entry(const Coupling::Column &column)
-{
-  double largest = 0.;
-  for (const auto &entry : column)
-    largest = std::max(largest, std::abs(entry.second));
-  return largest;
-}
-
-/** Makes the multipliers: P_{p-2} on every face of degree p; for collocation one unknown for every
- * node whose normal displacement is not prescribed. */
+/** Makes the multipliers: P_{p-2} on every face of degree p. */
 MultiplierSpace<2> make_multipliers(const DisplacementSpace<2> &space,
-                                    const ContactSurface<2> &surface,
-                                    const HpMultipliers multipliers)
+                                    const ContactSurface<2> &surface)
 {
-  const bool nodal = multipliers == HpMultipliers::nodal;
   std::vector<unsigned int> n_nodes(surface.patches().size());
   for (const Piece<2> &piece : surface.pieces())
-    n_nodes[piece.patch] =
-      space.element(surface.faces()[piece.face].cell).degree + (nodal ? 1 : -1);
-  if (!nodal)
-    return MultiplierSpace<2>(surface, n_nodes);
-  const auto nodes = MultiplierSpace<2>::Nodes::lobatto;
-  const Coupling D = assemble_coupling(space, MultiplierSpace<2>(surface, n_nodes, nodes));
-  const Coupling condensed_D = condense(D, space.constraints());
-  // On curved faces the function of a node does not vanish exactly at the others.
-  constexpr double negligible = 1e-4;
-  std::vector<unsigned int> held;
-  for (unsigned int k = 0; k < D.n_columns(); ++k)
-    if (max_entry(condensed_D.column(k)) <= negligible * max_entry(D.column(k)))
-      held.push_back(k);
-  return MultiplierSpace<2>(surface, n_nodes, nodes, held);
+    n_nodes[piece.patch] = space.element(surface.faces()[piece.face].cell).degree - 1;
+  return MultiplierSpace<2>(surface, n_nodes);
 }
 } // namespace
 
@@ -173,12 +146,8 @@ Discretization<2>::Discretization(const Parameters &parameters,
   , n_points(parameters.discretization.quadrature_points)
   , space(timed(times.setup,
                 [&]() { return DisplacementSpace<2>(mesh, scene, plan_degrees(plan, mesh)); }))
-  , surface(
-      timed(times.setup,
-            [&]() { return make_surface(space, scene, parameters.discretization.multipliers); }))
-  , multipliers(timed(
-      times.setup,
-      [&]() { return make_multipliers(space, surface, parameters.discretization.multipliers); }))
+  , surface(timed(times.setup, [&]() { return make_surface(space, scene); }))
+  , multipliers(timed(times.setup, [&]() { return make_multipliers(space, surface); }))
   , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
   , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
   , n_gap_points(n_points + 2)

@@ -278,10 +278,6 @@ void Declarations::declare_graded_meshes(DiscretizationParameters &discretizatio
       "hp: the highest degree of an element.",
       Patterns::Integer(2, 12),
       "an integer from 2 to 12");
-  add("Multipliers",
-      discretization.multipliers,
-      "hp: gauss (polynomials of degree p - 2 on every contact face, with the sign condition at "
-      "Gauss points) or nodal (no penetration at the nodes of the contact faces).");
 }
 
 void Declarations::declare_solver(SolverParameters &solver)

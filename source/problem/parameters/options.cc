@@ -43,14 +43,6 @@ const OptionNames<Strategy> &option_names()
 }
 
 template <>
-const OptionNames<HpMultipliers> &option_names()
-{
-  static const OptionNames<HpMultipliers> names = {{HpMultipliers::gauss, "gauss"},
-                                                   {HpMultipliers::nodal, "nodal"}};
-  return names;
-}
-
-template <>
 const OptionNames<Element> &option_names()
 {
   static const OptionNames<Element> names = {

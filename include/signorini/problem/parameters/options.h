@@ -86,15 +86,6 @@ enum class Strategy
   hp
 };
 
-/** The multipliers on graded meshes. */
-enum class HpMultipliers
-{
-  /** Polynomials of degree p - 2 on every face, with the sign condition at their Gauss points. */
-  gauss,
-  /** One for each condition u_n <= g at a node of the trace of V^h. */
-  nodal
-};
-
 /** The displacement element. */
 enum class Element
 {
@@ -137,8 +128,6 @@ template <>
 const OptionNames<PlaneState> &option_names();
 template <>
 const OptionNames<Strategy> &option_names();
-template <>
-const OptionNames<HpMultipliers> &option_names();
 template <>
 const OptionNames<Element> &option_names();
 template <>

@@ -148,7 +148,6 @@ struct DiscretizationParameters
   Given<double> target_error{0.};
   Given<unsigned int> maximum_unknowns{200000};
   Given<unsigned int> maximum_degree{9};
-  Given<HpMultipliers> multipliers{HpMultipliers::gauss};
   Given<unsigned int> quadrature_points{3};
   /** The positions of kinks. */
   Given<std::vector<double>> kinks_at_x;
