@@ -143,26 +143,23 @@ ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
 {
   divide(partition);
   // φ.n dS has degree one per direction on a flat face, and degree two on a parabola.
-  place_points(std::vector<unsigned int>(mesh.triangulation().n_active_cells(), 2),
-               FaceRule::gauss);
+  place_points(std::vector<unsigned int>(mesh.triangulation().n_active_cells(), 2));
 }
 
 template <int dim>
 ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
                                     const Scene<dim> &scene,
-                                    const std::vector<unsigned int> &n_points,
-                                    const FaceRule rule)
+                                    const std::vector<unsigned int> &n_points)
   : mesh_(mesh)
   , scene_(scene)
   , faces_(find_contact_faces(mesh, scene))
 {
   divide(Partition{1, 0});
-  place_points(n_points, rule);
+  place_points(n_points);
 }
 
 template <int dim>
-void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points,
-                                       const FaceRule face_rule)
+void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points)
 {
   const FE_Nothing<dim> no_functions;
   std::unique_ptr<FEFaceValues<dim>> values;
@@ -171,10 +168,7 @@ void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points
   {
     const unsigned int n = n_points[faces_[piece.face].cell->active_cell_index()];
     const Quadrature<dim - 1> rule =
-      on_box<dim - 1>(face_rule == FaceRule::gauss ? Quadrature<dim - 1>(QGauss<dim - 1>(n))
-                                                   : Quadrature<dim - 1>(QGaussLobatto<dim - 1>(n)),
-                      piece.lower_on_face,
-                      piece.upper_on_face);
+      on_box<dim - 1>(QGauss<dim - 1>(n), piece.lower_on_face, piece.upper_on_face);
     // Nearly all pieces are whole faces or the same part of one.
     if (values == nullptr || rule.get_points() != last_points)
       values = std::make_unique<FEFaceValues<dim>>(mesh_.mapping(),

@@ -144,7 +144,7 @@ void ContactTrace::find_conditions()
         columns.emplace_back();
         for (unsigned int d = 0; d < 2; ++d)
           if (std::abs(face.normal[d]) > 1e-15)
-            columns.back().emplace_back(face.dofs[end][d], face.normal[d]);
+            columns.back().emplace(face.dofs[end][d], face.normal[d]);
       }
       NodeCondition &condition = conditions_[face.conditions[end]];
       condition.presses = condition.presses || face.presses();

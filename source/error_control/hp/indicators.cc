@@ -246,21 +246,6 @@ double total(const std::vector<CellIndicator> &indicators)
 
 // The misfit u_n - g where the body presses.
 
-namespace
-{
-/** Returns whether all multipliers of a patch press. */
-bool presses_everywhere(const MultiplierSpace<2> &multipliers,
-                        const Pressure &P,
-                        const unsigned int patch)
-{
-  const double threshold = pressing_threshold(P);
-  const auto &unknowns = multipliers.unknowns_on(patch);
-  return std::all_of(unknowns.begin(), unknowns.end(), [&](const unsigned int k) {
-    return k == multipliers.no_unknown || P[k] < threshold;
-  });
-}
-} // namespace
-
 void add_contact_misfit(const DisplacementSpace<2> &space,
                         const MultiplierSpace<2> &multipliers,
                         const Scene<2> &scene,
@@ -271,9 +256,13 @@ void add_contact_misfit(const DisplacementSpace<2> &space,
   const ContactSurface<2> &surface = multipliers.surface();
   TraceValues<2> traces(space);
   std::vector<double> g;
+  const double threshold = pressing_threshold(P);
   for (const Piece<2> &piece : surface.pieces())
   {
-    if (!presses_everywhere(multipliers, P, piece.patch))
+    const auto P_of_patch = P.begin() + multipliers.first_of(piece.patch);
+    if (std::any_of(P_of_patch, P_of_patch + multipliers.n_of(piece.patch), [&](const double P_k) {
+          return P_k >= threshold;
+        }))
       continue;
     const ContactFace<2> &face = surface.faces()[piece.face];
     const unsigned int p = space.element(face.cell).degree;

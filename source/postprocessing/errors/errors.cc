@@ -235,8 +235,8 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
   std::vector<double> p;
   for (const Piece<dim> &piece : space.surface().pieces())
   {
-    const SurfaceRule<dim> rule = space.surface().rule(
-      piece, n_points + space.unknowns_on(piece.patch).size() - 1, Grading::towards_kinks);
+    const SurfaceRule<dim> rule =
+      space.surface().rule(piece, n_points + space.n_of(piece.patch) - 1, Grading::towards_kinks);
     p.resize(rule.size());
     space.surface().condition(piece).exact_pressure->value_list(rule.points, p);
     for (std::size_t q = 0; q < rule.size(); ++q)

@@ -55,10 +55,10 @@ public:
     , first_(first)
     , second_(second)
     , sign_(mirrored ? -1. : 1.)
-    , degree_(space.unknowns_on(first).size() + space.unknowns_on(second).size() - 2)
+    , degree_(space.n_of(first) + space.n_of(second) - 2)
     , I_(ends(first))
     , J_(ends(second))
-    , block_(space.unknowns_on(first).size(), space.unknowns_on(second).size())
+    , block_(space.n_of(first), space.n_of(second))
   {
     for (double &end : J_)
       end *= sign_;
@@ -74,15 +74,13 @@ public:
       // Differences may be equal, up to rounding.
       if (breaks[i + 1] - breaks[i] > 1e-14 * (breaks[3] - breaks[0]))
         integrate(breaks[i], breaks[i + 1], 0);
-    const auto &rows = space_.unknowns_on(first_), &columns = space_.unknowns_on(second_);
-    for (unsigned int i = 0; i < rows.size(); ++i)
-      for (unsigned int j = 0; j < columns.size(); ++j)
+    const unsigned int rows = space_.first_of(first_), columns = space_.first_of(second_);
+    for (unsigned int i = 0; i < block_.m(); ++i)
+      for (unsigned int j = 0; j < block_.n(); ++j)
       {
-        if (rows[i] == space_.no_unknown || columns[j] == space_.no_unknown)
-          continue;
-        gram(rows[i], columns[j]) += block_(i, j);
+        gram(rows + i, columns + j) += block_(i, j);
         if (first_ != second_)
-          gram(columns[j], rows[i]) += block_(i, j);
+          gram(columns + j, rows + i) += block_(i, j);
       }
   }
 
@@ -138,9 +136,9 @@ private:
   /** Computes the values of the basis of a patch at a point. */
   void values(const unsigned int patch, const double s, std::vector<double> &values) const
   {
-    values.resize(space_.unknowns_on(patch).size());
+    values.resize(space_.n_of(patch));
     for (unsigned int i = 0; i < values.size(); ++i)
-      values[i] = space_.shape_value(patch, i, Point<1>(s));
+      values[i] = space_.shape_value(space_.first_of(patch) + i, Point<1>(s));
   }
 
   const MultiplierSpace<2> &space_;
@@ -209,8 +207,7 @@ double DualKernel::operator()(const double x) const
 FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers)
 {
   const ContactSurface<2> &surface = multipliers.surface();
-  if (multipliers.nodes() == MultiplierSpace<2>::Nodes::gauss &&
-      multipliers.is_piecewise_constant() && has_equal_patches(surface))
+  if (multipliers.is_piecewise_constant() && has_equal_patches(surface))
     return dual_gram_matrix(surface);
   const unsigned int m = multipliers.n_multipliers();
   FullMatrix<double> gram(m, m);

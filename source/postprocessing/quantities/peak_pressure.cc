@@ -316,8 +316,8 @@ std::optional<PointOfPressure> max_on_patch(const unsigned int patch,
   const Patch<2> &tau = multipliers.surface().patches()[patch];
   const Side<2> &side = multipliers.surface().side(tau);
   const auto pressure = [&](const double s) { return -multipliers.value(P, patch, Point<1>(s)); };
-  const bool is_constant = multipliers.unknowns_on(patch).size() == 1;
-  const unsigned int n_intervals = 16 * multipliers.unknowns_on(patch).size();
+  const bool is_constant = multipliers.n_of(patch) == 1;
+  const unsigned int n_intervals = 16 * multipliers.n_of(patch);
   const double step = tau.measure / n_intervals;
   std::optional<PointOfPressure> best;
   for (unsigned int i = 0; i <= (is_constant ? 0 : n_intervals); ++i)
@@ -394,7 +394,7 @@ std::optional<PressureMaximum> peak_of_polynomial(const MultiplierSpace<2> &mult
     peak = {point->pressure,
             {side.name(), point->s, side.point(point->s)},
             mean_pressure(patch, multipliers, P, integrals),
-            {tau.measure, static_cast<unsigned int>(multipliers.unknowns_on(patch).size())}};
+            {tau.measure, multipliers.n_of(patch)}};
   }
   return peak;
 }

@@ -107,14 +107,13 @@ ComplianceOperator::Matrix ColumnCompliance::solve_for(const Indices &numbers) c
     inverse_.solve(solutions, right_hand_sides);
     for (std::size_t j = first; j < last; ++j)
     {
-      const dealii::Vector<double> column = D_.local_transpose_product(solutions[j - first]);
+      const dealii::Vector<double> column = D_.transpose_product(solutions[j - first]);
       for (unsigned int i = 0; i < size(); ++i)
         found(i, j) = column[i];
     }
     if (progress_)
       progress_(n_known_ + last);
   }
-  Utilities::MPI::sum(found, inverse_.communicator(), found);
   return found;
 }
 
@@ -171,9 +170,7 @@ SolvedCompliance::Vector SolvedCompliance::apply(const Vector &P) const
   D_.add_product(P, b);
   b.compress(VectorOperation::add);
   inverse_.solve(x, b);
-  Vector product = D_.local_transpose_product(x);
-  Utilities::MPI::sum(product, inverse_.communicator(), product);
-  return product;
+  return D_.transpose_product(x);
 }
 
 SolvedCompliance::Vector SolvedCompliance::diagonal() const

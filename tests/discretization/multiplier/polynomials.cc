@@ -100,7 +100,6 @@ void basis(Checks &checks, const MultiplierSpace<2> &space)
   checks.near("int psi_k", integrals, 0., 1e-13);
   checks.near("int psi_j psi_k", products, 0., 1e-13);
   checks.near("p_H = sum P_k psi_k", values, 0., 1e-13);
-  checks.near("signs", space.upper_bounds().linfty_norm(), 0., 0.);
 }
 
 /** R^H of s^n on n unknowns is its interpolant at the Gauss points: the remainder is a multiple of

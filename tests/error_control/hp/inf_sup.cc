@@ -189,49 +189,6 @@ void gram_matrices(Checks &checks)
   }
 }
 
-/** A polynomial has the same norm in every basis: nodes of Gauss, or of Lobatto, which neighbours
- * share. A node without an unknown is a row less. */
-void bases(Checks &checks)
-{
-  MeshPlan plan = uniform_plan(2, 4);
-  plan.base_size = 0.25;
-  plan.rise = 3.;
-  plan.singularities = {end_of_contact({0.3, 0.}, 2, 0.3, 0.3001, 5.)};
-  const GradedLevel level(square, plan);
-  const ContactSurface<2> &surface = level.discretization.surface;
-  const std::vector<unsigned int> n_nodes(surface.patches().size(), 4);
-  const MultiplierSpace<2> gauss(surface, n_nodes),
-    lobatto(surface, n_nodes, MultiplierSpace<2>::Nodes::lobatto),
-    fewer(surface, n_nodes, MultiplierSpace<2>::Nodes::lobatto, {2});
-  const auto S_gauss = dual_gram_matrix(gauss), S_lobatto = dual_gram_matrix(lobatto),
-             S_fewer = dual_gram_matrix(fewer);
-  for (unsigned int degree = 0; degree <= 3; ++degree)
-  {
-    const auto square_of_norm = [&](const MultiplierSpace<2> &space,
-                                    const dealii::FullMatrix<double> &S) {
-      dealii::Vector<double> q(space.n_multipliers()), image(space.n_multipliers());
-      for (unsigned int k = 0; k < q.size(); ++k)
-        q[k] = std::pow(space.node(k)[0], degree);
-      S.vmult(image, q);
-      return q * image;
-    };
-    const double by_gauss = square_of_norm(gauss, S_gauss);
-    checks.near("nodes of Gauss and of Lobatto, s^" + std::to_string(degree),
-                square_of_norm(lobatto, S_lobatto) / by_gauss,
-                1.,
-                1e-9);
-    if (degree == 0)
-      checks.near("|1|^2 = L", by_gauss, 1., 1e-8);
-  }
-  double difference = S_fewer.m() + 1 == S_lobatto.m() ? 0. : 1.;
-  for (unsigned int i = 0; i < S_fewer.m() && difference < 1.; ++i)
-    for (unsigned int j = 0; j < S_fewer.m(); ++j)
-      difference =
-        std::max(difference,
-                 std::abs(S_fewer(i, j) - S_lobatto(i + (i >= 2 ? 1 : 0), j + (j >= 2 ? 1 : 0))));
-  checks.near("a node without an unknown", difference, 0., 1e-12);
-}
-
 /** Constants: on equal patches by the old series, on others by the kernel. */
 void constants(Checks &checks)
 {
@@ -280,7 +237,6 @@ int main(int argc, char **argv)
   Checks checks;
   kernels(checks);
   gram_matrices(checks);
-  bases(checks);
   constants(checks);
   stability(checks);
   graded_meshes(checks);

@@ -88,14 +88,6 @@ struct Partition
   unsigned int patches_per_side = 0;
 };
 
-/** The points on a face of the mesh. */
-enum class FaceRule
-{
-  gauss,
-  /** The points include the ends of the face: they are the nodes of its trace. */
-  lobatto
-};
-
 /** The refinement of a rule. */
 enum class Grading
 {
@@ -127,8 +119,7 @@ public:
    */
   ContactSurface(const Mesh<dim> &mesh,
                  const Scene<dim> &scene,
-                 const std::vector<unsigned int> &n_points,
-                 FaceRule rule = FaceRule::gauss);
+                 const std::vector<unsigned int> &n_points);
 
   const Scene<dim> &scene() const
   {
@@ -179,7 +170,7 @@ private:
   /** Sorts the faces and makes patches and pieces. */
   void divide(const Partition &partition);
   /** Fills Piece::on_mesh with the given numbers of points, by active cell. */
-  void place_points(const std::vector<unsigned int> &n_points, FaceRule rule);
+  void place_points(const std::vector<unsigned int> &n_points);
 
   const Mesh<dim> &mesh_;
   const Scene<dim> &scene_;
