@@ -79,24 +79,24 @@ void refuse_unstable_patches(const Parameters &parameters,
                      "has at least two faces per patch.");
 }
 
-/** Makes Γ_c, face by face, with Gauss points enough for a trace, a multiplier and a component
- * of the normal of a curved face. */
-ContactSurface<2> make_surface(const DisplacementSpace<2> &space, const Scene<2> &scene)
+/** Returns the numbers of Gauss points on the faces of every cell, enough for a trace, a multiplier
+ * and a component of the normal of a curved face. */
+std::vector<unsigned int> points_on_faces(const DisplacementSpace<2> &space)
 {
   std::vector<unsigned int> n_points = degrees_of(space);
   for (unsigned int &n : n_points)
     n += space.mesh().is_curved() ? 3 : 0;
-  return ContactSurface<2>(space.mesh(), scene, n_points);
+  return n_points;
 }
 
-/** Makes the multipliers: P_{p-2} on every face of degree p. */
-MultiplierSpace<2> make_multipliers(const DisplacementSpace<2> &space,
-                                    const ContactSurface<2> &surface)
+/** Returns the numbers of unknowns of the patches: P_{p-2} on every face of degree p. */
+std::vector<unsigned int> nodes_of_patches(const DisplacementSpace<2> &space,
+                                           const ContactSurface<2> &surface)
 {
   std::vector<unsigned int> n_nodes(surface.patches().size());
   for (const Piece<2> &piece : surface.pieces())
     n_nodes[piece.patch] = space.element(surface.faces()[piece.face].cell).degree - 1;
-  return MultiplierSpace<2>(surface, n_nodes);
+  return n_nodes;
 }
 } // namespace
 
@@ -146,8 +146,9 @@ Discretization<2>::Discretization(const Parameters &parameters,
   , n_points(parameters.discretization.quadrature_points)
   , space(timed(times.setup,
                 [&]() { return DisplacementSpace<2>(mesh, scene, plan_degrees(plan, mesh)); }))
-  , surface(timed(times.setup, [&]() { return make_surface(space, scene); }))
-  , multipliers(timed(times.setup, [&]() { return make_multipliers(space, surface); }))
+  , surface(
+      timed(times.setup, [&]() { return ContactSurface<2>(mesh, scene, points_on_faces(space)); }))
+  , multipliers(surface, nodes_of_patches(space, surface))
   , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
   , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
   , n_gap_points(n_points + 2)
