@@ -145,7 +145,7 @@ private:
     if (level.is_last)
     {
       writer_.write_answer(levels, result_.verdict);
-      const std::string missing = writer_.write_pictures(levels);
+      const std::string missing = writer_.write_pictures();
       if (!missing.empty())
         report_.screen << "Pictures: " << missing << "\n";
       result_.pressure = level.pressure();

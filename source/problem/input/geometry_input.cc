@@ -123,8 +123,7 @@ std::vector<const Entry *> entries_for_2d_only(const Parameters &parameters)
           &parameters.discretization.kinks_at_x,
           &parameters.discretization.kinks_at_y,
           &parameters.discretization.patches,
-          &parameters.output.lemmas,
-          &parameters.output.pictures};
+          &parameters.output.lemmas};
 }
 
 template <typename Option>

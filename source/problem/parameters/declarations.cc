@@ -24,19 +24,6 @@ void Declarations::add(const std::string &name, Given<std::string> &given, const
   add_entry(name, "any text", given);
 }
 
-void Declarations::add(const std::string &name, Given<TableFormats> &given, const std::string &help)
-{
-  const std::string allowed = "nothing, markdown, latex, or both separated by a comma";
-  handler_.declare_entry(
-    name, "", Patterns::MultipleSelection("markdown|latex"), help + " Allowed: " + allowed + ".");
-  handler_.add_action(name, [&given](const std::string &text) {
-    given.value = TableFormats();
-    for (const std::string &format : split_words(text))
-      (format == "latex" ? given.value.latex : given.value.markdown) = true;
-  });
-  add_entry(name, allowed, given);
-}
-
 void Declarations::enter(const std::string &section)
 {
   handler_.enter_subsection(section);
@@ -344,10 +331,6 @@ void Declarations::declare_output(OutputParameters &output)
 {
   enter("Output");
   add("VTU", output.vtu, "Levels for which solution-LL.vtu and contact-LL.vtu are written.");
-  add("Tables",
-      output.tables,
-      "Forms in which the most important columns of convergence.csv are written for people, too: "
-      "convergence.md, convergence.tex.");
   add("Inf-sup constant",
       output.inf_sup_constant,
       "Whether the constant beta of Lemma 1 is measured (automatic: on nested meshes of up to 1e5 "
@@ -371,12 +354,13 @@ void Declarations::declare_output(OutputParameters &output)
     "(27), (30), where the exact solution is known.",
     Patterns::Bool(),
     "true, false");
-  add("Pictures",
-      output.pictures,
-      "Draw the finest level as pressure.svg, deformed.svg and convergence.svg, with gnuplot if it "
-      "is installed.",
-      Patterns::Bool(),
-      "true, false");
+  add(
+    "Pictures",
+    output.pictures,
+    "Draw the finest level with signorini-plot if Python's matplotlib is installed; that needs and "
+    "writes the VTU files of this level.",
+    Patterns::Bool(),
+    "true, false");
   leave();
 }
 

@@ -62,8 +62,6 @@ private:
   /** Adds an option, which is one of its names. */
   template <typename Option>
   void add(const std::string &name, Given<Option> &given, const std::string &help);
-  /** Adds an entry that lists any of the names. */
-  void add(const std::string &name, Given<TableFormats> &given, const std::string &help);
   /** Adds the data of an entry that the handler has declared. */
   void add_entry(const std::string &name, const std::string &allowed, Entry &entry);
   void enter(const std::string &section);

@@ -13,159 +13,9 @@ namespace Signorini
 {
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels)
 {
-  const char *separator = "";
-  for (const Column<LevelRecord> &column : level_columns())
-  {
-    stream << separator << column.name;
-    separator = ",";
-  }
-  stream << "\n" << std::setprecision(16);
+  stream << csv_header(level_columns()) << "\n";
   for (const LevelRecord &level : levels)
-  {
-    separator = "";
-    for (const Column<LevelRecord> &column : level_columns())
-    {
-      stream << separator;
-      separator = ",";
-      if (const std::optional<double> value = column.value(level))
-        stream << *value;
-    }
-    stream << "\n";
-  }
-}
-
-// convergence.md and convergence.tex: the numbers of a run for a report.
-
-namespace
-{
-/** The sequences of meshes for which a column is shown. */
-enum class ShownFor
-{
-  all,
-  nested,
-  graded
-};
-
-/** A column for people: of convergence.csv, with its title in Markdown and in LaTeX. */
-struct PrintedColumn
-{
-  const char *name;
-  const char *markdown;
-  const char *latex;
-  /** Whether the column has orders on nested meshes, as errors have. */
-  bool has_order;
-  bool is_count;
-  ShownFor shown_for;
-};
-
-constexpr PrintedColumn printed_columns[] = {
-  {"level", "level", "level", false, true, ShownFor::nested},
-  {"level", "step", "step", false, true, ShownFor::graded},
-  {"dofs", "dofs", "dofs", false, true, ShownFor::all},
-  {"h", "h", "$h$", false, false, ShownFor::nested},
-  {"min_h", "smallest h", "smallest $h$", false, false, ShownFor::graded},
-  {"max_degree", "largest degree", "largest degree", false, true, ShownFor::graded},
-  {"u_h1", "‖u−u_h‖₁", "$\\|u-u_h\\|_1$", true, false, ShownFor::all},
-  {"u_l2", "‖u−u_h‖₀", "$\\|u-u_h\\|_0$", true, false, ShownFor::all},
-  {"p_l2", "‖p−p_H‖₀", "$\\|p-p_H\\|_0$", true, false, ShownFor::all},
-  {"estimated_h1", "estimate", "estimate", true, false, ShownFor::nested},
-  {"estimated_relative", "estimate", "estimate", false, false, ShownFor::graded},
-  {"bound_energy", "bound", "bound", false, false, ShownFor::all},
-  {"contact_force_n", "force", "force", false, false, ShownFor::all}};
-
-/** A table of texts; all rows are as long as the header. */
-struct TextTable
-{
-  std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;
-};
-
-std::string printed(const std::optional<double> &number, const bool is_count)
-{
-  std::ostringstream text;
-  if (!number)
-    return "";
-  if (is_count)
-    text << std::fixed << std::setprecision(0) << *number;
-  else
-    text << std::scientific << std::setprecision(3) << *number;
-  return text.str();
-}
-
-/** Returns log(before/now) / log(h before/h now); empty where errors are rounding. */
-std::string printed_order(const LevelRecord *before, const LevelRecord &now, const char *name)
-{
-  constexpr double rounding = 1e-13;
-  const std::optional<double> e = value(now, name);
-  const std::optional<double> E = before == nullptr ? std::nullopt : value(*before, name);
-  if (!e || !E || *e < rounding || *E < rounding)
-    return "";
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2)
-       << std::log(*E / *e) / std::log(before->sizes.h / now.sizes.h);
-  return text.str();
-}
-
-/** Returns the columns that have a value on some level. */
-TextTable collect(const std::vector<LevelRecord> &levels, const bool latex)
-{
-  TextTable table;
-  const bool graded = !levels.empty() && levels.back().sizes.is_graded();
-  table.rows.resize(levels.size());
-  for (const PrintedColumn &column : printed_columns)
-  {
-    if (column.shown_for == (graded ? ShownFor::nested : ShownFor::graded))
-      continue;
-    if (std::none_of(levels.begin(), levels.end(), [&](const LevelRecord &level) {
-          return value(level, column.name).has_value();
-        }))
-      continue;
-    const bool has_order = column.has_order && !graded;
-    table.header.emplace_back(latex ? column.latex : column.markdown);
-    if (has_order)
-      table.header.emplace_back("order");
-    for (std::size_t i = 0; i < levels.size(); ++i)
-    {
-      table.rows[i].push_back(printed(value(levels[i], column.name), column.is_count));
-      if (has_order)
-        table.rows[i].push_back(
-          printed_order(i == 0 ? nullptr : &levels[i - 1], levels[i], column.name));
-    }
-  }
-  return table;
-}
-
-void write_row(std::ostream &stream,
-               const std::vector<std::string> &fields,
-               const char *start,
-               const char *separator,
-               const char *end)
-{
-  stream << start;
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    stream << (i == 0 ? "" : separator) << fields[i];
-  stream << end;
-}
-} // namespace
-
-void write_convergence_markdown(std::ostream &stream, const std::vector<LevelRecord> &levels)
-{
-  const TextTable table = collect(levels, false);
-  write_row(stream, table.header, "| ", " | ", " |\n");
-  write_row(stream, std::vector<std::string>(table.header.size(), "---:"), "| ", " | ", " |\n");
-  for (const std::vector<std::string> &row : table.rows)
-    write_row(stream, row, "| ", " | ", " |\n");
-}
-
-void write_convergence_latex(std::ostream &stream, const std::vector<LevelRecord> &levels)
-{
-  const TextTable table = collect(levels, true);
-  stream << "\\begin{tabular}{" << std::string(table.header.size(), 'r') << "}\n\\hline\n";
-  write_row(stream, table.header, "", " & ", " \\\\\n");
-  stream << "\\hline\n";
-  for (const std::vector<std::string> &row : table.rows)
-    write_row(stream, row, "", " & ", " \\\\\n");
-  stream << "\\hline\n\\end{tabular}\n";
+    stream << csv_row(level_columns(), level) << "\n";
 }
 
 // The tables on the screen: one line per level as it finishes, and the errors at the end.
@@ -326,71 +176,49 @@ std::string error_table(const std::vector<LevelRecord> &levels)
 
 namespace
 {
-using CaseColumn = std::pair<const char *, std::function<double(const CaseResult &)>>;
-
-/** Returns a number of the first plate; not a number without one. */
-double first_plate_value(const CaseResult &result, double PlateMotion::*const part)
+/** Returns the columns: first the loads, then the answers, which an escape leaves empty. */
+Columns<CaseResult> case_columns()
 {
-  return result.plates.empty() ? std::numeric_limits<double>::quiet_NaN()
-                               : result.plates.front().*part;
-}
-
-const std::vector<CaseColumn> &loads_of_case()
-{
-  static const std::vector<CaseColumn> columns = {
-    {"force", [](const CaseResult &c) { return c.load_case.force; }},
-    {"weight", [](const CaseResult &c) { return c.load_case.weight; }},
-    {"travel", [](const CaseResult &c) { return c.load_case.travel; }},
-    {"gap", [](const CaseResult &c) { return c.load_case.gap; }},
-    {"shift_x", [](const CaseResult &c) { return c.load_case.shift[0]; }},
-    {"shift_y", [](const CaseResult &c) { return c.load_case.shift[1]; }}};
-  return columns;
-}
-
-const std::vector<CaseColumn> &answers_of_case()
-{
-  static const std::vector<CaseColumn> columns = {
-    {"contact_force_x", [](const CaseResult &c) { return c.contact.force[0]; }},
-    {"contact_force_y", [](const CaseResult &c) { return c.contact.force[1]; }},
-    {"contact_moment", [](const CaseResult &c) { return c.contact.moment[0]; }},
-    {"peak_pressure", [](const CaseResult &c) { return c.peak_pressure; }},
-    {"zone_length", [](const CaseResult &c) { return c.zone_length; }},
-    {"zones", [](const CaseResult &c) { return c.n_zones; }},
-    {"active", [](const CaseResult &c) { return c.active; }},
-    {"plate_travel",
-     [](const CaseResult &c) { return first_plate_value(c, &PlateMotion::travel); }},
-    {"plate_rotation",
-     [](const CaseResult &c) { return first_plate_value(c, &PlateMotion::rotation); }},
-    {"qp_iterations", [](const CaseResult &c) { return c.iterations; }},
-    {"kkt", [](const CaseResult &c) { return c.kkt; }}};
+  using Case = CaseResult;
+  const auto of_plate = [](double PlateMotion::*const part) {
+    return [part](const Case &c) {
+      return c.plates.empty() ? std::nullopt : std::optional<double>(c.plates.front().*part);
+    };
+  };
+  Columns<Case> columns = {{"force", [](const Case &c) { return c.load_case.force; }},
+                           {"weight", [](const Case &c) { return c.load_case.weight; }},
+                           {"travel", [](const Case &c) { return c.load_case.travel; }},
+                           {"gap", [](const Case &c) { return c.load_case.gap; }},
+                           {"shift_x", [](const Case &c) { return c.load_case.shift[0]; }},
+                           {"shift_y", [](const Case &c) { return c.load_case.shift[1]; }}};
+  for (const Column<Case> &answer :
+       Columns<Case>{{"contact_force_x", [](const Case &c) { return c.contact.force[0]; }},
+                     {"contact_force_y", [](const Case &c) { return c.contact.force[1]; }},
+                     {"contact_moment", [](const Case &c) { return c.contact.moment[0]; }},
+                     {"peak_pressure", &Case::peak_pressure},
+                     {"zone_length", &Case::zone_length},
+                     {"zones", &Case::n_zones},
+                     {"active", &Case::active},
+                     {"plate_travel", of_plate(&PlateMotion::travel)},
+                     {"plate_rotation", of_plate(&PlateMotion::rotation)},
+                     {"qp_iterations", &Case::iterations},
+                     {"kkt", &Case::kkt}})
+    columns.push_back({answer.name, [answer](const Case &c) {
+                         return c.escape.empty() ? answer.value(c) : std::nullopt;
+                       }});
   return columns;
 }
 } // namespace
 
 void write_cases_csv(std::ostream &stream, const std::vector<CaseResult> &cases)
 {
-  stream << "case";
-  for (const auto *const columns : {&loads_of_case(), &answers_of_case()})
-    for (const CaseColumn &column : *columns)
-      stream << "," << column.first;
-  stream << ",state\n" << std::setprecision(16);
+  const Columns<CaseResult> columns = case_columns();
+  stream << "case," << csv_header(columns) << ",state\n";
   for (std::size_t i = 0; i < cases.size(); ++i)
-  {
-    stream << i + 1;
-    for (const CaseColumn &column : loads_of_case())
-      stream << "," << column.second(cases[i]);
-    for (const CaseColumn &column : answers_of_case())
-    {
-      stream << ",";
-      const double value = column.second(cases[i]);
-      if (cases[i].escape.empty() && value == value)
-        stream << value;
-    }
-    stream << ","
+    stream << i + 1 << "," << csv_row(columns, cases[i]) << ","
            << (!cases[i].escape.empty() ? cases[i].escape
                : cases[i].converged     ? "solved"
                                         : "not converged")
            << "\n";
-  }
 }
 } // namespace Signorini

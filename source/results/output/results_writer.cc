@@ -6,13 +6,10 @@
 #include <signorini/results/files/answer_output.h>
 #include <signorini/results/files/contact_files.h>
 #include <signorini/results/files/matrix_market.h>
-#include <signorini/results/files/mesh_svg.h>
 #include <signorini/results/files/solution_vtu.h>
 #include <signorini/results/files/tables.h>
+#include <signorini/results/output/pictures.h>
 #include <signorini/results/output/results_writer.h>
-#include <signorini/results/pictures/convergence_picture.h>
-#include <signorini/results/pictures/deformed_picture.h>
-#include <signorini/results/pictures/pictures.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -32,25 +29,6 @@ std::string commented(const std::string &text)
   return result;
 }
 
-/** Returns the load cases with a solution as curves. */
-TravelCurve travel_curve(const std::vector<CaseResult> &cases)
-{
-  TravelCurve curve;
-  for (const CaseResult &result : cases)
-  {
-    if (!result.escape.empty())
-      continue;
-    const LoadCase &load_case = result.load_case;
-    curve.travel.push_back(!result.plates.empty()        ? result.plates.front().travel
-                           : load_case.shift.norm() > 0. ? load_case.shift.norm()
-                                                         : load_case.travel);
-    curve.force_x.push_back(result.contact.force[0]);
-    curve.force_y.push_back(result.contact.force[1]);
-    curve.peak.push_back(result.peak_pressure);
-    curve.zone_length.push_back(result.zone_length);
-  }
-  return curve;
-}
 } // namespace
 
 ResultsWriter::ResultsWriter(const Parameters &parameters,
@@ -64,18 +42,13 @@ ResultsWriter::ResultsWriter(const Parameters &parameters,
   , directory_(std::move(directory))
   , communicator_(communicator)
 {
-  if (!directory_.empty() && Utilities::MPI::this_mpi_process(communicator_) == 0)
-    held_.emplace(directory_);
 }
 
 void ResultsWriter::write_on_first_rank(const std::function<void()> &write) const
 {
   agree(communicator_, [&]() {
-    if (!held_)
-      return;
-    held_->check();
-    write();
-    held_->check();
+    if (!directory_.empty() && Utilities::MPI::this_mpi_process(communicator_) == 0)
+      write();
   });
 }
 
@@ -83,12 +56,13 @@ void ResultsWriter::start_directory()
 {
   if (started_)
     return;
-  write_on_first_rank([&]() { set_results_aside(directory_); });
   started_ = true;
   write_on_first_rank([&]() {
-    // Remove the rest of failed attempts to write.
-    remove_files(directory_, is_name_of_result);
+    // From here on there is no verdict of an earlier run.
     write_certificate_of({}, judge_.unfinished({}));
+    remove_files(directory_, [](const std::string &name) {
+      return is_name_of_result(name) && name != certificate_name;
+    });
     write_file(directory_ / parameters_name, [&](std::ostream &stream) {
       stream << commented(scene_description_) << parameters_.echo;
     });
@@ -99,13 +73,6 @@ void ResultsWriter::write_convergence_of(const std::vector<LevelRecord> &levels)
 {
   write_file(directory_ / "convergence.csv",
              [&](std::ostream &stream) { write_convergence_csv(stream, levels); });
-  const TableFormats &formats = parameters_.output.tables;
-  if (formats.markdown)
-    write_file(directory_ / "convergence.md",
-               [&](std::ostream &stream) { write_convergence_markdown(stream, levels); });
-  if (formats.latex)
-    write_file(directory_ / "convergence.tex",
-               [&](std::ostream &stream) { write_convergence_latex(stream, levels); });
 }
 
 void ResultsWriter::write_certificate_of(const std::vector<LevelRecord> &levels,
@@ -135,14 +102,12 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
     traced = trace_contact(
       discretization.space, discretization.multipliers, scene.boundary, solution.U, solution.P);
     write_file(level_file("contact", solution.record.sizes.level, ".csv"),
-               [&](std::ostream &stream) { write_contact_csv(stream, traced); });
+               [&](std::ostream &stream) { write_contact_csv<dim>(stream, traced); });
   });
   const VtuLevels vtu = parameters_.output.vtu;
-  if (vtu == VtuLevels::all || (vtu == VtuLevels::finest && level.is_last))
+  const bool wants_finest = vtu == VtuLevels::finest || parameters_.output.pictures;
+  if (vtu == VtuLevels::all || (wants_finest && level.is_last))
     write_vtu(discretization, scene, solution, traced);
-  if constexpr (dim == 2)
-    if (parameters_.output.pictures && level.is_last)
-      prepare_pictures(discretization, scene, solution);
   if (parameters_.output.compliance)
     write_dual_problem(discretization, solution);
 }
@@ -161,27 +126,10 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
   contact_files_.emplace_back(level, contact.filename().string());
   write_on_first_rank([&]() {
     write_file(contact, [&](std::ostream &stream) {
-      write_contact_vtu(stream, traced, solution.bound_fields.contact);
+      write_contact_vtu<dim>(stream, traced, solution.bound_fields.contact);
     });
-    if constexpr (dim == 2)
-      if (solution.record.sizes.is_graded())
-        write_file(level_file("mesh", level, ".svg"), [&](std::ostream &stream) {
-          write_mesh_svg(stream, discretization.space, scene, level);
-        });
     write_pvd(directory_ / "solution.pvd", solution_files_);
     write_pvd(directory_ / "contact.pvd", contact_files_);
-  });
-}
-
-void ResultsWriter::prepare_pictures(const Discretization<2> &discretization,
-                                     const Scene<2> &scene,
-                                     const LevelSolution<2> &solution)
-{
-  write_on_first_rank([&]() {
-    const std::vector<ContactSegment> line =
-      trace_for_pictures(discretization.space, discretization.multipliers, solution.U, solution.P);
-    pictures_ = {pressure_picture(scene, line),
-                 deformed_picture(discretization.space, scene, solution.U, line)};
   });
 }
 
@@ -200,10 +148,10 @@ void ResultsWriter::write_case_fields(const Discretization<dim> &discretization,
     write_solution_vtu(
       directory_ / ("solution" + ending + ".vtu"), discretization.space, scene, U, {}, number);
   write_on_first_rank([&]() {
-    const std::vector<ContactSegment> line =
-      trace_contact_line(discretization.space, discretization.multipliers, scene.boundary, U, P);
+    const auto traced =
+      trace_contact(discretization.space, discretization.multipliers, scene.boundary, U, P);
     write_file(directory_ / ("contact" + ending + ".csv"),
-               [&](std::ostream &stream) { write_contact_csv(stream, line); });
+               [&](std::ostream &stream) { write_contact_csv<dim>(stream, traced); });
   });
 }
 
@@ -213,9 +161,6 @@ void ResultsWriter::write_cases(const std::vector<CaseResult> &cases)
     return;
   start_directory();
   write_on_first_rank([&]() {
-    if (parameters_.output.pictures)
-      if (std::optional<Picture> travel = travel_picture(travel_curve(cases)))
-        case_pictures_.push_back(std::move(*travel));
     write_file(directory_ / "cases.csv",
                [&](std::ostream &stream) { write_cases_csv(stream, cases); });
   });
@@ -278,8 +223,6 @@ void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,
     write_certificate_of(levels, verdict);
     if (!verdict.reason.empty())
       write_convergence_of(levels);
-    if (verdict.outcome != Outcome::unfinished)
-      remove_results_aside(directory_);
   });
 }
 
@@ -294,17 +237,11 @@ void ResultsWriter::write_answer(const std::vector<LevelRecord> &levels,
   });
 }
 
-std::string ResultsWriter::write_pictures(const std::vector<LevelRecord> &levels)
+std::string ResultsWriter::write_pictures()
 {
   std::string missing;
-  if (directory_.empty() || !parameters_.output.pictures)
-    return missing;
-  write_on_first_rank([&]() {
-    if (const std::optional<Picture> convergence = convergence_picture(levels))
-      pictures_.push_back(*convergence);
-    pictures_.insert(pictures_.end(), case_pictures_.begin(), case_pictures_.end());
-    missing = Signorini::write_pictures(directory_, pictures_);
-  });
+  if (parameters_.output.pictures)
+    write_on_first_rank([&]() { missing = draw_pictures(directory_); });
   return missing;
 }
 
@@ -312,11 +249,11 @@ void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,
                                   const StudyVerdict &verdict)
 {
   bool keeps_earlier_results = false;
-  if (!started_ && held_)
-  {
-    std::error_code error;
-    keeps_earlier_results = std::filesystem::exists(directory_ / certificate_name, error);
-  }
+  if (!started_)
+    write_on_first_rank([&]() {
+      std::error_code error;
+      keeps_earlier_results = std::filesystem::exists(directory_ / certificate_name, error);
+    });
   try
   {
     if (!Utilities::MPI::broadcast(communicator_, keeps_earlier_results))
@@ -331,13 +268,11 @@ void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,
 
 void ResultsWriter::abandon()
 {
-  if (!started_ || !held_)
+  if (!started_ || Utilities::MPI::this_mpi_process(communicator_) != 0)
     return;
   try
   {
-    held_->check();
     remove_files(directory_, is_name_of_result);
-    put_results_back(directory_);
   }
   catch (const WritingError &)
   {

@@ -22,8 +22,8 @@ sum() {
 }
 
 pictures=(--no-pictures)
-if command -v gnuplot >/dev/null; then pictures=(); fi
-bash "$script" --program "$program" --output "$directory/out" --coarsest 4 --largest 6 --repetitions 2 \
+if python3 -c "import matplotlib" 2>stderr; then pictures=(); fi
+python3 "$script" --program "$program" --output "$directory/out" --coarsest 4 --largest 6 --repetitions 2 \
   --scenes "two_ends no_contact" --linear-solvers amesos_klu --strategies nested --targets "" "${pictures[@]}" >stdout 2>stderr
 check "exit code 0" [ $? -eq 0 ]
 check "no complaints" [ ! -s stderr ]
@@ -52,7 +52,7 @@ fi
 check "no times to an error" [ ! -e out/targets.csv ]
 
 # Time to an error: 3 scenes, of which one has two ends of contact, x (2 levels and 2 targets).
-bash "$script" --program "$program" --output "$directory/out" --coarsest 4 --largest 5 --repetitions 1 --targets "1e-1 1e-3" \
+python3 "$script" --program "$program" --output "$directory/out" --coarsest 4 --largest 5 --repetitions 1 --targets "1e-1 1e-3" \
   --ends "0.7071067811865475 0.3" --scenes "two_ends b1 block" --linear-solvers condensed --contact-solvers "active set" \
   "${pictures[@]}" >stdout 2>stderr
 check "times to an error: exit code 0" [ $? -eq 0 ]
@@ -74,7 +74,7 @@ fi
 # Wrong options are refused with one sentence.
 for options in "--largest x" "--largest 2 --coarsest 3" "--scenes nowhere" "--targets 2" "--strategies h" "--ends x" "--frobnicate 1" "--program nothing"; do
   # shellcheck disable=SC2086
-  bash "$script" --program "$program" $options --output "$directory/refused" >stdout 2>stderr
+  python3 "$script" --program "$program" $options --output "$directory/refused" >stdout 2>stderr
   check "refuses $options" [ "$? $(wc -l <stderr)" = "1 1" ]
 done
 check "and writes nothing" [ ! -e refused ]

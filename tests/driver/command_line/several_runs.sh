@@ -91,10 +91,5 @@ refuse "two runs would write into the directory '0.1'" block.prm --sweep 'Consta
 refuse "found 'abc', allowed: a number" block.prm --sweep 'Solver/Tolerance=1e-9, abc' --output refused
 check "  before the first run" [ ! -e refused ]
 
-run 0 block.prm --set 'Output/Tables=markdown, latex' --output tables
-check "  Markdown" [ "$(wc -l <tables/convergence.md)" -eq 4 ]
-check "  LaTeX" grep -q '^.begin{tabular}' tables/convergence.tex
-run 0 block.prm --output tables
-check "  a later run removes them" [ ! -e tables/convergence.md ]
 echo "$failures failures"
 [ "$failures" -eq 0 ]

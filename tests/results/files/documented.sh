@@ -75,7 +75,7 @@ check "  the last case lifts off" grep -q '^4,-1,.*,it lifts off$' driven/cases.
 "$program" "${scene%/*}/b1.prm" --set Discretization/Strategy=hp --set 'Discretization/Coarsest level=2' \
   --set 'Discretization/Target error=0.001' --set Output/VTU=all --set Output/Compliance=true --output hp >stdout 2>stderr
 check "a run on graded meshes" [ $? -eq 0 ]
-last=$(ls hp/mesh-*.svg | tail -n 1 | sed 's/.*mesh-\(..\).*/\1/')
+last=$(ls hp/solution-*.vtu | tail -n 1 | sed 's/.*solution-\(..\).*/\1/')
 check "  with several steps" [ "$last" -ge 2 ]
 check "  files" all_named $(files_of hp)
 check "  columns" all_named $(columns_of hp/convergence.csv)

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What is written about elements of several degrees: fields and curves of polynomials, pictures of
-// meshes, and the files of a run.
+// What is written about elements of several degrees: fields and curves of polynomials, and the
+// files of a run.
 
 #include <signorini/results/files/contact_files.h>
 #include <signorini/results/files/files.h>
-#include <signorini/results/files/mesh_svg.h>
 #include <signorini/results/files/solution_vtu.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <regex>
 
 #include "csv.h"
 #include "one_level.h"
@@ -124,10 +122,11 @@ void curves(Checks &checks, const Columns4 &example)
   Pressure P(multipliers.n_multipliers());
   for (unsigned int k = 0; k < P.size(); ++k)
     P[k] = p(multipliers.node(k)[0]);
-  const auto line = trace_contact_line(example.space, multipliers, example.U, P);
+  const auto &boundary = example.level.scene.boundary;
+  const auto line = trace_contact(example.space, multipliers, boundary, example.U, P);
   std::ostringstream csv, stream;
-  write_contact_csv(csv, line);
-  write_contact_vtu(stream, line, {});
+  write_contact_csv<2>(csv, line);
+  write_contact_vtu<2>(stream, line, {});
   const auto rows = read_csv(csv.str());
   checks.that("ends, nodes and middles of every face", rows.size() == 5 + 7 + 9 + 11);
   double before = 0., of_p = 0., of_opening = 0.;
@@ -156,65 +155,9 @@ void curves(Checks &checks, const Columns4 &example)
       largest = std::max(largest, std::abs(pressure[k][0] + p(points[k][0])));
   checks.near("curve: pressure", largest, 0., 1e-6);
   P.add(-2. * P[0]);
-  const auto open = trace_contact_line(example.space, multipliers, example.U, P);
+  const auto open = trace_contact(example.space, multipliers, boundary, example.U, P);
   checks.that("p_recovered is cut at zero",
               open[0].rows[0].p_H > 0. && open[0].rows[0].p_recovered == 0.);
-}
-
-/** The polygons of a group in the first panel: their number and area. */
-std::pair<unsigned int, double> polygons(const std::string &svg, const std::string &group)
-{
-  const std::size_t start = svg.find("<g class=\"" + group + "\"");
-  if (start == std::string::npos)
-    return {0, 0.};
-  const std::string text = svg.substr(start, svg.find("</g>", start) - start);
-  const std::regex path("d=\"M([^Z]*)Z\"");
-  unsigned int n = 0;
-  double area = 0.;
-  for (std::sregex_iterator found(text.begin(), text.end(), path), end; found != end; ++found, ++n)
-  {
-    std::istringstream numbers(found->str(1));
-    std::vector<std::pair<double, double>> corners;
-    char comma = 0;
-    for (double x = 0., y = 0.; numbers >> x >> comma >> y;)
-      corners.emplace_back(x, y);
-    for (std::size_t i = 0; i < corners.size(); ++i)
-    {
-      const auto &[x, y] = corners[i];
-      const auto &[u, v] = corners[(i + 1) % corners.size()];
-      // y points downwards.
-      area -= 0.5 * (x * v - u * y);
-    }
-  }
-  return {n, area};
-}
-
-void pictures(Checks &checks, const Columns4 &example)
-{
-  std::ostringstream stream;
-  write_mesh_svg(stream, example.space, example.level.scene, 2);
-  const std::string svg = stream.str();
-  bool columns = true;
-  for (unsigned int degree = 2; degree <= 5; ++degree)
-  {
-    const auto [n, area] = polygons(svg, "degree-" + std::to_string(degree));
-    columns = columns && n == 4 && std::abs(area - 600. * 150.) < 1e-2;
-  }
-  checks.that("four cells of every degree, with their areas", columns);
-  checks.that("the contact side", polygons(svg, "contact").first == 4);
-  checks.that("title", svg.find("<title>Step 2: 16 cells, degrees 2 to 5</title>") != svg.npos);
-  checks.that("one panel: all cells can be seen", svg.find("times as large") == svg.npos);
-
-  // Half a disc: 600 pixels wide.
-  const OneLevel disc(entry("Scene", "Name", "E3"), 1);
-  const Mesh<2> &mesh = disc.discretization.mesh;
-  const DisplacementSpace<2> quadratic(
-    mesh, disc.scene, std::vector<unsigned int>(mesh.triangulation().n_active_cells(), 2));
-  std::ostringstream curved;
-  write_mesh_svg(curved, quadratic, disc.scene, 0);
-  const auto [n, area] = polygons(curved.str(), "degree-2");
-  checks.that("all cells of half a disc", n == mesh.triangulation().n_active_cells());
-  checks.near("its area", area / (0.5 * 3.14159265 * 300. * 300.), 1., 2e-3);
 }
 
 /** B1: p = -(xi - x)_+^{1/2} at the bottom, xi = 2^{-1/2}. */
@@ -264,18 +207,6 @@ void run(Checks &checks)
       of_p = std::max(of_p, std::abs(std::stod(row.at("p_H")) - std::stod(row.at("p_exact"))));
   checks.near("run: pressure at all rows", of_p, 0., 2e-4);
 
-  const std::string svg = read(directory / ("mesh" + number + ".svg"));
-  unsigned int n_cells = 0;
-  double area = 0.;
-  for (unsigned int degree = 2; degree <= sizes.max_degree; ++degree)
-  {
-    const auto [n, of_degree] = polygons(svg, "degree-" + std::to_string(degree));
-    n_cells += n;
-    area += of_degree;
-  }
-  checks.that("run: the first panel has all cells", n_cells == sizes.cells);
-  checks.near("run: they fill the body", area, 600. * 600., 0.1);
-  checks.that("run: small cells are magnified", svg.find("times as large") != svg.npos);
   fs::remove_all(directory);
 }
 } // namespace
@@ -288,7 +219,6 @@ int main(int argc, char **argv)
   const Columns4 example;
   fields(checks, example);
   curves(checks, example);
-  pictures(checks, example);
   run(checks);
   return checks.exit_code();
 }

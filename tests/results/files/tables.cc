@@ -69,46 +69,6 @@ void convergence_csv(Checks &checks)
                 rows[1].at("qp_increment_iterations") == "7");
 }
 
-/** The fields of a row between separators. */
-std::vector<std::string> fields_of(const std::string &row, const char separator)
-{
-  return split_list(row, separator);
-}
-
-/** h is halved: 0.4 -> 0.2 is order 1, 0.02 -> 0.005 order 2. */
-void tables_for_people(Checks &checks)
-{
-  std::ostringstream markdown, latex;
-  write_convergence_markdown(markdown, two_levels());
-  write_convergence_latex(latex, two_levels());
-  std::istringstream lines(markdown.str());
-  std::vector<std::vector<std::string>> rows;
-  for (std::string line; std::getline(lines, line);)
-    rows.push_back(fields_of(line, '|'));
-  checks.that("Markdown: header, rule, two levels", rows.size() == 4);
-  checks.that("Markdown: rows are as long as the header",
-              rows[0].size() == rows[1].size() && rows[0].size() == rows[3].size());
-  const auto field = [&](const std::string &title, const std::size_t row, const int behind = 0) {
-    const auto found = std::find(rows[0].begin(), rows[0].end(), title);
-    return found == rows[0].end() ? "" : rows[row][found - rows[0].begin() + behind];
-  };
-  checks.that("Markdown: error", field("‖u−u_h‖₁", 3) == "2.000e-01");
-  checks.that("Markdown: order 1", field("‖u−u_h‖₁", 3, 1) == "1.00");
-  checks.that("Markdown: order 2", field("‖u−u_h‖₀", 3, 1) == "2.00");
-  checks.that("Markdown: no order on the first level", field("‖u−u_h‖₁", 2, 1).empty());
-  checks.that("Markdown: the force", field("force", 2) == "3.333e-01");
-  checks.that("Markdown: columns without values are left out", field("bound", 2).empty());
-  const std::string tex = latex.str();
-  checks.that("LaTeX: a tabular",
-              tex.rfind("\\begin{tabular}{", 0) == 0 &&
-                tex.find("\\end{tabular}\n") != std::string::npos);
-  checks.that("LaTeX: as many columns as Markdown",
-              static_cast<std::size_t>(std::count(tex.begin(), tex.end(), 'r')) >=
-                rows[0].size() - 2);
-  checks.that("LaTeX: an error and its order",
-              tex.find("& 2.000e-01 & 1.00 &") != std::string::npos);
-}
-
 /** The same numbers as those of a graded sequence: nothing has an order in h. */
 void graded_tables(Checks &checks)
 {
@@ -127,16 +87,8 @@ void graded_tables(Checks &checks)
   checks.that("graded: no orders of errors",
               errors.find("2.000e-01    -") != std::string::npos &&
                 errors.find("slope") == std::string::npos);
-  std::ostringstream markdown, csv;
-  write_convergence_markdown(markdown, steps);
+  std::ostringstream csv;
   write_convergence_csv(csv, steps);
-  checks.that("graded: columns for people",
-              markdown.str().rfind("| step | dofs | smallest h | largest degree | ‖u−u_h‖₁ | "
-                                   "‖u−u_h‖₀ | ‖p−p_H‖₀ | estimate | force |\n",
-                                   0) == 0);
-  checks.that("graded: a row of them",
-              markdown.str().find("| 3 | 50 | 1.000e-02 | 5 | 2.000e-01 | 5.000e-03 | 1.500e-01 | "
-                                  "2.500e-01 | 3.333e-01 |") != std::string::npos);
   const auto rows = read_csv(csv.str());
   checks.that("graded: an estimate without parts",
               rows[1].at("estimated_h1").empty() && rows[1].at("estimated_mesh").empty() &&
@@ -246,7 +198,6 @@ int main()
 {
   Checks checks;
   convergence_csv(checks);
-  tables_for_people(checks);
   screen_table(checks);
   graded_tables(checks);
   certificate(checks);

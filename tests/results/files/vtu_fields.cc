@@ -197,9 +197,10 @@ void bound(Checks &checks)
   const LevelSolution<2> solution = level.solve();
   const std::string body = body_vtu(level, solution.U, solution.bound_fields);
   std::ostringstream line;
-  write_contact_vtu(line,
-                    trace_contact_line(level.space(), level.multipliers(), solution.U, solution.P),
-                    solution.bound_fields.contact);
+  write_contact_vtu<2>(
+    line,
+    trace_contact(level.space(), level.multipliers(), level.scene.boundary, solution.U, solution.P),
+    solution.bound_fields.contact);
   const PointField mesh = read_vtu_field(body, "bound_mesh"),
                    oscillation = read_vtu_field(body, "bound_oscillation"),
                    lift = read_vtu_field(body, "bound_lift"),
@@ -235,7 +236,8 @@ void contact(Checks &checks)
   Pressure P(2);
   P[1] = -2.;
   std::ostringstream stream;
-  write_contact_vtu(stream, trace_contact_line(level.space(), level.multipliers(), U, P), {});
+  write_contact_vtu<2>(
+    stream, trace_contact(level.space(), level.multipliers(), level.scene.boundary, U, P), {});
   const std::string vtu = stream.str();
   const PointField points = read_vtu_field(vtu, "");
   checks.that("contact line: two points for each face", points.size() == 8);

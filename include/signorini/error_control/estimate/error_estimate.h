@@ -143,33 +143,4 @@ double energy_of_missed_contact(const DisplacementSpace<3> &space,
                                 const Scene<3> &scene,
                                 const Displacement &U,
                                 const Pressure &P);
-
-/**
- * The patch interpolation of u_h that comes closest to u, π^{2h} u_h or the one of degree four
- * (best_interpolation()), as a function of degree 2 p per direction on T^h, for elements of degree
- * p. Stresses come from it.
- */
-template <int dim>
-class RecoveredDisplacement
-{
-public:
-  /** Interpolates u_h. The space must outlive the object, and Mesh::has_parents() must be true.
-   * Collective. */
-  RecoveredDisplacement(const DisplacementSpace<dim> &space, const Displacement &U);
-
-  const DoFHandler<dim> &dofs() const
-  {
-    return dofs_;
-  }
-  /** Returns the nodal values, set on the cells that this rank stores. */
-  const Displacement &values() const
-  {
-    return values_;
-  }
-
-private:
-  FESystem<dim> element_;
-  DoFHandler<dim> dofs_;
-  Displacement values_;
-};
 } // namespace Signorini

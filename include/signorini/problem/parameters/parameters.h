@@ -168,17 +168,9 @@ struct SolverParameters
   Given<bool> require_stability{false};
 };
 
-/** The forms of convergence.csv for people. */
-struct TableFormats
-{
-  bool markdown = false;
-  bool latex = false;
-};
-
 /** Subsection Output. */
 struct OutputParameters
 {
-  Given<TableFormats> tables;
   Given<VtuLevels> vtu{VtuLevels::finest};
   Given<Choice> inf_sup_constant{Choice::automatic};
   Given<bool> compliance{false};

@@ -50,29 +50,6 @@ private:
   int descriptor_ = -1;
 };
 
-/**
- * The directory that a path led to when the object was made. It may be moved, removed or replaced
- * while a run writes into it; then the files of the run would be scattered over two directories.
- */
-class HeldDirectory
-{
-public:
-  explicit HeldDirectory(const std::filesystem::path &path);
-  ~HeldDirectory();
-  HeldDirectory(const HeldDirectory &) = delete;
-  HeldDirectory &operator=(const HeldDirectory &) = delete;
-
-  /** Checks that the path still leads to the directory. @throws WritingError if it leads elsewhere.
-   */
-  void check() const;
-
-private:
-  std::filesystem::path path_;
-  /** The open descriptor, which keeps the kernel from giving the directory's number to another one.
-   */
-  int descriptor_;
-};
-
 /** Returns the name under which a file is written until it is complete. */
 std::filesystem::path temporary_name(const std::filesystem::path &path);
 
@@ -90,19 +67,6 @@ void write_file(const std::filesystem::path &path,
  */
 void remove_files(const std::filesystem::path &directory, const NameTest &is_removed);
 
-/*
- * The results of an earlier run stay in a hidden folder of their directory until the run that
- * replaces them has a verdict. A run that is killed before that leaves them there.
- */
-
-/** Moves the results into the folder, the certificate first; what was in it is removed.
- * @throws WritingError if that is not possible; then they are where they were. */
-void set_results_aside(const std::filesystem::path &directory);
-/** Moves the results back. */
-void put_results_back(const std::filesystem::path &directory);
-/** Removes the folder with the earlier results. @throws WritingError */
-void remove_results_aside(const std::filesystem::path &directory);
-
 /** The end of the program on a signal. Long runs are killed often, by a user or a queue, and a half
  * written file must not look like a result. A signal handler takes no arguments, so it needs the
  * global variables of files.cc. */
@@ -115,34 +79,18 @@ void remove_results_aside(const std::filesystem::path &directory);
 std::vector<int> ending_signals();
 
 /**
- * Installs handlers: from here on the @p ending signals remove the file that is being written,
- * print the sentence of describe_interruption(), and end the process as they would without a
- * handler, also in the middle of a factorisation; the others of that list are ignored. SIGPIPE does
- * nothing: writing to a closed pipe is an error of the stream.
+ * Installs handlers: from here on the @p ending signals print the sentence of
+ * describe_interruption(), and end the process as they would without a handler, also in the middle
+ * of a factorisation; the others of that list are ignored. SIGPIPE does nothing: writing to a
+ * closed pipe is an error of the stream.
  */
 void handle_signals(const std::vector<int> &ending);
 
 /**
- * Stores @p where, one line of at most 400 characters, which is printed on stderr after "signorini:
+ * Stores @p where, one line, which is printed on stderr after "signorini:
  * interrupted by signal N ". Nothing is printed before the first call, or if @p where is empty.
  */
 void describe_interruption(const std::string &where);
-
-/**
- * While an object of this class lives, a signal that ends the program removes its file. At most one
- * lives at a time.
- */
-class RemovedOnInterruption
-{
-public:
-  explicit RemovedOnInterruption(const std::filesystem::path &path);
-  ~RemovedOnInterruption();
-  RemovedOnInterruption(const RemovedOnInterruption &) = delete;
-  RemovedOnInterruption &operator=(const RemovedOnInterruption &) = delete;
-
-private:
-  const std::string path_;
-};
 
 /**
  * Replaces a closed stdin, stdout or stderr by one that fails: otherwise the next file that is

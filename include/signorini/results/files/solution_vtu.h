@@ -5,40 +5,65 @@
 #include <signorini/error_control/bound/error_bound.h>
 
 #include <deal.II/base/data_out_base.h>
-
-#include <mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <filesystem>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace Signorini
 {
+/** A cell of a VTU file with its points and fields. All files are three-dimensional: in 2-D, too,
+ * deal.II writes tensors with all their components then. */
+template <int dim>
+using VtuCell = DataOutBase::Patch<dim, 3>;
+
+/** Returns a cell that is divided into n^dim, without points and fields yet. */
+template <int dim>
+VtuCell<dim> make_vtu_cell(const std::size_t index,
+                           const unsigned int n,
+                           const std::size_t n_fields)
+{
+  VtuCell<dim> cell;
+  cell.patch_index = index;
+  cell.reference_cell = ReferenceCells::get_hypercube<dim>();
+  cell.n_subdivisions = n;
+  // The last three rows are the points.
+  cell.points_are_available = true;
+  cell.data.reinit(n_fields + 3, Utilities::pow(n + 1, dim));
+  return cell;
+}
+
+/** Sets point @p v of a cell and the fields there; fields that are vectors or tensors are three or
+ * nine numbers. */
+template <int dim, int spacedim>
+void set_vtu_point(VtuCell<dim> &cell,
+                   const unsigned int v,
+                   const Point<spacedim> &x,
+                   const std::vector<double> &fields)
+{
+  for (std::size_t i = 0; i < fields.size(); ++i)
+    cell.data(i, v) = fields[i];
+  for (unsigned int d = 0; d < spacedim; ++d)
+    cell.data(fields.size() + d, v) = x[d];
+}
+
+using VtuRange = std::tuple<unsigned int,
+                            unsigned int,
+                            std::string,
+                            DataComponentInterpretation::DataComponentInterpretation>;
+
+/** Returns which numbers are the components of a vector or tensor: those with the same name. */
+std::vector<VtuRange> vtu_ranges(const std::vector<std::string> &names);
+
 /**
- * Returns a field of @p n_components numbers per point as a <DataArray>, point by point, in the
- * same form as the arrays of deal.II: 32-bit floats in one block, compressed by zlib, in base 64.
- */
-std::string vtu_array(const std::string &name,
-                      unsigned int n_components,
-                      const std::vector<float> &values);
-
-/** Adds an array to the point data of a <Piece>. */
-void add_to_point_data(std::string &piece, const std::string &array);
-
-/** Writes a file of the pieces of all ranks, on rank 0; an error, say a full disk, is thrown on all
- * ranks. Collective. */
-void write_vtu_pieces(const std::filesystem::path &path,
-                      std::string piece,
-                      const DataOutBase::VtkFlags &flags,
-                      MPI_Comm communicator);
-
-/**
- * Writes for ParaView u_h, the patch interpolation that comes closest to u (RecoveredDisplacement,
- * where T^{2h} exists) and its 3-D stress tensor, its von Mises stress and its principal stresses;
- * and the bound cell by cell, where there is one. Cells of a degree p > 1 are divided into p x p,
- * get the stress of u_h, and have the field "degree" in place of the bound. In 3-D the file
- * contains u_h and the same stresses at the corners of the cells, where the patch interpolation is
+ * Writes for ParaView u_h, the patch interpolation that comes closest to u (best_interpolation()),
+ * its 3-D stress tensor, its von Mises stress and its principal stresses; and the bound cell by
+ * cell, where there is one. In 2-D cells are divided into four where T^{2h} exists; cells of a
+ * degree p > 1 are divided into p x p, get the stress of u_h, and have the field "degree". In 3-D
+ * the file contains u_h and stresses at the corners of the cells, where the patch interpolation is
  * u_h. Collective.
  */
 template <int dim>

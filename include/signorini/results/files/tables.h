@@ -4,12 +4,42 @@
 #include <signorini/postprocessing/load_cases/case_solver.h>
 #include <signorini/results/verdict/judge.h>
 
+#include <iomanip>
+#include <optional>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace Signorini
 {
+/** Returns the names of the columns, separated by commas. */
+template <typename Row>
+std::string csv_header(const Columns<Row> &columns)
+{
+  std::string line;
+  for (const Column<Row> &column : columns)
+    line += (line.empty() ? "" : ",") + column.name;
+  return line;
+}
+
+/** Returns the values of a row with all digits, separated by commas; unknown ones are empty. */
+template <typename Row>
+std::string csv_row(const Columns<Row> &columns, const Row &row)
+{
+  std::ostringstream line;
+  line << std::setprecision(16);
+  const char *separator = "";
+  for (const Column<Row> &column : columns)
+  {
+    line << separator;
+    separator = ",";
+    if (const std::optional<double> value = column.value(row))
+      line << *value;
+  }
+  return line.str();
+}
+
 /** Returns the line of column names of the table that grows as levels finish. @param graded whether
  * levels are steps of a graded sequence (LevelSizes::is_graded). */
 std::string screen_header(bool graded = false);
@@ -30,13 +60,6 @@ std::string error_table(const std::vector<LevelRecord> &levels);
 
 /** Writes convergence.csv, all levels. */
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels);
-
-/** Writes convergence.md: sizes, errors with their orders, or estimates, bound and contact force,
- * as far as they are known. A graded sequence has no orders. */
-void write_convergence_markdown(std::ostream &stream, const std::vector<LevelRecord> &levels);
-
-/** Writes convergence.tex: the same as a LaTeX tabular. */
-void write_convergence_latex(std::ostream &stream, const std::vector<LevelRecord> &levels);
 
 /** Writes certificate.json, all levels. */
 void write_certificate(std::ostream &stream,

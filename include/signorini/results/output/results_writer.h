@@ -3,7 +3,6 @@
 
 #include <signorini/results/files/contact_files.h>
 #include <signorini/results/files/files.h>
-#include <signorini/results/pictures/pictures.h>
 #include <signorini/results/record/level_result.h>
 #include <signorini/results/verdict/judge.h>
 
@@ -21,8 +20,8 @@ class ResultsWriter
 {
 public:
   /**
-   * Prepares the files. The directory does not change before the first level is solved. Then the
-   * results of an earlier run are set aside, by their names, and parameters.prm, with the
+   * Prepares the files. The directory does not change before the first level is solved. Then
+   * the results of an earlier run are removed, by their names, and parameters.prm, with the
    * description as comments, and a certificate with the outcome "unfinished" are written.
    * Collective, like all members but abandon().
    */
@@ -32,8 +31,7 @@ public:
                 std::filesystem::path directory,
                 MPI_Comm communicator);
 
-  /** Writes contact-LL.csv, and if wanted the VTU files (of graded meshes also mesh-LL.svg) and the
-   * dual problem. */
+  /** Writes contact-LL.csv, and if wanted the VTU files and the dual problem. */
   template <int dim>
   void write_fields(const Scene<dim> &scene, const LevelResult<dim> &level);
 
@@ -48,21 +46,19 @@ public:
   /** Writes cases.csv. */
   void write_cases(const std::vector<CaseResult> &cases);
 
-  /** Writes convergence.csv and certificate.json for the levels so far. With a verdict the results
-   * that were set aside are removed. */
+  /** Writes convergence.csv and certificate.json for the levels so far. */
   void write_tables(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
   /** Writes answer.json, after the last level. Collective. */
   void write_answer(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
-  /** Writes the pictures, if they are wanted, after the last level. Collective. @return one
-   * sentence about missing pictures, on the first rank; empty if none is missing. */
-  std::string write_pictures(const std::vector<LevelRecord> &levels);
+  /** Draws the pictures, if they are wanted, after the last level. Collective. @return one sentence
+   * about missing pictures, on the first rank; empty if none is missing. */
+  std::string write_pictures();
 
   /** Writes the tables of a study that an error ended. Without a finished level the results of an
    * earlier run stay as they are. */
   void write_failure(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
 
-  /** Replaces the results of a study that an InputError ended, on every rank, by those of the
-   * earlier run. */
+  /** Removes the results of a study that an InputError ended, on every rank. */
   void abandon();
 
 private:
@@ -72,10 +68,6 @@ private:
                  const Scene<dim> &scene,
                  const LevelSolution<dim> &solution,
                  const TracedContact<dim> &traced);
-  /** Stores the pictures of the finest level for write_pictures(). */
-  void prepare_pictures(const Discretization<2> &discretization,
-                        const Scene<2> &scene,
-                        const LevelSolution<2> &solution);
   /** Writes the matrices and vectors of the dual problem. Collective. */
   template <int dim>
   void write_dual_problem(const Discretization<dim> &discretization,
@@ -97,12 +89,8 @@ private:
   std::string scene_description_;
   std::filesystem::path directory_;
   MPI_Comm communicator_;
-  /** The directory as it was opened, on the first rank if files are written. */
-  std::optional<HeldDirectory> held_;
   /** Whether the results of this run have taken the place of earlier ones. */
   bool started_ = false;
   std::vector<std::pair<double, std::string>> solution_files_, contact_files_;
-  /** The pictures of the finest level and of its load cases, on the first rank. */
-  std::vector<Picture> pictures_, case_pictures_;
 };
 } // namespace Signorini

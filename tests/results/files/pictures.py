@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the pictures of runs show: a narrow zone, graded meshes, a body in 3-D; skipped (127) where matplotlib is missing.
+usage: pictures.py SCRIPT PROGRAM PRM_FOLDER"""
+import importlib.machinery
+import importlib.util
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+script, program, scenes = map(os.path.realpath, sys.argv[1:4])
+loader = importlib.machinery.SourceFileLoader("plot", script)
+plot = importlib.util.module_from_spec(importlib.util.spec_from_loader("plot", loader))
+sys.dont_write_bytecode = True
+loader.exec_module(plot)  # starts this test again where another Python has matplotlib
+import numpy as np
+from matplotlib.image import imread
+
+failures = 0
+
+
+def check(name, fact):
+    global failures
+    failures += not fact
+    print(f"{name}: {'ok' if fact else 'FAILED'}")
+
+
+def run(scene, directory, *settings, environment=None):
+    command = [program, scene, "--output", directory]
+    for setting in settings:
+        command += ["--set", setting]
+    return subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
+
+
+def draw(directory, *options):
+    command = [sys.executable, script, directory, "--facts", "--format", "svg", "png", *options]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    check(f"{directory}: drawn", done.returncode == 0 and not done.stderr)
+    facts = json.loads(done.stdout)
+    for name in facts["files"]:
+        if name.endswith(".png"):
+            pixels = np.round(255 * imread(os.path.join(directory, name))[..., :3]).astype(int)
+            drawn = (pixels.min(2) < 250).mean()
+            check(f"  {name} is no empty canvas", drawn > 0.02 and len(np.unique(pixels.reshape(-1, 3), axis=0)) > 20)
+    text = open(os.path.join(directory, "deformed.svg"), encoding="utf-8").read()
+    check("  the factor is stated", f"× {facts['factor']:g}" in text)
+    check("  no cell is folded", facts["least_jacobian"] > 0.)
+    return facts
+
+
+def names(facts):
+    return {name.split(".")[0] for name in facts["files"]}
+
+
+# A square whose right side moves to the left by half its width, and a cube that is turned inside out.
+x = np.array([[[0., 0.], [1., 0.], [1., 1.], [0., 1.]]])
+u = np.array([[[0., 0.], [-.5, 0.], [-.5, 0.], [0., 0.]]])
+check("a cell at half its width", abs(plot.least_jacobian(x, u, 1.) - 0.5) < 1e-12)
+check("a folded cell", plot.least_jacobian(x, u, 3.) < 0.)
+check("a factor that is asked for is reduced", plot.choose_factor(x, u, 3.) == 1.)
+check("the factor: a tenth of the body", plot.choose_factor(x, 1e-3 * u) == 200.)
+cube = np.array([[[i, j, k] for k in (0., 1.) for i, j in ((0., 0.), (1., 0.), (1., 1.), (0., 1.))]])
+check("a folded cube", plot.least_jacobian(cube, cube * [-2., 0., 0.], 1.) < 0. < plot.least_jacobian(cube, 0. * cube, 1.))
+
+os.chdir(tempfile.mkdtemp())
+# A steep foundation is touched along 1/1000 of the side.
+done = run(f"{scenes}/b1.prm", "b1", "Discretization/Finest level=5", "Output/Pictures=true")
+check("the program draws", done.returncode == 0 and "Pictures:" not in done.stdout and os.path.exists("b1/pressure.svg"))
+check("  pressure, body, bound, convergence", {"pressure", "deformed", "bound", "convergence"} <= names(draw("b1")))
+lines = open("b1/convergence.md", encoding="utf-8").read().splitlines()
+check("  a table of three levels in Markdown", len(lines) == 5 and len({line.count("|") for line in lines}) == 1)
+check("  and in LaTeX", open("b1/convergence.tex", encoding="utf-8").read().count("&") == 4 * (lines[0].count("|") - 2))
+facts = draw("b1", "--factor", "1e9")
+check("  a factor that would fold cells is not used", facts["factor"] < 1e9)
+with open("narrow.prm", "w", encoding="utf-8") as file:
+    file.write("subsection Boundary\n set Displacement = top: 0; -1e-7\n set Contact = bottom\nend\n"
+               "subsection Contact\n set Gap = 0.5*(x-0.3)^2\nend\nsubsection Discretization\n set Strategy = hp\nend\n")
+check("a narrow zone", run("narrow.prm", "narrow").returncode == 0)
+facts = draw("narrow")
+(zone,), views = facts["zones"]["bottom"], facts["views"]["bottom"]
+check("  of less than 1/300 of the side", 0. < zone[1] - zone[0] < 1 / 300 and zone[0] < 0.3 < zone[1])
+check("  is seen whole, and between 1/3 and 2/3 of its view", len(views) == 2 and views[0] == [0., 1.] and
+      views[1][0] < zone[0] < zone[1] < views[1][1] and 1 / 3 < (zone[1] - zone[0]) / (views[1][1] - views[1][0]) < 2 / 3)
+check("  and so is the mesh, all its cells with their degrees", "mesh-" in "".join(facts["files"]) and
+      sum(facts["degrees"].values()) == plot.read_csv("narrow/convergence.csv")["cells"][-1])
+check("a sphere in 3-D", run(f"{scenes}/space/sphere.prm", "sphere", "Discretization/Finest level=4").returncode in (0, 2))
+facts = draw("sphere")
+with open("sphere/answer.json", encoding="utf-8") as file:
+    check("  the area of contact", abs(facts["area"]["bottom"] / json.load(file)["contact_area"] - 1) < 1e-5)
+check("  a zoomed view", len(facts["views"]["bottom"]) == 2)
+done = run("narrow.prm", "without", "Output/Pictures=true", environment={"PATH": os.getcwd()})
+check("without Python a run succeeds", done.returncode == 0)
+check("  and says what to install", "\nPictures: not drawn, because Python's matplotlib is missing (the package python3-matplotlib" in
+      done.stdout and "draw them later with" in done.stdout)
+done = subprocess.run([sys.executable, script, "nowhere"], capture_output=True, text=True, check=False)
+check("no results: one sentence", done.returncode == 1 and done.stderr.count("\n") == 1)
+sys.exit(failures > 0)
