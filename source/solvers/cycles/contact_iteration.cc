@@ -10,6 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <vector>
 
 #include "saddle_point_internal.h"
 
@@ -48,62 +52,43 @@ public:
                const ContactStep &step,
                bool same_set);
   /** Forgets all earlier steps. */
-  void forget();
+  void forget()
+  {
+    differences_.clear();
+    last_.reset();
+  }
 
 private:
-  using Floats = dealii::Vector<float>;
-
-  /** The change from one point to the next: of the point, and of the step there. */
+  /** A step and the increments that were taken, or the change of these from one point to the next.
+   */
   struct Difference
   {
-    Floats U, z;
+    dealii::Vector<float> U, r, z;
     dealii::Vector<double> P, d, C_d;
   };
 
-  void remember(const ContactStep &step);
   /** Returns the coefficients of the differences. */
   dealii::Vector<double> coefficients(const ContactStep &step) const;
 
   std::deque<Difference> differences_;
-  /** The products of differences of steps, products_[i][j]. */
-  std::deque<std::deque<double>> products_;
-  bool has_last_ = false;
-  /** The last step, and its increments. */
-  Floats last_r_, last_z_, last_increment_;
-  dealii::Vector<double> last_d_, last_C_d_, last_P_increment_;
+  std::optional<Difference> last_;
 };
 
 namespace
 {
-constexpr unsigned int acceleration_depth = 2;
-
-double product(const dealii::Vector<float> &a, const dealii::Vector<float> &b)
+template <typename First, typename Second>
+double product(const First &a, const Second &b)
 {
-  double sum = 0.;
-  for (unsigned int i = 0; i < a.size(); ++i)
-    sum += double(a[i]) * double(b[i]);
-  return sum;
-}
-
-double product(const dealii::Vector<float> &a, const dealii::Vector<double> &b)
-{
-  double sum = 0.;
-  for (unsigned int i = 0; i < a.size(); ++i)
-    sum += double(a[i]) * b[i];
-  return sum;
-}
-
-dealii::Vector<double> difference_of(dealii::Vector<double> a, const dealii::Vector<double> &b)
-{
-  a -= b;
-  return a;
+  return std::inner_product(
+    a.begin(), a.end(), b.begin(), 0., std::plus<>(), [](double x, double y) { return x * y; });
 }
 
 /** Replaces @p to by from - to. */
-void subtract_from(const dealii::Vector<double> &from, dealii::Vector<float> &to)
+template <typename Vector>
+void subtract_from(const dealii::Vector<double> &from, Vector &to)
 {
   for (unsigned int i = 0; i < to.size(); ++i)
-    to[i] = static_cast<float>(from[i] - to[i]);
+    to[i] = static_cast<typename Vector::value_type>(from[i] - to[i]);
 }
 } // namespace
 
@@ -112,66 +97,30 @@ double ContactStep::size() const
   return std::sqrt(std::abs(r * z + d * C_d));
 }
 
-void Acceleration::forget()
-{
-  differences_.clear();
-  products_.clear();
-  has_last_ = false;
-}
-
-void Acceleration::remember(const ContactStep &step)
-{
-  // The vectors of the last step become those of the difference.
-  subtract_from(step.r, last_r_);
-  subtract_from(step.z, last_z_);
-  differences_.push_back({std::move(last_increment_),
-                          std::move(last_z_),
-                          last_P_increment_,
-                          difference_of(step.d, last_d_),
-                          difference_of(step.C_d, last_C_d_)});
-  if (differences_.size() > acceleration_depth)
-  {
-    differences_.pop_front();
-    products_.pop_front();
-    for (auto &row : products_)
-      row.pop_front();
-  }
-  const Difference &added = differences_.back();
-  products_.emplace_back();
-  for (unsigned int i = 0; i < differences_.size(); ++i)
-  {
-    const double value = product(differences_[i].z, last_r_) + differences_[i].d * added.C_d;
-    products_.back().push_back(value);
-    if (i + 1 < differences_.size())
-      products_[i].push_back(value);
-  }
-}
-
 dealii::Vector<double> Acceleration::coefficients(const ContactStep &step) const
 {
   const unsigned int n = differences_.size();
-  FullMatrix<double> M(n, n), inverse(n, n);
+  FullMatrix<double> M(n, n);
   dealii::Vector<double> rhs(n), gamma(n);
-  if (n == 0)
-    return gamma;
   for (unsigned int i = 0; i < n; ++i)
   {
+    const Difference &row = differences_[i];
     for (unsigned int j = 0; j < n; ++j)
-      M(i, j) = products_[i][j];
+      M(i, j) = product(row.z, differences_[j].r) + row.d * differences_[j].C_d;
     // Products of floats carry about eight digits.
     M(i, i) *= 1. + 1e-9;
-    rhs[i] = product(differences_[i].z, step.r) + differences_[i].C_d * step.d;
+    rhs[i] = product(row.z, step.r) + row.C_d * step.d;
     if (!(M(i, i) > 0.))
       return gamma;
   }
   // Two differences in the same direction give no more information than one.
   if (n > 1 && M.determinant() < 1e-8 * M(0, 0) * M(1, 1))
-  {
     gamma[n - 1] = rhs[n - 1] / M(n - 1, n - 1);
-    return gamma;
+  else if (n > 0)
+  {
+    M.gauss_jordan();
+    M.vmult(gamma, rhs);
   }
-  inverse.invert(M);
-  inverse.vmult(gamma, rhs);
   return gamma;
 }
 
@@ -180,30 +129,39 @@ void Acceleration::advance(dealii::Vector<double> &U,
                            const ContactStep &step,
                            const bool same_set)
 {
+  constexpr unsigned int depth = 2;
   if (!same_set)
     forget();
-  if (has_last_)
-    remember(step);
-  const dealii::Vector<double> gamma = coefficients(step);
-  last_r_ = step.r;
-  last_z_ = step.z;
-  last_increment_ = step.z;
-  last_d_ = step.d;
-  last_C_d_ = step.C_d;
-  last_P_increment_ = P;
+  if (last_)
+  {
+    subtract_from(step.r, last_->r);
+    subtract_from(step.z, last_->z);
+    subtract_from(step.d, last_->d);
+    subtract_from(step.C_d, last_->C_d);
+    differences_.push_back(std::move(*last_));
+    if (differences_.size() > depth)
+      differences_.pop_front();
+  }
+  const dealii::Vector<double> gamma = coefficients(step), P_before = P;
+  last_.emplace();
+  last_->U = step.z;
+  last_->r = step.r;
+  last_->z = step.z;
+  last_->d = step.d;
+  last_->C_d = step.C_d;
   P += step.d;
   for (unsigned int k = 0; k < gamma.size(); ++k)
   {
     const auto factor = static_cast<float>(-gamma[k]);
-    last_increment_.add(factor, differences_[k].U, factor, differences_[k].z);
+    last_->U.add(factor, differences_[k].U, factor, differences_[k].z);
     P.add(-gamma[k], differences_[k].P, -gamma[k], differences_[k].d);
   }
   for (double &p : P)
     p = std::min(p, 0.);
-  last_P_increment_.sadd(-1., 1., P);
+  last_->P = P;
+  last_->P -= P_before;
   for (unsigned int i = 0; i < U.size(); ++i)
-    U[i] += double(last_increment_[i]);
-  has_last_ = true;
+    U[i] += double(last_->U[i]);
 }
 
 // A V-cycle, then a problem on the boundary, repeated.
@@ -212,67 +170,22 @@ namespace
 {
 using Vector = dealii::Vector<double>;
 
-/** Returns Dᵀ V D P. */
-Vector approximate_compliance_times(const ContactSystem &system, const Vector &P)
+/** Returns whether three steps have grown, twofold in all. */
+bool grow(const std::vector<double> &steps)
 {
-  dealii::Vector<double> b(system.A.size()), z(system.A.size());
-  add_product(system.condensed_D, P, b);
-  system.A.precondition(z, b);
-  return system.condensed_D.transpose_product(z);
+  const std::size_t n = steps.size();
+  return n > 3 && std::is_sorted(steps.end() - 3, steps.end()) && steps[n - 1] > 2. * steps[n - 4];
 }
 
-/** Returns the largest eigenvalue of a symmetric tridiagonal matrix, by bisection with Sturm's
- * sequence. */
-double max_eigenvalue(const std::vector<double> &diagonal, const std::vector<double> &beside)
+/** Returns whether twelve steps have shrunk by less than a fifth per step, which is a factor of 15.
+ */
+bool stall(const std::vector<double> &steps)
 {
-  double low = 0., high = 0.;
-  for (std::size_t i = 0; i < diagonal.size(); ++i)
-    high = std::max(high,
-                    diagonal[i] + (i > 0 ? std::abs(beside[i - 1]) : 0.) +
-                      (i < beside.size() ? std::abs(beside[i]) : 0.));
-  // T - x is negative definite exactly if x is above all eigenvalues.
-  const auto is_above = [&](const double x) {
-    double pivot = diagonal[0] - x;
-    for (std::size_t i = 1; i < diagonal.size() && pivot < 0.; ++i)
-      pivot = diagonal[i] - x - beside[i - 1] * beside[i - 1] / pivot;
-    return pivot < 0.;
-  };
-  for (unsigned int k = 0; k < 60; ++k)
-    (is_above(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
-  return high;
+  constexpr std::size_t window = 12;
+  const std::size_t n = steps.size();
+  return n > window && steps[n - 1] > std::pow(0.8, window) * steps[n - 1 - window];
 }
 
-/** The sizes of the steps, which show how fast they shrink. */
-class StepHistory
-{
-public:
-  void add(const double step)
-  {
-    steps_.push_back(step);
-  }
-  void forget()
-  {
-    steps_.clear();
-  }
-  /** Returns whether three steps have grown, twofold in all. */
-  bool grows() const
-  {
-    const std::size_t n = steps_.size();
-    return n > 3 && steps_[n - 1] > steps_[n - 2] && steps_[n - 2] > steps_[n - 3] &&
-           steps_[n - 1] > 2. * steps_[n - 4];
-  }
-  /** Returns whether twelve steps have shrunk by less than a fifth per step, which is a factor of
-   * 15. */
-  bool stalls() const
-  {
-    constexpr std::size_t window = 12;
-    const std::size_t n = steps_.size();
-    return n > window && steps_[n - 1] > std::pow(0.8, window) * steps_[n - 1 - window];
-  }
-
-private:
-  std::vector<double> steps_;
-};
 /** Computes z by a V-cycle, and d by the boundary problem of U + z. */
 void complete_step(const ContactSystem &system, const ContactIterationResult &at, ContactStep &step)
 {
@@ -320,7 +233,7 @@ dealii::Vector<double> ContactSystem::residual(const dealii::Vector<double> &U,
                                                const Vector &P) const
 {
   dealii::Vector<double> r(A.size());
-  A.apply(r, U);
+  A.vmult(r, U);
   r *= -1.;
   r += f;
   add_product(condensed_D, P, r);
@@ -336,34 +249,23 @@ Vector ContactSystem::opening(const dealii::Vector<double> &U) const
 
 double estimate_scale(const ContactSystem &system, const unsigned int n_steps)
 {
-  constexpr double share_of_largest = 0.6;
-  const unsigned int m = system.gap.size();
-  // v = Ĉ w; orthogonal in the product with Ĉ⁻¹. The first one has all frequencies.
-  Vector v(m), v_before(m);
-  for (unsigned int k = 0; k < m; ++k)
+  constexpr double share_of_largest = 0.64;
+  // The first vector has all frequencies.
+  Vector v(system.gap.size());
+  for (unsigned int k = 0; k < v.size(); ++k)
     v[k] = std::sin(1. + k * (k + 1.7));
-  Vector w = system.model.apply_inverse(v);
-  std::vector<double> diagonal, beside;
-  double norm = std::sqrt(v * w);
-  for (unsigned int j = 0; j < std::min(n_steps, m) && norm > 0.; ++j)
+  double largest = 0.;
+  for (unsigned int step = 0; step < n_steps; ++step)
   {
-    v /= norm;
-    w /= norm;
-    Vector next = approximate_compliance_times(system, w);
-    diagonal.push_back(next * w);
-    next.add(-diagonal.back(), v);
-    if (j > 0)
-      next.add(-norm, v_before);
-    v_before = v;
-    v = next;
-    w = system.model.apply_inverse(v);
-    norm = std::sqrt(std::max(0., v * w));
-    if (norm < 1e-10 * diagonal[0])
-      break;
-    beside.push_back(norm);
+    Vector w = system.model.apply_inverse(v);
+    w /= std::sqrt(v * w);
+    Vector b(system.A.size()), z(system.A.size());
+    add_product(system.condensed_D, w, b);
+    system.A.precondition(z, b);
+    v = system.condensed_D.transpose_product(z);
+    largest = v * w;
   }
-  beside.resize(diagonal.size() - 1);
-  return share_of_largest * max_eigenvalue(diagonal, beside);
+  return share_of_largest * largest;
 }
 
 ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
@@ -371,7 +273,7 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
                                                const Vector &P,
                                                const ContactIterationOptions &options)
 {
-  constexpr unsigned int lanczos_steps = 6;
+  constexpr unsigned int power_steps = 8;
   constexpr unsigned int max_doublings = 2;
   ContactIterationResult result;
   result.U = U;
@@ -380,10 +282,10 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
   result.scale = options.scale;
   if (result.scale <= 0.)
   {
-    result.scale = estimate_scale(system, lanczos_steps);
-    result.cycles_for_scale = lanczos_steps;
+    result.scale = estimate_scale(system, power_steps);
+    result.cycles_for_scale = power_steps;
   }
-  StepHistory history;
+  std::vector<double> steps;
   Acceleration acceleration;
   double before = 0.;
   for (unsigned int doublings = 0;;)
@@ -401,20 +303,20 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
         measure_energy_of_residual(system, step.r, result);
       return result;
     }
-    if (history.grows() && doublings < max_doublings)
+    if (grow(steps) && doublings < max_doublings)
     {
       ++doublings;
       result.scale *= 2.;
-      history.forget();
+      steps.clear();
       acceleration.forget();
     }
-    else if (history.grows() || history.stalls())
+    else if (grow(steps) || stall(steps))
       break;
     complete_step(system, result, step);
     ++result.cycles;
     // Of the point before; without a V-cycle of its own.
     result.energy_of_residual = 0.5 * (step.r * step.z);
-    history.add(step.size());
+    steps.push_back(step.size());
     acceleration.advance(result.U, result.P, step, keeps_set(result.P, step.d));
     if (step.size() <= options.energy_tolerance * energy_norm(system, result))
     {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The residuals of U and P in (5).
 
-#include <signorini/solvers/contact/dual_solver.h>
 #include <signorini/solvers/cycles/saddle_point.h>
 
 #include <deal.II/lac/block_vector.h>
@@ -11,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "saddle_point_internal.h"
 
@@ -30,7 +28,7 @@ double rounding_of(const StiffnessOperator &A)
   dealii::Vector<double> x(A.size()), y(A.size());
   for (unsigned int i = 0; i < x.size(); ++i)
     x[i] = std::sin(1. + 2.3 * i);
-  A.apply(y, x);
+  A.vmult(y, x);
   return std::numeric_limits<double>::epsilon() * y.l2_norm() / x.l2_norm();
 }
 
@@ -50,7 +48,7 @@ dealii::Vector<double> measure_forces(const ContactSystem &system, ContactIterat
   constexpr double min_term_share = 1e-3;
   dealii::Vector<double> pressing(system.A.size()), r(system.A.size());
   add_product(system.condensed_D, result.P, pressing);
-  system.A.apply(r, result.U);
+  system.A.vmult(r, result.U);
   const double contact_size = pressing.l2_norm();
   const double largest = std::max({r.l2_norm(), contact_size, system.f.l2_norm()});
   // Where nothing touches, prescribed displacements may move the body as a whole: nothing else
@@ -145,18 +143,6 @@ Vector change_on_set(const BoundaryModel &model, const Vector &W, const Vector &
     d[S[r]] = d_S[r];
   return d;
 }
-
-/** Solves by the method that cannot cycle. */
-Vector solve_safely(const BoundaryModel &model, const Vector &W, const Vector &P)
-{
-  // The pointer does not own the model, which lives as long as the caller's.
-  const std::shared_ptr<const ComplianceOperator> C(&model, [](const ComplianceOperator *) {});
-  Vector F = model.apply(P);
-  F -= W;
-  return solve_by_active_set(
-           BoundConstrainedQP(C, F, AdmissibleSet::nonpositive(F.size())), P, {1e-12, 1000})
-    .P;
-}
 } // namespace
 
 Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const Vector &P)
@@ -166,7 +152,7 @@ Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const
   std::vector<bool> active(m);
   for (unsigned int i = 0; i < m; ++i)
     active[i] = P[i] < 0. || W[i] > 0.;
-  for (unsigned int k = 0; k < max_steps; ++k)
+  for (unsigned int k = 0;; ++k)
   {
     const Vector d = change_on_set(model, W, P, indices_of(active));
     Vector Q(P), V = model.apply(d);
@@ -175,23 +161,20 @@ Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const
     std::vector<bool> next(m);
     for (unsigned int i = 0; i < m; ++i)
       next[i] = active[i] ? Q[i] < 0. : V[i] > 0.;
-    if (next == active)
+    if (next == active || k == max_steps)
     {
       for (unsigned int i = 0; i < m; ++i)
-        Q[i] = active[i] ? Q[i] : 0.;
+        Q[i] = active[i] ? std::min(Q[i], 0.) : 0.;
       return Q;
     }
     active = next;
   }
-  return solve_safely(model, W, P);
 }
 
 // The active set method with MINRES on the saddle point problem of each set.
 
 namespace
 {
-using Vector = dealii::Vector<double>;
-using Indices = ComplianceOperator::Indices;
 using BlockVector = dealii::BlockVector<double>;
 
 /** The matrix (A, -D_S; -D_Sᵀ, 0) and its preconditioner. */
@@ -213,7 +196,7 @@ public:
 
   void vmult(BlockVector &y, const BlockVector &x) const
   {
-    system_.A.apply(y.block(0), x.block(0));
+    system_.A.vmult(y.block(0), x.block(0));
     for (unsigned int r = 0; r < set_.size(); ++r)
     {
       double sum = 0.;
@@ -293,11 +276,7 @@ void solve_by_minres(const ContactSystem &system,
     active[i] = result.P[i] < 0. || W[i] > 0.;
   while (result.cycles < options.maximum_cycles)
   {
-    Indices set;
-    for (unsigned int i = 0; i < W.size(); ++i)
-      if (active[i])
-        set.push_back(i);
-    solve_on(system, set, reduction, options.maximum_cycles - result.cycles, result);
+    solve_on(system, indices_of(active), reduction, options.maximum_cycles - result.cycles, result);
     // A set without a residual needs no cycle.
     ++result.cycles;
     W = system.opening(result.U);

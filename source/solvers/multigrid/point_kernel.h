@@ -1,32 +1,71 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/solvers/multigrid/cell_matrices.h>
+#include <signorini/solvers/multigrid/cell_operator.h>
 
 #include <cstring>
 
 /** The bodies of kernels are inlined into functions that are compiled for several instruction sets.
  */
-#define SIGNORINI_INLINE [[gnu::always_inline]] inline
-
-#ifdef __x86_64__
-#define SIGNORINI_AVX2 __attribute__((target("avx2,fma")))
-#ifdef __clang__
-#define SIGNORINI_AVX512 __attribute__((target("avx512f,avx512vl,avx512dq,avx512bw,avx2,fma")))
-#else
-#define SIGNORINI_AVX512                                                                           \
-  __attribute__((target("avx512f,avx512vl,avx512dq,avx512bw,avx2,fma,prefer-vector-width=512")))
-#endif
-#endif
+#define SIGNORINI_INLINE __attribute__((always_inline))
 
 namespace Signorini
 {
-/** A vector of @p width numbers, which may lie in an array of such numbers. */
-template <typename Number, int width>
+#ifdef __x86_64__
+template <typename Kernel>
+__attribute__((target("avx2,fma"))) void run_avx2(const Kernel &kernel)
+{
+  kernel(std::integral_constant<int, 32>());
+}
+#ifdef __clang__
+#define SIGNORINI_WIDTH
+#else
+#define SIGNORINI_WIDTH ",prefer-vector-width=512"
+#endif
+template <typename Kernel>
+__attribute__((target("avx512f,avx512vl,avx512dq,avx512bw,avx2,fma" SIGNORINI_WIDTH))) void
+run_avx512(const Kernel &kernel)
+{
+  kernel(std::integral_constant<int, 64>());
+}
+#endif
+
+/** Calls kernel(bytes of a vector register) compiled for an instruction set: the kernel is a lambda
+ * that is always inlined. */
+template <typename Kernel>
+void run(const Instructions instructions, const Kernel &kernel)
+{
+#ifdef __x86_64__
+  if (instructions == Instructions::avx512)
+    return run_avx512(kernel);
+  if (instructions == Instructions::avx2)
+    return run_avx2(kernel);
+#endif
+  (void)instructions;
+  kernel(std::integral_constant<int, 16>());
+}
+
+/** A vector that fills a register of @p bytes. */
+template <typename Number, int bytes>
 struct Wide
 {
-  typedef Number Type __attribute__((vector_size(width * sizeof(Number)), may_alias));
+  typedef Number Type __attribute__((vector_size(bytes)));
 };
+
+/** Returns the vector that begins at a number. */
+template <typename V, typename Number>
+SIGNORINI_INLINE inline V load(const Number &first)
+{
+  V values;
+  std::memcpy(&values, &first, sizeof(V));
+  return values;
+}
+
+template <typename V, typename Number>
+SIGNORINI_INLINE inline void store(Number &first, const V &values)
+{
+  std::memcpy(&first, &values, sizeof(V));
+}
 
 /** The values of a batch, [dof][lane]. */
 template <int dim, typename Number>
@@ -48,61 +87,61 @@ constexpr int lower(const int i, const int j)
   return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i;
 }
 
-/** Computes the inverse of J and its determinant. */
-template <typename V>
-SIGNORINI_INLINE void invert(const V (&J)[2][2], V (&inverse)[2][2], V &determinant)
+/** Computes the inverse of J by cofactors, and its determinant. */
+template <int dim, typename V>
+SIGNORINI_INLINE inline void invert(const V (&J)[dim][dim], V (&inverse)[dim][dim], V &determinant)
 {
-  determinant = J[0][0] * J[1][1] - J[0][1] * J[1][0];
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j)
+      if constexpr (dim == 2)
+        inverse[i][j] = i == j ? J[1 - j][1 - i] : -J[i][j];
+      else
+      {
+        const int a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
+        inverse[i][j] = J[a][c] * J[b][d] - J[a][d] * J[b][c];
+      }
+  determinant = J[0][0] * inverse[0][0];
+  for (int j = 1; j < dim; ++j)
+    determinant += J[0][j] * inverse[j][0];
   const V factor = 1. / determinant;
-  inverse[0][0] = J[1][1] * factor;
-  inverse[0][1] = -J[0][1] * factor;
-  inverse[1][0] = -J[1][0] * factor;
-  inverse[1][1] = J[0][0] * factor;
-}
-template <typename V>
-SIGNORINI_INLINE void invert(const V (&J)[3][3], V (&inverse)[3][3], V &determinant)
-{
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-    {
-      const int a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
-      inverse[i][j] = J[a][c] * J[b][d] - J[a][d] * J[b][c];
-    }
-  determinant = J[0][0] * inverse[0][0] + J[0][1] * inverse[1][0] + J[0][2] * inverse[2][0];
-  const V factor = 1. / determinant;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j)
       inverse[i][j] *= factor;
 }
 
-/** Computes the derivatives with respect to reference coordinates: D[c][e] = sum over the vertices
- * of values times derivatives of their shape functions. */
+/** Computes the gradients of the shape functions at a point, and the weight times the determinant.
+ * @param reference their derivatives on the reference cell. */
 template <int dim, typename Number, typename V>
-SIGNORINI_INLINE void reference_gradients(V (&D)[dim][dim],
-                                          const BatchValues<dim, Number> &values,
-                                          const Number *const gradients,
-                                          const unsigned int lane)
+SIGNORINI_INLINE inline void map_gradients(V (&g)[1 << dim][dim],
+                                           V &weight,
+                                           const BatchValues<dim, Number> &vertices,
+                                           const Number *const reference,
+                                           const unsigned int lane)
 {
-#pragma GCC unroll 3
-  for (int c = 0; c < dim; ++c)
-#pragma GCC unroll 3
-    for (int e = 0; e < dim; ++e)
-      D[c][e] = V{};
+  V J[dim][dim] = {}, inverse[dim][dim];
 #pragma GCC unroll 8
   for (int v = 0; v < (1 << dim); ++v)
 #pragma GCC unroll 3
     for (int c = 0; c < dim; ++c)
-    {
-      const V value = *reinterpret_cast<const V *>(&values.values[v * dim + c][lane]);
 #pragma GCC unroll 3
       for (int e = 0; e < dim; ++e)
-        D[c][e] += gradients[v * dim + e] * value;
+        J[c][e] += reference[v * dim + e] * load<V>(vertices.values[v * dim + c][lane]);
+  invert<dim>(J, inverse, weight);
+#pragma GCC unroll 8
+  for (int v = 0; v < (1 << dim); ++v)
+#pragma GCC unroll 3
+    for (int d = 0; d < dim; ++d)
+    {
+      g[v][d] = inverse[0][d] * reference[v * dim];
+#pragma GCC unroll 3
+      for (int e = 1; e < dim; ++e)
+        g[v][d] += inverse[e][d] * reference[v * dim + e];
     }
 }
 
 /** Computes S = weight E:ε(G), which is symmetric. */
 template <int dim, typename Number, typename V>
-SIGNORINI_INLINE void
+SIGNORINI_INLINE inline void
 stress(V (&S)[dim][dim], const V (&G)[dim][dim], const Number *const moduli, const V &weight)
 {
   constexpr int n_strains = dim * (dim + 1) / 2;
@@ -120,66 +159,78 @@ stress(V (&S)[dim][dim], const V (&G)[dim][dim], const Number *const moduli, con
       V sum = V{};
 #pragma GCC unroll 6
       for (int s = 0; s < n_strains; ++s)
-        sum += moduli[lower(voigt<dim>(c, d), s)] * strain[s];
+        sum += load<V>(moduli[lower(voigt<dim>(c, d), s) * n_lanes]) * strain[s];
       S[c][d] = S[d][c] = sum;
     }
 }
 
-/** Computes y = sum over points of Bᵀ E B x, with the positions of the vertices of a batch. */
-template <int dim, typename Number, int width>
-SIGNORINI_INLINE void multiply_integrated(BatchValues<dim, Number> &y,
-                                          const PointRule<dim, Number> &rule,
-                                          const BatchValues<dim, Number> &vertices,
-                                          const BatchValues<dim, Number> &x)
+/** Computes y = Σ Bᵀ E B x over the points, with the positions of the vertices of a batch. */
+template <int dim, typename Number, typename V>
+SIGNORINI_INLINE inline void multiply_integrated(BatchValues<dim, Number> &y,
+                                                 const PointRule<dim, Number> &rule,
+                                                 const Number *const moduli,
+                                                 const BatchValues<dim, Number> &vertices,
+                                                 const BatchValues<dim, Number> &x)
 {
-  using V = typename Wide<Number, width>::Type;
   constexpr int n_vertices = 1 << dim;
-  const std::size_t n_points = rule.weights.size();
-  const Number *const moduli = rule.moduli.data();
-  for (unsigned int lane = 0; lane < n_lanes; lane += width)
-  {
-    for (int i = 0; i < dim * n_vertices; ++i)
-      *reinterpret_cast<V *>(&y.values[i][lane]) = V{};
-    for (std::size_t q = 0; q < n_points; ++q)
+  y = {};
+  for (unsigned int lane = 0; lane < n_lanes; lane += sizeof(V) / sizeof(Number))
+    for (std::size_t q = 0; q < rule.weights.size(); ++q)
     {
-      const Number *const gradients = &rule.gradients[q * dim * n_vertices];
-      V J[dim][dim], inverse[dim][dim], D[dim][dim], G[dim][dim], S[dim][dim], weight;
-      reference_gradients<dim, Number, V>(J, vertices, gradients, lane);
-      invert(J, inverse, weight);
+      V g[n_vertices][dim], G[dim][dim] = {}, S[dim][dim], weight;
+      map_gradients<dim>(g, weight, vertices, &rule.gradients[q * dim * n_vertices], lane);
       weight *= rule.weights[q];
-      reference_gradients<dim, Number, V>(D, x, gradients, lane);
+#pragma GCC unroll 8
+      for (int v = 0; v < n_vertices; ++v)
 #pragma GCC unroll 3
-      for (int c = 0; c < dim; ++c)
+        for (int c = 0; c < dim; ++c)
 #pragma GCC unroll 3
-        for (int d = 0; d < dim; ++d)
-        {
-          G[c][d] = D[c][0] * inverse[0][d];
-#pragma GCC unroll 3
-          for (int e = 1; e < dim; ++e)
-            G[c][d] += D[c][e] * inverse[e][d];
-        }
-      stress<dim, Number, V>(S, G, moduli, weight);
-#pragma GCC unroll 3
-      for (int c = 0; c < dim; ++c)
-#pragma GCC unroll 3
-        for (int e = 0; e < dim; ++e)
-        {
-          D[c][e] = S[c][0] * inverse[e][0];
-#pragma GCC unroll 3
-          for (int d = 1; d < dim; ++d)
-            D[c][e] += S[c][d] * inverse[e][d];
-        }
+          for (int d = 0; d < dim; ++d)
+            G[c][d] += load<V>(x.values[v * dim + c][lane]) * g[v][d];
+      stress<dim>(S, G, moduli + lane, weight);
 #pragma GCC unroll 8
       for (int v = 0; v < n_vertices; ++v)
 #pragma GCC unroll 3
         for (int c = 0; c < dim; ++c)
         {
-          V &sum = *reinterpret_cast<V *>(&y.values[v * dim + c][lane]);
+          V sum = load<V>(y.values[v * dim + c][lane]);
 #pragma GCC unroll 3
-          for (int e = 0; e < dim; ++e)
-            sum += gradients[v * dim + e] * D[c][e];
+          for (int d = 0; d < dim; ++d)
+            sum += S[c][d] * g[v][d];
+          store(y.values[v * dim + c][lane], sum);
         }
     }
-  }
+}
+
+/** Adds Σ Bᵀ E B over the points to the lower triangles K of a batch, [entry][lane]. */
+template <int dim, typename Number, typename V>
+SIGNORINI_INLINE inline void integrate_matrices(Number *const K,
+                                                const PointRule<dim, Number> &rule,
+                                                const Number *const moduli,
+                                                const std::size_t stride,
+                                                const BatchValues<dim, Number> &vertices)
+{
+  constexpr int n_vertices = 1 << dim;
+  for (unsigned int lane = 0; lane < n_lanes; lane += sizeof(V) / sizeof(Number))
+    for (std::size_t q = 0; q < rule.weights.size(); ++q)
+    {
+      V g[n_vertices][dim], weight;
+      map_gradients<dim>(g, weight, vertices, &rule.gradients[q * dim * n_vertices], lane);
+      weight *= rule.weights[q];
+      for (int i = 0; i < dim * n_vertices; ++i)
+      {
+        V G[dim][dim] = {}, S[dim][dim];
+        for (int e = 0; e < dim; ++e)
+          G[i % dim][e] = g[i / dim][e];
+        stress<dim>(S, G, moduli + q * stride + lane, weight);
+        for (int j = 0; j <= i; ++j)
+        {
+          V entry = load<V>(K[lower(i, j) * n_lanes + lane]);
+          for (int e = 0; e < dim; ++e)
+            entry += S[j % dim][e] * g[j / dim][e];
+          store(K[lower(i, j) * n_lanes + lane], entry);
+        }
+      }
+    }
 }
 } // namespace Signorini

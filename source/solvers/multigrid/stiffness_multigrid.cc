@@ -1,273 +1,352 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The V-cycle, and the transfer between the unknowns of the space and the levels.
+// The V-cycle, and conjugate gradients with it.
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
-#include <signorini/solvers/multigrid/cell_integration.h>
 #include <signorini/solvers/multigrid/stiffness_multigrid.h>
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/sparse_matrix.h>
 
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <sstream>
 
-#include "multigrid_internal.h"
+#include "fine_operator.h"
+#include "point_kernel.h"
 
 namespace Signorini
 {
 namespace
 {
-/** The maximal number of nodes of the coarsest level, unless it is the coarse mesh. */
-constexpr unsigned int max_coarsest_nodes = 200;
+/** The number of Gauss points per direction that V-cycles need where products are integrated. */
+constexpr unsigned int n_points_of_cycles = 2;
+
+/** Computes u = T u or u = Tᵀ u at all nodes that are not free. */
+template <int dim, typename Number>
+void transform(LevelVector<dim, Number> &u,
+               const ConstrainedNodes<dim> &conditions,
+               const bool transposed)
+{
+  for (const auto &[node, T] : conditions)
+  {
+    Tensor<1, dim> value;
+    for (int c = 0; c < dim; ++c)
+      value[c] = u[c][node];
+    value = transposed ? value * T : T * value;
+    for (int c = 0; c < dim; ++c)
+      u[c][node] = static_cast<Number>(value[c]);
+  }
+}
+
+/** Sets constrained components to zero. */
+template <int dim>
+void clear_constrained(LevelVector<dim, float> &u, const ConstrainedNodes<dim> &conditions)
+{
+  for (const auto &[node, T] : conditions)
+    for (int c = 0; c < dim; ++c)
+      if (T[c][c] == 0.)
+        u[c][node] = 0.F;
+}
+
+/** Returns the conditions of the space, which never join two nodes on a mesh without hanging nodes.
+ */
+template <int dim>
+ConstrainedNodes<dim> conditions_of(const DisplacementSpace<dim> &space,
+                                    const std::vector<NodeNumber> &identities)
+{
+  const auto &constraints = space.constraints();
+  ConstrainedNodes<dim> conditions;
+  for (NodeNumber node = 0; node < identities.size(); ++node)
+  {
+    const auto first = static_cast<types::global_dof_index>(identities[node]) * dim;
+    Tensor<2, dim> T;
+    for (unsigned int c = 0; c < dim; ++c)
+    {
+      T[c][c] = constraints.is_constrained(first + c) ? 0. : 1.;
+      if (T[c][c] == 0.)
+        for (const auto &[other, weight] : *constraints.get_constraint_entries(first + c))
+        {
+          AssertThrow(other / dim == identities[node],
+                      ExcMessage("Multigrid: a condition joins two nodes."));
+          T[c][other - first] = weight;
+        }
+    }
+    if (trace(T) < dim)
+      conditions.emplace_hint(conditions.end(), node, T);
+  }
+  return conditions;
+}
+
+/** Returns the conditions of the next coarser level: its nodes keep those of the finer one. */
+template <int dim>
+ConstrainedNodes<dim> coarsen(const ConstrainedNodes<dim> &fine,
+                              const std::vector<NodeNumber> &identities)
+{
+  ConstrainedNodes<dim> conditions;
+  for (NodeNumber node = 0; node < identities.size(); ++node)
+    if (const auto found = fine.find(identities[node]); found != fine.end())
+      conditions.emplace_hint(conditions.end(), node, found->second);
+  return conditions;
+}
 } // namespace
 
 template <int dim>
-class StiffnessMultigrid<dim>::Levels
+MultigridLevel<dim>::MultigridLevel(const CellOperator<dim, double> &fine_K,
+                                    ConstrainedNodes<dim> given)
+  : K(fine_K, n_points_of_cycles)
+  , conditions(std::move(given))
+  , x(K.grid->n_nodes())
+  , b(x)
+  , y(x)
+  , d(x)
+  , B(K.grid->n_nodes())
+  , max_eigenvalue(max_cell_eigenvalue(K))
 {
-public:
-  Levels(const DisplacementSpace<dim> &space, const Scene<dim> &scene)
-    : unit_(stiffness_unit(space, *scene.material))
-    , instructions_(instructions_of_this_machine())
-    , fine_(space, scene)
-    , grid_(fine_.grid)
-    , x_(grid_->n_nodes())
-    , y_(grid_->n_nodes())
-  {
-    levels_.push_back(std::make_unique<MultigridLevel<dim>>(
-      grid_, fine_.matrices_in_single_precision(), fine_.conditions, instructions_));
-    std::optional<CellMatrices<dim, double>> coarse;
-    while (levels_.back()->grid().n_nodes() > max_coarsest_nodes && levels_.back()->grid().n() > 1)
-      coarse = add_coarser_level(coarse ? *coarse : fine_.matrices);
-    fine_.places = {};
-    const MultigridLevel<dim> &coarsest = *levels_.back();
-    inverse_ = std::make_unique<CoarsestInverse<dim>>(
-      coarsest.grid(), coarse ? *coarse : fine_.matrices, coarsest.conditions());
-  }
+  std::vector<Tensor<2, dim>> blocks = free_diagonal_blocks();
+  for (Tensor<2, dim> &block : blocks)
+    block = invert(block);
+  for (const auto &[node, T] : conditions)
+    blocks[node] = T * blocks[node] * transpose(T);
+  for (NodeNumber node = 0; node < blocks.size(); ++node)
+    for (int c = 0; c < dim; ++c)
+      for (int e = 0; e <= c; ++e)
+        B[voigt<dim>(c, e)][node] = static_cast<float>(blocks[node][c][e]);
+}
 
-  unsigned int n_dofs() const
+template <int dim>
+std::vector<Tensor<2, dim>> MultigridLevel<dim>::free_diagonal_blocks() const
+{
+  const NodeBlocks<dim> D = diagonal_blocks(K);
+  std::vector<Tensor<2, dim>> blocks(K.grid->n_nodes());
+  for (NodeNumber node = 0; node < blocks.size(); ++node)
+    for (int c = 0; c < dim; ++c)
+      for (int e = 0; e < dim; ++e)
+        blocks[node][c][e] = D[voigt<dim>(c, e)][node];
+  for (const auto &[node, T] : conditions)
   {
-    return dim * grid_->n_nodes();
+    blocks[node] = transpose(T) * blocks[node] * T;
+    for (int c = 0; c < dim; ++c)
+      blocks[node][c][c] += 1. - T[c][c];
   }
-  unsigned int n_levels() const
-  {
-    return static_cast<unsigned int>(levels_.size());
-  }
-  std::size_t memory() const
-  {
-    std::size_t bytes = fine_.matrices.memory() + x_.memory() + y_.memory();
-    for (const auto &level : levels_)
-      bytes += level->memory();
-    return bytes;
-  }
+  return blocks;
+}
 
-  Vector diagonal() const
+template <int dim>
+void MultigridLevel<dim>::smooth(const bool from_zero)
+{
+  constexpr unsigned int n_steps = 3;
+  for (unsigned int step = 1; step <= n_steps; ++step)
   {
-    LevelVector<dim * dim, double> blocks(grid_->n_nodes());
-    add_diagonal_blocks<dim>(blocks, *grid_, fine_.matrices);
-    Vector result(n_dofs());
-    for (unsigned int node = 0; node < grid_->n_nodes(); ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        result[grid_->identities()[node] * dim + c] = unit_ * blocks[c * dim + c][node];
-    for (const ConstrainedNode<dim> &condition : fine_.conditions)
-    {
-      Tensor<2, dim> block;
-      for (unsigned int c = 0; c < dim; ++c)
-        for (unsigned int d = 0; d < dim; ++d)
-          block[c][d] = blocks[c * dim + d][condition.node];
-      block = transpose(condition.T) * block * condition.T;
-      for (unsigned int c = 0; c < dim; ++c)
-        result[grid_->identities()[condition.node] * dim + c] =
-          unit_ * (is_constrained(condition, c) ? 1. : block[c][c]);
-    }
-    return result;
+    const bool is_first = from_zero && step == 1;
+    if (!is_first)
+      K.multiply(y, x);
+    const double k = step;
+    const auto alpha = static_cast<float>(step == 1 ? 0. : (2. * k - 3.) / (2. * k + 1.)),
+               gamma = static_cast<float>((8. * k - 4.) / ((2. * k + 1.) * max_eigenvalue));
+    SmootherStep<dim>{x, d, b, y, B, alpha, gamma, is_first}.run();
   }
+}
 
-  /** Computes y = Tᵀ K T x. */
-  void apply(Vector &y, const Vector &x)
-  {
-    copy_free_values(x_, x, 1.);
-    for (const ConstrainedNode<dim> &condition : fine_.conditions)
-      transform(x_, condition.node, condition.T);
-    multiply(y_, x_, *grid_, fine_.matrices, instructions_);
-    for (const ConstrainedNode<dim> &condition : fine_.conditions)
-      transform(y_, condition.node, transpose(condition.T));
-    copy_free_values(y, y_, unit_);
-  }
-
-  /** Computes z = V r. The vector projection r represents the functional r on the displacements
-   * that the conditions allow, and its entries at free components are those of z. */
-  void precondition(Vector &z, const Vector &r)
-  {
-    const double size = r.linfty_norm();
-    if (!(size > 0.))
-    {
-      z = 0.;
-      return;
-    }
-    // A power of two, so that V is the same linear map for all sizes.
-    const double scale = std::ldexp(1., -std::ilogb(size));
-    MultigridLevel<dim> &finest = *levels_.front();
-    copy_free_values(finest.b, r, scale);
-    for (const ConstrainedNode<dim> &condition : fine_.conditions)
-      transform(finest.b, condition.node, condition.projection);
-    cycle(0);
-    copy_free_values(z, finest.x, 1. / (scale * unit_));
-  }
-
-private:
-  /**
-   * Adds the next coarser level.
-   * @param matrices of the coarsest level so far.
-   * @return those of the new one.
-   */
-  CellMatrices<dim, double> add_coarser_level(const CellMatrices<dim, double> &matrices)
-  {
-    const MultigridLevel<dim> &finer = *levels_.back();
-    const BlockGrid<dim> &grid = finer.grid();
-    fine_.places = every_other<dim>(fine_.places, grid.n_blocks(), grid.n());
-    const auto coarse = std::make_shared<const BlockGrid<dim>>(
-      grid.n_blocks(), grid.n() / 2, fine_.places, grid.n_nodes());
-    CellMatrices<dim, double> sums = coarsen(matrices, grid, *coarse);
-    const auto &rule = finer.matrices().rule;
-    levels_.push_back(std::make_unique<MultigridLevel<dim>>(
-      coarse,
-      CellMatrices<dim, float>(sums, rule == nullptr ? nullptr : coarsen(*rule, *coarse)),
-      coarsen(finer.conditions(), grid.n_nodes(), *coarse),
-      instructions_));
-    return sums;
-  }
-
-  void cycle(const unsigned int l)
-  {
-    MultigridLevel<dim> &level = *levels_[l];
-    if (l + 1 == levels_.size())
-    {
-      inverse_->apply(level.x, level.b);
-      return;
-    }
-    MultigridLevel<dim> &coarser = *levels_[l + 1];
-    level.smooth(true);
-    level.multiply();
-    // Residuals at constrained components exert no force: y becomes b there.
-    for (const ConstrainedNode<dim> &condition : level.conditions())
-      for_node_residual(level, condition);
-    restrict_residual(coarser.b, level.b, level.y, level.grid(), coarser.grid());
-    cycle(l + 1);
-    prolongate(level.x, coarser.x, level.grid(), coarser.grid());
-    project(level.x, level.conditions());
-    level.smooth(false);
-  }
-
-  static void for_node_residual(MultigridLevel<dim> &level, const ConstrainedNode<dim> &condition)
-  {
-    Tensor<1, dim> r;
-    for (unsigned int c = 0; c < dim; ++c)
-      r[c] = level.b[c][condition.node] - level.y[c][condition.node];
-    r = condition.projection * r;
-    for (unsigned int c = 0; c < dim; ++c)
-      level.y[c][condition.node] = level.b[c][condition.node] - static_cast<float>(r[c]);
-  }
-
-  /** Computes u = T u at a node. */
-  template <typename Number>
-  static void transform(LevelVector<dim, Number> &u, const NodeNumber node, const Tensor<2, dim> &T)
-  {
-    Tensor<1, dim> value;
-    for (unsigned int c = 0; c < dim; ++c)
-      value[c] = u[c][node];
-    value = T * value;
-    for (unsigned int c = 0; c < dim; ++c)
-      u[c][node] = static_cast<Number>(value[c]);
-  }
-
-  /** Copies the values of the free components, and zero at constrained ones. */
-  template <typename Number>
-  void copy_free_values(LevelVector<dim, Number> &to, const Vector &from, const double factor) const
-  {
-    const std::vector<NodeNumber> &identities = grid_->identities();
-    for (unsigned int node = 0; node < identities.size(); ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        to[c][node] = static_cast<Number>(factor * from[identities[node] * dim + c]);
-    for (const ConstrainedNode<dim> &condition : fine_.conditions)
-      for (unsigned int c = 0; c < dim; ++c)
-        if (is_constrained(condition, c))
-          to[c][condition.node] = Number();
-  }
-  template <typename Number>
-  void copy_free_values(Vector &to, const LevelVector<dim, Number> &from, const double factor) const
-  {
-    const std::vector<NodeNumber> &identities = grid_->identities();
-    for (unsigned int node = 0; node < identities.size(); ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        to[identities[node] * dim + c] = factor * static_cast<double>(from[c][node]);
-    for (const ConstrainedNode<dim> &condition : fine_.conditions)
-      for (unsigned int c = 0; c < dim; ++c)
-        if (is_constrained(condition, c))
-          to[identities[condition.node] * dim + c] = 0.;
-  }
-  static bool is_constrained(const ConstrainedNode<dim> &condition, const unsigned int c)
-  {
-    for (unsigned int d = 0; d < dim; ++d)
-      if (condition.T[d][c] != 0.)
-        return false;
-    return true;
-  }
-
-  double unit_;
-  Instructions instructions_;
-  FineLevel<dim> fine_;
-  std::shared_ptr<const BlockGrid<dim>> grid_;
-  /** The vectors for products in double precision. */
-  LevelVector<dim, double> x_, y_;
-  /** The levels from the finest to the coarsest. */
-  std::vector<std::unique_ptr<MultigridLevel<dim>>> levels_;
-  std::unique_ptr<const CoarsestInverse<dim>> inverse_;
-};
+template struct MultigridLevel<2>;
+template struct MultigridLevel<3>;
 
 template <int dim>
 StiffnessMultigrid<dim>::StiffnessMultigrid(const DisplacementSpace<dim> &space,
                                             const Scene<dim> &scene)
-  : levels_(std::make_unique<Levels>(space, scene))
+  : unit_(stiffness_unit(space, *scene.material))
+  , K_(make_fine_operator(space, scene))
+  , x_(K_.grid->n_nodes())
+  , y_(x_)
 {
+  // The coarsest level is the finest one with so few nodes, or the coarse mesh.
+  constexpr unsigned int max_coarsest_nodes = 200;
+  levels_.emplace_back(K_, conditions_of(space, K_.grid->identities));
+  const CellOperator<dim, double> *last = &K_;
+  std::unique_ptr<const CellOperator<dim, double>> coarse;
+  while (last->grid->n_nodes() > max_coarsest_nodes && last->grid->n > 1)
+  {
+    coarse = std::make_unique<const CellOperator<dim, double>>(
+      last->coarsen(std::make_shared<const BlockGrid<dim>>(last->grid->coarsen())));
+    last = coarse.get();
+    levels_.emplace_back(*last, coarsen(levels_.back().conditions, last->grid->identities));
+  }
+  factorise(*last);
 }
 
 template <int dim>
-StiffnessMultigrid<dim>::~StiffnessMultigrid() = default;
+void StiffnessMultigrid<dim>::factorise(const CellOperator<dim, double> &K)
+{
+  constexpr unsigned int n_dofs = CellOperator<dim, double>::n_dofs;
+  const unsigned int n = dim * K.grid->n_nodes();
+  AffineConstraints<double> constraints;
+  for (const auto &[node, T] : levels_.back().conditions)
+    for (int c = 0; c < dim; ++c)
+      if (T[c][c] == 0.)
+      {
+        constraints.add_line(node * dim + c);
+        for (int e = 0; e < dim; ++e)
+          if (T[c][e] != 0.)
+            constraints.add_entry(node * dim + c, node * dim + e, T[c][e]);
+      }
+  constraints.close();
+  const auto dofs_of = [&](const std::size_t cell) {
+    const auto nodes = K.grid->nodes(cell);
+    std::vector<types::global_dof_index> dofs(n_dofs);
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      dofs[i] = nodes[i / dim] * dim + i % dim;
+    return dofs;
+  };
+  DynamicSparsityPattern couplings(n, n);
+  for (std::size_t cell = 0; cell < K.grid->n_cells; ++cell)
+    constraints.add_entries_local_to_global(dofs_of(cell), couplings);
+  SparsityPattern pattern;
+  pattern.copy_from(couplings);
+  SparseMatrix<double> A(pattern);
+  std::vector<double> buffer;
+  FullMatrix<double> K_cell(n_dofs);
+  for (std::size_t cell = 0; cell < K.grid->n_cells; ++cell)
+  {
+    const double *const entries = K.entries(cell / n_lanes, buffer) + cell % n_lanes;
+    for (unsigned int i = 0; i < n_dofs; ++i)
+      for (unsigned int j = 0; j < n_dofs; ++j)
+        K_cell(i, j) = entries[lower(i, j) * n_lanes];
+    constraints.distribute_local_to_global(K_cell, dofs_of(cell), A);
+  }
+  try
+  {
+    coarsest_inverse_.initialize(A);
+  }
+  catch (const ExceptionBase &)
+  {
+    throw ComputationError("The matrix of the coarsest multigrid level is singular, by rounding: "
+                           "the body is very slender, or its moduli differ much; Solver/Linear "
+                           "solver = condensed factorises instead.");
+  }
+}
+
+template <int dim>
+void StiffnessMultigrid<dim>::solve_coarsest(MultigridLevel<dim> &level) const
+{
+  transform(level.b, level.conditions, true);
+  Vector u(dim * level.K.grid->n_nodes());
+  for (unsigned int i = 0; i < u.size(); ++i)
+    u[i] = level.b[i % dim][i / dim];
+  coarsest_inverse_.solve(u);
+  for (unsigned int i = 0; i < u.size(); ++i)
+    level.x[i % dim][i / dim] = static_cast<float>(u[i]);
+  transform(level.x, level.conditions, false);
+}
+
+template <int dim>
+void StiffnessMultigrid<dim>::cycle(const unsigned int l) const
+{
+  MultigridLevel<dim> &level = levels_[l];
+  if (l + 1 == levels_.size())
+    return solve_coarsest(level);
+  MultigridLevel<dim> &coarser = levels_[l + 1];
+  const BlockGrid<dim> &grid = *level.K.grid;
+  level.smooth(true);
+  level.K.multiply(level.y, level.x);
+  for (int c = 0; c < dim; ++c)
+    for (unsigned int node = 0; node < grid.n_nodes(); ++node)
+      level.y[c][node] = level.b[c][node] - level.y[c][node];
+  // The transpose of prolongation and T.
+  transform(level.y, level.conditions, true);
+  grid.restrict_and_clear(coarser.b, level.y, *coarser.K.grid);
+  cycle(l + 1);
+  grid.prolongate(level.y, coarser.x, *coarser.K.grid);
+  transform(level.y, level.conditions, false);
+  for (int c = 0; c < dim; ++c)
+    for (unsigned int node = 0; node < grid.n_nodes(); ++node)
+      level.x[c][node] += level.y[c][node];
+  level.smooth(false);
+}
 
 template <int dim>
 unsigned int StiffnessMultigrid<dim>::size() const
 {
-  return levels_->n_dofs();
+  return dim * K_.grid->n_nodes();
 }
 
 template <int dim>
 typename StiffnessMultigrid<dim>::Vector StiffnessMultigrid<dim>::diagonal() const
 {
-  return levels_->diagonal();
-}
-
-template <int dim>
-unsigned int StiffnessMultigrid<dim>::n_levels() const
-{
-  return levels_->n_levels();
+  const std::vector<Tensor<2, dim>> blocks = levels_.front().free_diagonal_blocks();
+  Vector result(size());
+  for (unsigned int i = 0; i < result.size(); ++i)
+    result[K_.grid->identities[i / dim] * dim + i % dim] =
+      unit_ * blocks[i / dim][i % dim][i % dim];
+  return result;
 }
 
 template <int dim>
 std::size_t StiffnessMultigrid<dim>::memory() const
 {
-  return levels_->memory();
+  std::size_t bytes = K_.memory() + x_.memory() + y_.memory();
+  for (const MultigridLevel<dim> &level : levels_)
+    bytes += level.memory();
+  return bytes;
 }
 
 template <int dim>
-void StiffnessMultigrid<dim>::apply(Vector &y, const Vector &x) const
+template <typename Number>
+void StiffnessMultigrid<dim>::copy_to_level(LevelVector<dim, Number> &to,
+                                            const Vector &from,
+                                            const double factor) const
 {
-  levels_->apply(y, x);
+  const std::vector<NodeNumber> &identities = K_.grid->identities;
+  for (unsigned int node = 0; node < identities.size(); ++node)
+    for (unsigned int c = 0; c < dim; ++c)
+      to[c][node] = static_cast<Number>(factor * from[identities[node] * dim + c]);
 }
 
+template <int dim>
+template <typename Number>
+void StiffnessMultigrid<dim>::copy_from_level(Vector &to,
+                                              const LevelVector<dim, Number> &from,
+                                              const double factor) const
+{
+  const std::vector<NodeNumber> &identities = K_.grid->identities;
+  for (unsigned int node = 0; node < identities.size(); ++node)
+    for (unsigned int c = 0; c < dim; ++c)
+      to[identities[node] * dim + c] = factor * static_cast<double>(from[c][node]);
+}
+
+/** Computes y = Tᵀ K T x. */
+template <int dim>
+void StiffnessMultigrid<dim>::vmult(Vector &y, const Vector &x) const
+{
+  copy_to_level(x_, x, 1.);
+  transform(x_, levels_.front().conditions, false);
+  K_.multiply(y_, x_);
+  transform(y_, levels_.front().conditions, true);
+  copy_from_level(y, y_, unit_);
+}
+
+/** Computes z = V r. The vector r, zero at constrained components, represents the functional r on
+ * the displacements that the conditions allow, and its entries at free components are those of z.
+ */
 template <int dim>
 void StiffnessMultigrid<dim>::precondition(Vector &z, const Vector &r) const
 {
-  levels_->precondition(z, r);
+  const double size = r.linfty_norm();
+  if (!(size > 0.))
+  {
+    z = 0.;
+    return;
+  }
+  // A power of two, so that V is the same linear map for all sizes.
+  const double scale = std::ldexp(1., -std::ilogb(size));
+  MultigridLevel<dim> &finest = levels_.front();
+  copy_to_level(finest.b, r, scale);
+  clear_constrained(finest.b, finest.conditions);
+  cycle(0);
+  clear_constrained(finest.x, finest.conditions);
+  copy_from_level(z, finest.x, 1. / (scale * unit_));
 }
 
 template class StiffnessMultigrid<2>;
@@ -286,23 +365,19 @@ constexpr double refuse_solves_above = 1e-4;
 
 dealii::Vector<double> to_nodal(const StiffnessInverse::Vector &from)
 {
-  const double *const values = from.trilinos_vector()[0];
-  return dealii::Vector<double>(values, values + from.size());
+  return dealii::Vector<double>(from.begin(), from.end());
 }
 
-void copy_to(StiffnessInverse::Vector &to, const dealii::Vector<double> &from)
+/** The V-cycle as SolverCG calls it. */
+struct VCycle
 {
-  std::copy(from.begin(), from.end(), to.trilinos_vector()[0]);
-}
+  const StiffnessOperator &A;
 
-[[noreturn]] void refuse_to_go_on(const double reduction)
-{
-  std::ostringstream message;
-  message << "Multigrid reduced the residual of a linear system only to " << std::sqrt(reduction)
-          << " of what it was, in at most " << max_cycles
-          << " V-cycles; Solver/Linear solver = condensed factorises instead.";
-  throw ComputationError(message.str());
-}
+  void vmult(dealii::Vector<double> &z, const dealii::Vector<double> &r) const
+  {
+    A.precondition(z, r);
+  }
+};
 } // namespace
 
 MultigridInverse::MultigridInverse(std::shared_ptr<const StiffnessOperator> A,
@@ -324,43 +399,33 @@ void MultigridInverse::residual(Vector &r,
                                 const bool /*accurate*/) const
 {
   dealii::Vector<double> product(A_->size());
-  A_->apply(product, to_nodal(x));
+  A_->vmult(product, to_nodal(x));
   product.sadd(-1., 1., to_nodal(b));
-  copy_to(r, product);
+  std::copy(product.begin(), product.end(), r.begin());
 }
 
 void MultigridInverse::apply(std::vector<Vector> &x, const std::vector<Vector> &b) const
 {
   for (std::size_t k = 0; k < x.size(); ++k)
-    solve_one(x[k], b[k]);
-}
-
-void MultigridInverse::solve_one(Vector &x, const Vector &b) const
-{
-  dealii::Vector<double> r = to_nodal(b), z(r.size()), q(r.size()), u(r.size());
-  A_->precondition(z, r);
-  dealii::Vector<double> p = z;
-  double rz = r * z;
-  const double start = rz, goal = tolerance_ * tolerance_ * start;
-  unsigned int n_cycles = 1;
-  for (; rz > goal; ++n_cycles)
   {
-    A_->apply(q, p);
-    const double curvature = p * q;
-    if (n_cycles >= max_cycles || !(curvature > 0.))
-      refuse_to_go_on(rz / start);
-    const double alpha = rz / curvature;
-    u.add(alpha, p);
-    r.add(-alpha, q);
-    A_->precondition(z, r);
-    const double before = rz;
-    rz = r * z;
-    p.sadd(rz / before, 1., z);
+    ReductionControl control(max_cycles, 0., tolerance_, false, false);
+    SolverCG<dealii::Vector<double>> solver(control);
+    dealii::Vector<double> u(A_->size());
+    try
+    {
+      solver.solve(*A_, u, to_nodal(b[k]), VCycle{*A_});
+    }
+    catch (const SolverControl::NoConvergence &)
+    {
+      std::ostringstream message;
+      message << "Multigrid reduced the residual of a linear system only to "
+              << control.last_value() / control.initial_value() << " of what it was, in at most "
+              << max_cycles << " V-cycles; Solver/Linear solver = condensed factorises instead.";
+      throw ComputationError(message.str());
+    }
+    std::copy(u.begin(), u.end(), x[k].begin());
+    max_cycles_of_a_solve_ = std::max(max_cycles_of_a_solve_, control.last_step());
   }
-  if (!(rz >= 0.))
-    refuse_to_go_on(-rz / start);
-  copy_to(x, u);
-  max_cycles_of_a_solve_ = std::max(max_cycles_of_a_solve_, n_cycles);
 }
 
 template <int dim>
@@ -370,7 +435,8 @@ std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace
 {
   const auto A = std::make_shared<const StiffnessMultigrid<dim>>(space, scene);
   DistributedVector diagonal = space.make_vector();
-  copy_to(diagonal, A->diagonal());
+  const dealii::Vector<double> entries = A->diagonal();
+  std::copy(entries.begin(), entries.end(), diagonal.begin());
   return std::make_unique<MultigridInverse>(A, diagonal, goal);
 }
 

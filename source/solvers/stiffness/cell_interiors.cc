@@ -5,8 +5,6 @@
 
 #include <signorini/base/errors.h>
 
-#include <deal.II/lac/lapack_templates.h>
-
 #include <Epetra_CrsMatrix.h>
 
 #include <numeric>
@@ -17,9 +15,6 @@ namespace
 {
 /** The size below which groups are left to the sparse factorisation. */
 constexpr int min_group_size = 8;
-
-constexpr int one = 1;
-constexpr double plus = 1., minus = -1., nothing = 0.;
 } // namespace
 
 Rows::Rows(const TrilinosWrappers::SparseMatrix &A)
@@ -35,7 +30,15 @@ CellInteriors::CellInteriors(const Rows &A, const std::vector<bool> &kept)
   : rest_(A)
 {
   const std::vector<std::pair<int, int>> groups = find_groups(A, kept);
-  number_the_rest(A, groups);
+  numbers_.assign(A.n, 0);
+  for (const auto &[first, size] : groups)
+    std::fill_n(numbers_.begin() + first, size, -1);
+  for (int i = 0; i < A.n; ++i)
+    if (numbers_[i] == 0)
+    {
+      numbers_[i] = static_cast<int>(unknowns_.size());
+      unknowns_.push_back(i);
+    }
   if (groups.empty())
     return;
   copy_the_rest(A);
@@ -75,19 +78,6 @@ std::vector<std::pair<int, int>> CellInteriors::find_groups(const Rows &A,
   return groups;
 }
 
-void CellInteriors::number_the_rest(const Rows &A, const std::vector<std::pair<int, int>> &groups)
-{
-  numbers_.assign(A.n, 0);
-  for (const auto &[first, size] : groups)
-    std::fill(numbers_.begin() + first, numbers_.begin() + first + size, -1);
-  for (int i = 0; i < A.n; ++i)
-    if (numbers_[i] == 0)
-    {
-      numbers_[i] = static_cast<int>(unknowns_.size());
-      unknowns_.push_back(i);
-    }
-}
-
 void CellInteriors::copy_the_rest(const Rows &A)
 {
   start_ = {0};
@@ -109,114 +99,78 @@ void CellInteriors::copy_the_rest(const Rows &A)
 
 void CellInteriors::eliminate(const Rows &A, const int first, const int size)
 {
-  Group group = {first, size, {}, std::vector<double>(size * size), {}};
-  const int begin = A.start[first], n = A.start[first + 1] - begin;
-  group.W.reserve(static_cast<std::size_t>(size) * (n - size));
-  double *L = group.L.data();
-  for (int entry = 0; entry < n; ++entry)
+  const int begin = A.start[first], n_others = A.start[first + 1] - begin - size;
+  groups_.push_back({first,
+                     size,
+                     {},
+                     LAPACKFullMatrix<double>(size, size),
+                     LAPACKFullMatrix<double>(size, n_others)});
+  Group &group = groups_.back();
+  // The rows of G have the same columns.
+  int inside = 0;
+  for (int entry = 0; entry < size + n_others; ++entry)
   {
-    // The rows of G have the same columns: one column of A_GG or A_GR.
     const int number = numbers_[A.column[begin + entry]];
-    for (int i = first; i < first + size; ++i)
-      if (number < 0)
-        *L++ = A.value[A.start[i] + entry];
-      else
-        group.W.push_back(A.value[A.start[i] + entry]);
+    const int column = number < 0 ? inside++ : static_cast<int>(group.others.size());
+    for (int i = 0; i < size; ++i)
+      (number < 0 ? group.A_GG : group.X)(i, column) = A.value[A.start[first + i] + entry];
     if (number >= 0)
       group.others.push_back(number);
   }
-  std::vector<double> diagonal(size);
-  for (int i = 0; i < size; ++i)
-    diagonal[i] = group.L[i * (size + 1)];
-
-  int info = 0;
-  potrf("L", &size, group.L.data(), &size, &info);
-  if (info != 0)
+  const LAPACKFullMatrix<double> A_GR = group.X;
+  group.A_GG.set_property(LAPACKSupport::symmetric);
+  try
+  {
+    group.A_GG.compute_cholesky_factorization();
+  }
+  catch (const LACExceptions::ExcSingular &)
+  {
     throw ComputationError("The factorisation of the stiffness matrix failed: the matrix is "
                            "singular or not positive definite.");
-  for (int i = 0; i < size; ++i)
-  {
-    const double L_ii = group.L[i * (size + 1)];
-    min_pivot_ = std::min(min_pivot_, L_ii * L_ii / diagonal[i]);
   }
-  const int n_others = static_cast<int>(group.others.size());
-  trtrs("L", "N", "N", &size, &n_others, group.L.data(), &size, group.W.data(), &size, &info);
-  AssertThrow(info == 0, ExcInternalError());
-  subtract_from_rest(group);
-  groups_.push_back(std::move(group));
-}
-
-void CellInteriors::subtract_from_rest(const Group &group)
-{
-  const int n = static_cast<int>(group.others.size());
-  std::vector<double> product(n * n);
-  syrk("L", "T", &n, &group.size, &plus, group.W.data(), &group.size, &nothing, product.data(), &n);
-  for (int i = 0; i < n; ++i)
+  group.A_GG.solve(group.X);
+  LAPACKFullMatrix<double> product(n_others, n_others);
+  A_GR.Tmmult(product, group.X);
+  for (int i = 0; i < n_others; ++i)
   {
     // Both are in increasing order.
     int entry = start_[group.others[i]];
-    for (int j = 0; j < n; ++j)
+    for (int j = 0; j < n_others; ++j)
     {
       while (column_[entry] != group.others[j])
         ++entry;
-      value_[entry] -= product[std::max(i, j) + n * std::min(i, j)];
+      value_[entry] -= product(std::max(i, j), std::min(i, j));
     }
   }
 }
 
-void CellInteriors::reduce(double *b, double *rest) const
+void CellInteriors::reduce(const double *const b, double *const rest) const
 {
   for (std::size_t i = 0; i < unknowns_.size(); ++i)
     rest[i] = b[unknowns_[i]];
-  std::vector<double> change;
-  int info = 0;
   for (const Group &group : groups_)
   {
-    const int n = static_cast<int>(group.others.size());
-    double *const b_G = b + group.first;
-    trtrs("L", "N", "N", &group.size, &one, group.L.data(), &group.size, b_G, &group.size, &info);
-    change.resize(n);
-    gemv("T",
-         &group.size,
-         &n,
-         &plus,
-         group.W.data(),
-         &group.size,
-         b_G,
-         &one,
-         &nothing,
-         change.data(),
-         &one);
-    for (int i = 0; i < n; ++i)
+    const dealii::Vector<double> b_G(b + group.first, b + group.first + group.size);
+    dealii::Vector<double> change(group.others.size());
+    group.X.Tvmult(change, b_G);
+    for (unsigned int i = 0; i < change.size(); ++i)
       rest[group.others[i]] -= change[i];
   }
 }
 
-void CellInteriors::expand(double *x, const double *rest) const
+void CellInteriors::expand(double *const x, const double *const rest) const
 {
   for (std::size_t i = 0; i < unknowns_.size(); ++i)
     x[unknowns_[i]] = rest[i];
-  std::vector<double> others;
-  int info = 0;
   for (const Group &group : groups_)
   {
-    const int n = static_cast<int>(group.others.size());
-    double *const x_G = x + group.first;
-    others.clear();
-    for (const int i : group.others)
-      others.push_back(rest[i]);
-    gemv("N",
-         &group.size,
-         &n,
-         &minus,
-         group.W.data(),
-         &group.size,
-         others.data(),
-         &one,
-         &plus,
-         x_G,
-         &one);
-    trtrs("L", "T", "N", &group.size, &one, group.L.data(), &group.size, x_G, &group.size, &info);
+    dealii::Vector<double> x_G(x + group.first, x + group.first + group.size),
+      x_R(group.others.size());
+    group.A_GG.solve(x_G);
+    for (unsigned int i = 0; i < x_R.size(); ++i)
+      x_R[i] = -rest[group.others[i]];
+    group.X.vmult(x_G, x_R, true);
+    std::copy(x_G.begin(), x_G.end(), x + group.first);
   }
 }
 } // namespace Signorini

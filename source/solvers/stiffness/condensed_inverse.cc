@@ -18,10 +18,6 @@ namespace
 /** CHOLMOD's long integers, which allow factors of more than 2^31 entries. */
 using Long = SuiteSparse_long;
 
-/** The part of its diagonal entry below which a pivot is doubtful: a solve has to show whether it
- * can be used. */
-constexpr double doubtful_pivot = 1e-9;
-
 /** The workspace of CHOLMOD, with its error states. */
 struct Workspace
 {
@@ -59,60 +55,44 @@ struct Workspace
   cholmod_common common = {};
 };
 
-/** A sparse symmetric matrix, upper triangle by columns. */
-class UpperTriangle
+/** A sparse symmetric matrix, or its pattern: the upper triangle by columns. */
+struct UpperTriangle
 {
-public:
-  UpperTriangle(Workspace &workspace, const Long n, const Long n_entries, const int type)
-    : workspace_(workspace)
-    , matrix_(cholmod_l_allocate_sparse(n, n, n_entries, 1, 1, 1, type, &workspace.common))
+  /** Returns the arrays as CHOLMOD reads them. */
+  cholmod_sparse view()
   {
-    workspace_.check();
-    start()[0] = 0;
-  }
-  ~UpperTriangle()
-  {
-    cholmod_l_free_sparse(&matrix_, &workspace_.common);
-  }
-  UpperTriangle(const UpperTriangle &) = delete;
-  UpperTriangle &operator=(const UpperTriangle &) = delete;
-
-  cholmod_sparse *get() const
-  {
-    return matrix_;
-  }
-  Long *start() const
-  {
-    return static_cast<Long *>(matrix_->p);
-  }
-  Long *row() const
-  {
-    return static_cast<Long *>(matrix_->i);
-  }
-  double *value() const
-  {
-    return static_cast<double *>(matrix_->x);
+    cholmod_sparse matrix = {};
+    matrix.nrow = matrix.ncol = start.size() - 1;
+    matrix.nzmax = row.size();
+    matrix.p = start.data();
+    matrix.i = row.data();
+    matrix.x = value.data();
+    matrix.stype = matrix.sorted = matrix.packed = 1;
+    matrix.itype = CHOLMOD_LONG;
+    matrix.xtype = value.empty() ? CHOLMOD_PATTERN : CHOLMOD_REAL;
+    matrix.dtype = CHOLMOD_DOUBLE;
+    return matrix;
   }
 
-private:
-  Workspace &workspace_;
-  cholmod_sparse *matrix_;
+  std::vector<Long> start = {0}, row;
+  std::vector<double> value;
 };
 
 /** Copies A without the zeros that the sparsity pattern holds. */
-void fill(const Rows &A, const UpperTriangle &matrix)
+UpperTriangle upper_triangle(const Rows &A)
 {
-  Long k = 0;
+  UpperTriangle matrix;
   for (int j = 0; j < A.n; ++j)
   {
     for (int entry = A.start[j]; entry < A.start[j + 1]; ++entry)
       if (A.column[entry] == j || (A.column[entry] < j && A.value[entry] != 0.))
       {
-        matrix.row()[k] = A.column[entry];
-        matrix.value()[k++] = A.value[entry];
+        matrix.row.push_back(A.column[entry]);
+        matrix.value.push_back(A.value[entry]);
       }
-    matrix.start()[j + 1] = k;
+    matrix.start.push_back(static_cast<Long>(matrix.row.size()));
   }
+  return matrix;
 }
 
 /** The number of couplings per node above which a graph is that of a 3-D body, where a node of a
@@ -126,49 +106,38 @@ constexpr double couplings_in_3d = 20.;
 std::vector<Long> fill_reducing_order(Workspace &workspace, const Rows &A)
 {
   std::vector<int> first = {0}, node(A.n, 0);
-  Long n_entries = A.start[1];
   for (int i = 1; i < A.n; ++i)
   {
     if (A.start[i + 1] - A.start[i] == 1 || !A.same_pattern(i - 1, i))
-    {
       first.push_back(i);
-      n_entries += A.start[i + 1] - A.start[i];
-    }
     node[i] = static_cast<int>(first.size()) - 1;
   }
   const Long n_nodes = static_cast<Long>(first.size());
   first.push_back(A.n);
-
-  const UpperTriangle graph(workspace, n_nodes, n_entries, CHOLMOD_PATTERN);
-  Long k = 0;
+  UpperTriangle graph;
   for (Long j = 0; j < n_nodes; ++j)
   {
-    Long *const begin = graph.row() + k;
     for (int entry = A.start[first[j]]; entry < A.start[first[j] + 1]; ++entry)
       if (node[A.column[entry]] <= j)
-        graph.row()[k++] = node[A.column[entry]];
-    std::sort(begin, graph.row() + k);
-    k = std::unique(begin, graph.row() + k) - graph.row();
-    graph.start()[j + 1] = k;
+        graph.row.push_back(node[A.column[entry]]);
+    const auto begin = graph.row.begin() + graph.start.back();
+    std::sort(begin, graph.row.end());
+    graph.row.erase(std::unique(begin, graph.row.end()), graph.row.end());
+    graph.start.push_back(static_cast<Long>(graph.row.size()));
   }
+  cholmod_sparse view = graph.view();
   std::vector<Long> order_of_nodes(n_nodes), order;
-  // k counts the upper triangle.
-  if (2. * static_cast<double>(k) > couplings_in_3d * static_cast<double>(n_nodes))
-    cholmod_l_metis(graph.get(), nullptr, 0, 1, order_of_nodes.data(), &workspace.common);
+  // The graph counts the upper triangle.
+  if (2. * static_cast<double>(graph.row.size()) > couplings_in_3d * static_cast<double>(n_nodes))
+    cholmod_l_metis(&view, nullptr, 0, 1, order_of_nodes.data(), &workspace.common);
   else
-    cholmod_l_amd(graph.get(), nullptr, 0, order_of_nodes.data(), &workspace.common);
+    cholmod_l_amd(&view, nullptr, 0, order_of_nodes.data(), &workspace.common);
   workspace.check();
   order.reserve(A.n);
   for (const Long j : order_of_nodes)
     for (int i = first[j]; i < first[j + 1]; ++i)
       order.push_back(i);
   return order;
-}
-
-/** Moves the chosen unknowns to the end, all others keep their order. */
-void move_to_end(std::vector<Long> &order, const std::vector<bool> &chosen)
-{
-  std::stable_partition(order.begin(), order.end(), [&](const Long i) { return !chosen[i]; });
 }
 } // namespace
 
@@ -183,10 +152,10 @@ public:
     , n_last_(static_cast<Long>(last.size()))
   {
     const Rows &A = interiors_.rest();
-    const UpperTriangle matrix(workspace_, A.n, (A.start[A.n] + A.n) / 2 + A.n, CHOLMOD_REAL);
-    fill(A, matrix);
+    UpperTriangle triangle = upper_triangle(A);
+    cholmod_sparse matrix = triangle.view();
     analyse(A, matrix);
-    cholmod_l_factorize(matrix.get(), L_, &workspace_.common);
+    cholmod_l_factorize(&matrix, L_, &workspace_.common);
     workspace_.check();
   }
   ~Factor()
@@ -231,24 +200,6 @@ public:
     return n_ - n_last_;
   }
 
-  /** Returns the smallest L_jj² / A_jj: the part of a diagonal entry that is left when it is
-   * eliminated. */
-  double min_pivot(const TrilinosWrappers::SparseMatrix &A) const
-  {
-    const Long *const super = static_cast<Long *>(L_->super);
-    const Long *const row_start = static_cast<Long *>(L_->pi);
-    const Long *const value_start = static_cast<Long *>(L_->px);
-    const double *const values = static_cast<double *>(L_->x);
-    double smallest = interiors_.min_pivot();
-    for (Long s = 0; s < static_cast<Long>(L_->nsuper); ++s)
-      for (Long c = 0; c < super[s + 1] - super[s]; ++c)
-      {
-        const double pivot = values[value_start[s] + c * (row_start[s + 1] - row_start[s]) + c];
-        smallest = std::min(smallest, pivot * pivot / A.diag_element(unknown_at(super[s] + c)));
-      }
-    return smallest;
-  }
-
   /** Computes X = A⁻¹ X for n right-hand sides, one column after another. */
   void solve(std::vector<double> &X, const Long n)
   {
@@ -288,7 +239,7 @@ private:
   /** Analyses the pattern. Postordering makes supernodes large; it keeps the chosen unknowns last
    * wherever the others are connected. Elsewhere they are moved once more, behind the trees that
    * came after them. */
-  void analyse(const Rows &A, const UpperTriangle &matrix)
+  void analyse(const Rows &A, cholmod_sparse &matrix)
   {
     std::vector<bool> chosen(n_, false);
     for (Long i = 0; i < n_; ++i)
@@ -296,10 +247,10 @@ private:
     std::vector<Long> given = fill_reducing_order(workspace_, A);
     for (const bool postorder : {true, false})
     {
-      move_to_end(given, chosen);
+      std::stable_partition(given.begin(), given.end(), [&](const Long i) { return !chosen[i]; });
       workspace_.common.postorder = postorder ? 1 : 0;
       cholmod_l_free_factor(&L_, &workspace_.common);
-      L_ = cholmod_l_analyze_p(matrix.get(), given.data(), nullptr, 0, &workspace_.common);
+      L_ = cholmod_l_analyze_p(&matrix, given.data(), nullptr, 0, &workspace_.common);
       workspace_.check();
       if (std::all_of(order() + first_of_last(), order() + n_, [&](Long i) { return chosen[i]; }))
         return;
@@ -328,8 +279,7 @@ CondensedInverse::CondensedInverse(const TrilinosWrappers::SparseMatrix &matrix,
   const Long first = factor_->first_of_last();
   for (unsigned int row = 0; row < last.size(); ++row)
     rows_[factor_->unknown_at(first + row)] = row;
-  if (!(factor_->min_pivot(matrix) > doubtful_pivot))
-    refuse_singular_matrix();
+  refuse_singular_matrix();
 }
 
 CondensedInverse::~CondensedInverse() = default;

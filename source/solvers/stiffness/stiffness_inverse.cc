@@ -34,48 +34,47 @@ double irregular_number(const types::global_dof_index i)
   return std::ldexp(static_cast<double>((hash ^ (hash >> 29U)) & 0xFFFFFFFFULL), -31) - 1.;
 }
 
-/** Keeps the output of libraries on std::cerr while it lives: the user reads one sentence instead.
+/**
+ * Calls work(), which runs MUMPS or KLU, and keeps what they print: the user reads one sentence
+ * instead.
+ * @throws ComputationError that begins with @p failure. The code of MUMPS stands in the output as
+ * "INFOG(1) = -13", negative; those of a lack of memory are those of section "Error diagnostics" of
+ * the users' guide of MUMPS.
  */
-class CapturedErrors
-{
-public:
-  CapturedErrors()
-    : screen_(std::cerr.rdbuf(text_.rdbuf()))
-  {
-  }
-  ~CapturedErrors()
-  {
-    std::cerr.rdbuf(screen_);
-  }
-  CapturedErrors(const CapturedErrors &) = delete;
-  CapturedErrors &operator=(const CapturedErrors &) = delete;
-
-  std::string text() const
-  {
-    return text_.str();
-  }
-
-private:
-  std::ostringstream text_;
-  std::streambuf *screen_;
-};
-
-/** Returns the cause of a failure from the output of Amesos about MUMPS: "INFOG(1) = -13", a
- * negative number. The codes that mean a lack of memory are those of section "Error diagnostics" of
- * the users' guide of MUMPS. */
-std::string cause_of_failure(const std::string &printed)
+template <typename Work>
+void call_solver(const std::string &failure, const Work &work)
 {
   static const std::set<int> out_of_memory = {
     -5, -7, -8, -9, -11, -13, -14, -15, -17, -18, -19, -20, -23, -25};
-  const std::string key = "INFOG(1) = ";
-  const auto found = printed.find(key);
-  const int code = found == std::string::npos ? 0 : std::atoi(&printed[found + key.size()]);
-  if (out_of_memory.count(code) > 0)
-    return "out of memory (MUMPS, code " + std::to_string(code) + ")";
-  if (code == -10 || code == -6)
-    return "the matrix is singular (MUMPS, code " + std::to_string(code) + ")";
-  return code != 0 ? "MUMPS ended with the code " + std::to_string(code)
-                   : "the matrix is singular, or out of memory";
+  std::ostringstream printed;
+  struct Screen
+  {
+    std::streambuf *buffer;
+    ~Screen()
+    {
+      std::cerr.rdbuf(buffer);
+    }
+  };
+  const Screen screen = {std::cerr.rdbuf(printed.rdbuf())};
+  try
+  {
+    work();
+  }
+  catch (const ExceptionBase &)
+  {
+    const std::string text = printed.str(), key = "INFOG(1) = ";
+    const auto found = text.find(key);
+    const int code = found == std::string::npos ? 0 : std::atoi(&text[found + key.size()]);
+    std::string cause = "the matrix is singular, or out of memory";
+    if (out_of_memory.count(code) > 0)
+      cause = "out of memory";
+    else if (code == -10 || code == -6)
+      cause = "the matrix is singular";
+    else if (code != 0)
+      cause = "MUMPS ended";
+    throw ComputationError(failure + ": " + cause +
+                           (code == 0 ? "." : " (MUMPS, code " + std::to_string(code) + ")."));
+  }
 }
 
 StiffnessInverse::Vector diagonal_of(const TrilinosWrappers::SparseMatrix &matrix)
@@ -101,16 +100,8 @@ public:
     , solver_(control_, TrilinosWrappers::SolverDirect::AdditionalData(false, type))
   {
     const LibraryThreads threads(n_threads_);
-    const CapturedErrors errors;
-    try
-    {
-      solver_.initialize(matrix);
-    }
-    catch (const ExceptionBase &)
-    {
-      throw ComputationError("The factorisation of the stiffness matrix by " + std::string(type) +
-                             " failed: " + cause_of_failure(errors.text()) + ".");
-    }
+    call_solver("The factorisation of the stiffness matrix by " + std::string(type) + " failed",
+                [&]() { solver_.initialize(matrix); });
     refuse_singular_matrix();
   }
 
@@ -118,16 +109,10 @@ private:
   void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const override
   {
     const LibraryThreads threads(n_threads_);
-    const CapturedErrors errors;
-    try
-    {
+    call_solver("A linear solve failed", [&]() {
       for (std::size_t k = 0; k < x.size(); ++k)
         solver_.solve(x[k], b[k]);
-    }
-    catch (const ExceptionBase &)
-    {
-      throw ComputationError("A linear solve failed: " + cause_of_failure(errors.text()) + ".");
-    }
+    });
   }
 
   unsigned int n_threads_;

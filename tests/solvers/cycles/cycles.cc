@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "../../driver/box/box.h"
+#include "../multigrid/v_cycle.h"
 #include "one_level.h"
 #include "tests.h"
 
@@ -17,29 +18,6 @@ using namespace Signorini;
 
 namespace
 {
-/** V-cycles of conjugate gradients for A x = b, to 1e-8 of the residual. */
-unsigned int linear_cycles(const StiffnessOperator &A, const dealii::Vector<double> &b)
-{
-  dealii::Vector<double> x(A.size()), r(b), z(A.size()), p(A.size()), q(A.size());
-  A.precondition(z, r);
-  p = z;
-  double r_z = r * z;
-  for (unsigned int k = 1; k < 100; ++k)
-  {
-    A.apply(q, p);
-    const double step = r_z / (p * q);
-    x.add(step, p);
-    r.add(-step, q);
-    if (r.l2_norm() <= 1e-8 * b.l2_norm())
-      return k;
-    A.precondition(z, r);
-    const double next = r * z;
-    p.sadd(next / r_z, 1., z);
-    r_z = next;
-  }
-  return 100;
-}
-
 struct Cycles
 {
   unsigned int linear, contact;
@@ -77,7 +55,8 @@ Cycles count(const DisplacementSpace<dim> &space,
     system, dealii::Vector<double>(A.size()), dealii::Vector<double>(gap.size()), options);
   const dealii::Vector<double> pressed =
     system.residual(dealii::Vector<double>(A.size()), result.P);
-  return {linear_cycles(A, pressed),
+  dealii::Vector<double> x(A.size());
+  return {conjugate_gradients(A, x, pressed),
           result.converged ? result.cycles : 1000,
           result.scale,
           result.stalled.has_value()};

@@ -27,7 +27,7 @@ public:
   {
     return space_.dofs().n_dofs();
   }
-  void apply(Vector &y, const Vector &x) const override
+  void vmult(Vector &y, const Vector &x) const override
   {
     Signorini::DistributedVector in = space_.make_vector(), out = space_.make_vector();
     for (unsigned int i = 0; i < x.size(); ++i)

@@ -24,7 +24,7 @@ double distance_to_matrix(const HeldBody<dim> &body)
   system.matrix.vmult(product, x_distributed);
   product *= system.unit;
   dealii::Vector<double> y(x.size());
-  body.multigrid.apply(y, x);
+  body.multigrid.vmult(y, x);
   double largest = 0.;
   for (unsigned int i = 0; i < x.size(); ++i)
     largest = std::max(largest, std::abs(y[i] - product(i)));
@@ -46,8 +46,8 @@ void check_body(Checks &checks, const std::string &name, const HeldBody<dim> &bo
   dealii::Vector<double> c(a), y(a), y_c(a);
   for (const auto &line : body.space.constraints().get_lines())
     c[line.index] = 7.;
-  body.multigrid.apply(y, a);
-  body.multigrid.apply(y_c, c);
+  body.multigrid.vmult(y, a);
+  body.multigrid.vmult(y_c, c);
   bool unread = distance(y, y_c) == 0., zero = true;
   body.multigrid.precondition(y_c, c);
   unread = unread && distance(V_a, y_c) == 0.;

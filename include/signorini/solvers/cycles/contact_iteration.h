@@ -48,7 +48,7 @@ struct ContactIterationOptions
   double energy_tolerance = 0.;
   /** The limit of the number of V-cycles, those of MINRES included. */
   unsigned int maximum_cycles = 1000;
-  /** The scale t; zero: from Lanczos' method. */
+  /** The scale t; zero: from estimate_scale(). */
   double scale = 0.;
 };
 
@@ -80,9 +80,8 @@ struct ContactIterationResult
 
 /**
  * Returns the scale t of t Ĉ_1 for the iteration: 0.6 times the largest eigenvalue of Ĉ_1⁻¹ Dᵀ
- * V D by Lanczos' method, where V ≤ A⁻¹ takes the place of A⁻¹. The iteration needs t >
- * lambda_max(Ĉ_1⁻¹ C)/2.
- * @param n_steps of Lanczos' method; each is one V-cycle.
+ * V D, where V ≤ A⁻¹ takes the place of A⁻¹. The iteration needs t > lambda_max(Ĉ_1⁻¹ C)/2.
+ * @param n_steps of the power method; each is one V-cycle. It finds some 95 % of the eigenvalue.
  */
 double estimate_scale(const ContactSystem &system, unsigned int n_steps);
 

@@ -37,49 +37,35 @@ public:
    * Tabulates the matrix.
    * @param lengths L_1 and L_2 (length).
    * @param omega_0 positive (1/length).
+   * @param multipliers the number of the multiplier of every patch; empty: that of the patch.
    */
   CosineGrid(const std::array<unsigned int, 2> &sizes,
              const std::array<double, 2> &lengths,
-             double omega_0);
+             double omega_0,
+             std::vector<unsigned int> multipliers = {});
 
-  /** Returns n_1 n_2. */
-  unsigned int size() const
+  /** Returns the numbers of the multipliers. */
+  const std::vector<unsigned int> &multipliers() const
   {
-    return sizes_[0] * sizes_[1];
+    return multipliers_;
   }
   /** Returns the entry for two patches. */
   double entry(unsigned int a, unsigned int b) const;
-  /** Returns the matrix times a vector. */
-  Vector apply(const Vector &P) const;
-  /** Returns the inverse of the matrix times a vector. */
-  Vector apply_inverse(const Vector &P) const;
+  /** Sets the entries of the multipliers to the matrix, or its inverse, times those of P. */
+  void apply(Vector &product, const Vector &P, bool inverse) const;
 
 private:
   using Matrix = FullMatrix<double>;
 
-  /** Fills eigenvalues_. */
-  void sum_aliases(const std::array<double, 2> &lengths, double omega_0);
-  /** Fills table_. */
-  void tabulate_entries();
-  /** Returns Q_1 (factors .* (Q_1ᵀ P Q_2)) Q_2ᵀ. */
-  Vector transform(const Vector &P, const Matrix &factors) const;
-
   std::array<unsigned int, 2> sizes_;
+  std::vector<unsigned int> multipliers_;
   /** The orthonormal cosines: row patch, column mode. */
   std::array<Matrix, 2> cosines_;
-  /** The eigenvalues of the modes and their inverses, n_1 x n_2. */
-  Matrix eigenvalues_, inverse_eigenvalues_;
+  /** The eigenvalues of the modes, n_1 x n_2. */
+  Matrix eigenvalues_;
   /** The table T(a, b) for 0 ≤ a < 2 n_1, 0 ≤ b < 2 n_2: entries are means of T(i -+ i', j -+
    * j'). */
   Matrix table_;
-};
-
-/** The patches of one side as a grid. */
-struct GridBlock
-{
-  CosineGrid grid;
-  /** The number of the multiplier of every patch of the grid. */
-  std::vector<unsigned int> multipliers;
 };
 
 /** The model Ĉ = S B S, with B block diagonal with a cosine series on each side, and S a diagonal
@@ -92,48 +78,30 @@ public:
    * @param scaling the diagonal of S.
    * @param max_factorised_size see BoundaryModel.
    */
-  CosineModel(std::vector<GridBlock> blocks, Vector scaling, unsigned int max_factorised_size);
+  CosineModel(std::vector<CosineGrid> blocks, Vector scaling, unsigned int max_factorised_size);
 
-  unsigned int size() const override;
-  Vector apply(const Vector &P) const override;
-  Vector apply_inverse(const Vector &P) const override;
+  unsigned int size() const override
+  {
+    return scaling_.size();
+  }
+  Vector apply(const Vector &P) const override
+  {
+    return multiply(P, false);
+  }
+  Vector apply_inverse(const Vector &P) const override
+  {
+    return multiply(P, true);
+  }
   double entry(unsigned int i, unsigned int j) const override;
 
 private:
-  std::vector<GridBlock> blocks_;
+  Vector multiply(const Vector &P, bool inverse) const;
+
+  std::vector<CosineGrid> blocks_;
   Vector scaling_;
   /** The block and the number in its grid of every multiplier. */
   std::vector<std::pair<unsigned int, unsigned int>> places_;
 };
-
-/** A patch of the kernel: a segment in 2-D, or a rectangle in 3-D. */
-template <int dim>
-struct FlatPatch
-{
-  Point<dim> corner;
-  /** The edges, as vectors from the corner. */
-  std::array<Tensor<1, dim>, dim - 1> edges;
-  /** The measure of the patch itself; that of the segment or rectangle may be smaller. */
-  double measure;
-
-  Point<dim> centre() const;
-  double diameter() const;
-};
-
-/**
- * Returns the displacement of the half-space, without its factor 2/(π E'): ∫ k(x - y) dy over
- * the patch, with k = -log(|x - y|/R) in 2-D and 1/(2 |x - y|) in 3-D. It is exact for segments and
- * rectangles.
- * @param radius R; it has no meaning in 3-D.
- */
-template <int dim>
-double patch_potential(const FlatPatch<dim> &patch, const Point<dim> &x, double radius);
-
-/** Returns ∫∫ k(x - y) over two patches. The inner integral is exact, the outer one by Gauss'
- * rule with two points per direction, or with four where the patches are near. Far away it is the
- * product of the measures times k between the centres. The interaction is symmetric. */
-template <int dim>
-double patch_interaction(const FlatPatch<dim> &a, const FlatPatch<dim> &b, double radius);
 
 /** The model Ĉ as a matrix. */
 class KernelModel final : public BoundaryModel
@@ -141,10 +109,16 @@ class KernelModel final : public BoundaryModel
 public:
   explicit KernelModel(Matrix C);
 
-  unsigned int size() const override;
+  unsigned int size() const override
+  {
+    return C_.m();
+  }
   Vector apply(const Vector &P) const override;
   Vector apply_inverse(const Vector &P) const override;
-  double entry(unsigned int i, unsigned int j) const override;
+  double entry(const unsigned int i, const unsigned int j) const override
+  {
+    return C_(i, j);
+  }
 
 private:
   Matrix C_;

@@ -9,7 +9,8 @@ namespace Signorini
 /**
  * Returns Q ≤ 0 with V = W + Ĉ (Q - P) ≤ 0 and Q.V = 0, by the primal-dual active set method,
  * begun with the set that P and W predict. Each of its steps is a BoundaryModel::solve for the
- * change Q - P. Where sets come back, solve_by_active_set() takes over.
+ * change Q - P. Where sets come back, it ends after 30 steps with an approximation, whose residual
+ * the iteration around it measures.
  *
  * @param P ≤ 0.
  */

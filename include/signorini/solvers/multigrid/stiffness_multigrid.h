@@ -3,22 +3,62 @@
 
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/problem/scene/scene.h>
+#include <signorini/solvers/multigrid/cell_operator.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
-#include <cstddef>
+#include <deal.II/lac/sparse_direct.h>
+
+#include <map>
 #include <memory>
+#include <vector>
 
 namespace Signorini
 {
+/** The essential conditions of nodes that are not free: T in u = T u_free. Columns of constrained
+ * components are zero, and T_cc = 1 for the others. */
+template <int dim>
+using ConstrainedNodes = std::map<NodeNumber, Tensor<2, dim>>;
+
+/** One level of the V-cycle, in single precision. */
+template <int dim>
+struct MultigridLevel
+{
+  MultigridLevel(const CellOperator<dim, double> &fine_K, ConstrainedNodes<dim> conditions);
+
+  /** Returns the diagonal blocks of Tᵀ K T, with the unit matrix for constrained components. */
+  std::vector<Tensor<2, dim>> free_diagonal_blocks() const;
+  /**
+   * Does steps of Chebyshev's iteration of the fourth kind (J. Lottes, Numer. Linear Algebra Appl.
+   * 30 (2023) e2518): x changes by a polynomial in B A that depends on the largest eigenvalue only.
+   * @param from_zero x is assumed to be zero.
+   */
+  void smooth(bool from_zero);
+  std::size_t memory() const
+  {
+    return K.grid->memory() + K.memory() +
+           conditions.size() * sizeof(typename ConstrainedNodes<dim>::value_type) + 4 * x.memory() +
+           B.memory();
+  }
+
+  CellOperator<dim, float> K;
+  ConstrainedNodes<dim> conditions;
+  /** The solution, the right-hand side, K x or a residual, and the last change of x. */
+  LevelVector<dim, float> x, b, y, d;
+  /** The inverses of the diagonal blocks on the displacements that the conditions allow. */
+  NodeBlocks<dim> B;
+  /** An upper bound of the eigenvalues of B A. */
+  double max_eigenvalue;
+};
+
 /**
  * The stiffness A cell by cell, and a V-cycle on the levels of the mesh. It exists for elements of
  * degree one on meshes without hanging nodes, and is serial.
  *
- * Cells of the coarse mesh are blocks of cells of the fine one. Cells that are congruent share a
- * matrix; others have one each. Products with A are computed in double precision and agree with the
- * assembled matrix up to rounding. The V-cycle computes in single precision: matrices of coarse
- * cells are sums over their children, A_H = Pᵀ A P, Chebyshev's iteration with diagonal blocks of
- * nodes smooths, and the coarsest level is solved directly.
+ * Cells of the coarse mesh are blocks of cells of the fine one. Products with A are computed in
+ * double precision and agree with the assembled matrix up to rounding. The V-cycle computes in
+ * single precision: matrices of coarse cells are sums over their children, A_H = Pᵀ A P,
+ * Chebyshev's iteration with diagonal blocks of nodes smooths, and the coarsest level is
+ * factorised.
  */
 template <int dim>
 class StiffnessMultigrid final : public StiffnessOperator
@@ -29,31 +69,39 @@ public:
    * @throws ComputationError if the coarsest level cannot be factorised.
    */
   StiffnessMultigrid(const DisplacementSpace<dim> &space, const Scene<dim> &scene);
-  ~StiffnessMultigrid() override;
 
   unsigned int size() const override;
-  void apply(Vector &y, const Vector &x) const override;
+  void vmult(Vector &y, const Vector &x) const override;
   void precondition(Vector &z, const Vector &r) const override;
 
   /** Returns the diagonal of A; the unit of A at constrained degrees of freedom. */
   Vector diagonal() const;
-  /** Returns the number of levels of a V-cycle. */
-  unsigned int n_levels() const;
   /** Returns the memory of all stored data in bytes. */
   std::size_t memory() const;
 
 private:
-  class Levels;
+  void factorise(const CellOperator<dim, double> &K);
+  void solve_coarsest(MultigridLevel<dim> &level) const;
+  void cycle(unsigned int l) const;
+  template <typename Number>
+  void copy_to_level(LevelVector<dim, Number> &to, const Vector &from, double factor) const;
+  template <typename Number>
+  void copy_from_level(Vector &to, const LevelVector<dim, Number> &from, double factor) const;
 
-  std::unique_ptr<Levels> levels_;
+  double unit_;
+  CellOperator<dim, double> K_;
+  /** The vectors for products in double precision. */
+  mutable LevelVector<dim, double> x_, y_;
+  /** The levels from the finest to the coarsest. */
+  mutable std::vector<MultigridLevel<dim>> levels_;
+  SparseDirectUMFPACK coarsest_inverse_;
 };
 
 /** The tolerance of solves whose error must be negligible. */
 constexpr double solve_tolerance = 1e-12;
 
 /** The inverse A⁻¹ by conjugate gradients, each step with one V-cycle and one product with A.
- * They end when the energy norm of the error, as the V-cycle measures it, has fallen to a given
- * part. */
+ * They end when the residual has fallen to a given part. */
 class MultigridInverse final : public StiffnessInverse
 {
 public:
@@ -82,13 +130,9 @@ public:
   }
 
 private:
+  /** Solves. @throws ComputationError if the iteration does not converge. */
   void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const override;
   void residual(Vector &r, const Vector &x, const Vector &b, bool accurate) const override;
-  /**
-   * Solves for one right-hand side.
-   * @throws ComputationError if the iteration does not converge.
-   */
-  void solve_one(Vector &x, const Vector &b) const;
 
   std::shared_ptr<const StiffnessOperator> A_;
   double tolerance_;

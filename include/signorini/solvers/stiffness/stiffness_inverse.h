@@ -33,7 +33,7 @@ public:
   /** Returns the number of degrees of freedom. */
   virtual unsigned int size() const = 0;
   /** Computes y = A x. */
-  virtual void apply(Vector &y, const Vector &x) const = 0;
+  virtual void vmult(Vector &y, const Vector &x) const = 0;
   /** Computes z = V r with a fixed V = Vᵀ, positive definite, close to A⁻¹: one V-cycle. */
   virtual void precondition(Vector &z, const Vector &r) const = 0;
 };
