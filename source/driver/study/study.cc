@@ -294,6 +294,10 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_C
   require_one_rank(
     parameters.solver.linear_solver, {LinearSolver::condensed, LinearSolver::multigrid}, n_ranks);
   require_one_rank(parameters.solver.contact_solver, {ContactSolver::multigrid}, n_ranks);
+  if (const auto &linear = parameters.solver.linear_solver;
+      dim == 3 && linear == LinearSolver::amesos_klu)
+    throw InputError(linear.where() + ": found '" + to_text(linear.value) +
+                     "' in 3-D, allowed there: automatic, condensed, amesos_mumps, multigrid.");
   check_strategy<dim>(parameters.discretization.strategy, n_ranks);
   check_contact_solver(parameters, scene);
   check_multigrid(

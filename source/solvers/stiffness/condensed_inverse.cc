@@ -18,6 +18,10 @@ namespace
 /** CHOLMOD's long integers, which allow factors of more than 2^31 entries. */
 using Long = SuiteSparse_long;
 
+/** The part of the largest pivot below which a pivot is doubtful: a solve has to show whether it
+ * can be used. */
+constexpr double doubtful_pivot = 1e-9;
+
 /** The workspace of CHOLMOD, with its error states. */
 struct Workspace
 {
@@ -200,6 +204,12 @@ public:
     return n_ - n_last_;
   }
 
+  /** Returns the smallest pivot over the largest one. */
+  double min_pivot()
+  {
+    return cholmod_l_rcond(L_, &workspace_.common);
+  }
+
   /** Computes X = A⁻¹ X for n right-hand sides, one column after another. */
   void solve(std::vector<double> &X, const Long n)
   {
@@ -279,7 +289,9 @@ CondensedInverse::CondensedInverse(const TrilinosWrappers::SparseMatrix &matrix,
   const Long first = factor_->first_of_last();
   for (unsigned int row = 0; row < last.size(); ++row)
     rows_[factor_->unknown_at(first + row)] = row;
-  refuse_singular_matrix();
+  // A singular matrix has a pivot of the size of rounding.
+  if (!(factor_->min_pivot() > doubtful_pivot))
+    refuse_singular_matrix();
 }
 
 CondensedInverse::~CondensedInverse() = default;

@@ -60,7 +60,7 @@ void in_the_plane(Checks &checks)
   for (unsigned int level = 4; level < 7; ++level)
   {
     compare(checks, "full contact, level " + std::to_string(level), full, level, 18);
-    compare(checks, "partial contact, level " + std::to_string(level), partial, level, 16);
+    compare(checks, "partial contact, level " + std::to_string(level), partial, level, 18);
   }
   compare(checks, "nothing touches", body(square, held, "1"), 4, 16);
   compare(checks,
@@ -81,11 +81,11 @@ void in_the_plane(Checks &checks)
     "half disc",
     body(" set Shape = half disc", " set Displacement = flat: 0; -0.1\n set Contact = arc", "1+y"),
     4,
-    20);
+    25);
   compare(
     checks, "varying modulus", partial + entry("Material", "Young's modulus", "1+9*x"), 5, 18);
   compare(
-    checks, "Poisson's ratio 0.45", partial + entry("Material", "Poisson's ratio", "0.45"), 5, 18);
+    checks, "Poisson's ratio 0.45", partial + entry("Material", "Poisson's ratio", "0.45"), 5, 40);
   compare(checks, "t far too small", full, 5, 120, 0.05, true);
 }
 
@@ -104,11 +104,10 @@ void in_space(Checks &checks)
     const std::string name = "box, level " + std::to_string(level);
     const Box box(scene, level, 2);
     const Iterated<3> iterated(box.space, scene, box.multipliers, box.D, box.condensed_D, box.G);
-    const auto inverse = factorise(iterated.system.matrix,
-                                   iterated.system.unit,
-                                   LinearSolver::condensed,
-                                   contact_unknowns(box.condensed_D));
-    const FreeState free = solve_free_state(*inverse, box.space, iterated.system.f, box.D, box.G);
+    const LinearSystem<3> system = assemble_linear_system(box.space, scene, 2);
+    const auto inverse = factorise(
+      system.matrix, system.unit, LinearSolver::condensed, contact_unknowns(box.condensed_D));
+    const FreeState free = solve_free_state(*inverse, box.space, system.f, box.D, box.G);
     double seconds = 0.;
     const auto C = make_compliance(*inverse, box.condensed_D, seconds);
     const QPResult exact = solve_dual_problem(C, free.F, {}, {});
@@ -117,12 +116,12 @@ void in_space(Checks &checks)
                 std::any_of(exact.P.begin(), exact.P.end(), [](double p) { return p == 0.; }) ||
                   level == 2);
     checks.near(name + ": P", relative(result.P, exact.P), 0., 1e-8);
-    checks.near(name + ": U",
-                relative(iterated.complete(result.U),
-                         recover_displacement(
-                           *inverse, box.space, box.condensed_D, exact.P, iterated.system.f)),
-                0.,
-                1e-8);
+    checks.near(
+      name + ": U",
+      relative(iterated.complete(result.U),
+               recover_displacement(*inverse, box.space, box.condensed_D, exact.P, system.f)),
+      0.,
+      1e-8);
     checks.between(name + ": V-cycles", result.cycles, 0., 16);
   }
 }

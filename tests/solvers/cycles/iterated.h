@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/discretization/elasticity/cell_stiffness.h>
+#include <signorini/discretization/elasticity/linear_system.h>
 #include <signorini/solvers/cycles/contact_iteration.h>
+#include <signorini/solvers/multigrid/stiffness_multigrid.h>
 
-#include "stand_in.h"
-
-/** What the iteration needs of a level, with StandIn for A. */
+/** What the iteration needs of a level. */
 template <int dim>
 struct Iterated
 {
@@ -14,17 +15,20 @@ struct Iterated
            const Signorini::MultiplierSpace<dim> &multipliers,
            const Signorini::Coupling &D,
            const Signorini::Coupling &condensed_D,
-           const dealii::Vector<double> &G,
-           const double e = 0.15)
+           const dealii::Vector<double> &G)
     : space(space_)
-    , system(assemble_linear_system(space, scene, 2))
-    , A(space, system, e)
-    , f(system.f)
+    , A(space, scene)
     , gap(G)
     , model(make_boundary_model(multipliers))
     , contact{A, f, condensed_D, gap, *model}
   {
-    gap -= D.transpose_product(space.prescribed(scene));
+    // f = T^T (loads - a(k, .)), and the gap that k leaves.
+    const Signorini::Displacement k = space.prescribed(scene);
+    Signorini::DualVector r = space.dual(assemble_loads(space, scene, 2));
+    r -= space.dual(internal_forces(space, scene, k).forces);
+    r = space.condense(r);
+    f = dealii::Vector<double>(r.begin(), r.end());
+    gap -= D.transpose_product(k);
   }
   Iterated(const Iterated &) = delete;
 
@@ -44,10 +48,8 @@ struct Iterated
   }
 
   const Signorini::DisplacementSpace<dim> &space;
-  Signorini::LinearSystem<dim> system;
-  StandIn<dim> A;
-  dealii::Vector<double> f;
-  dealii::Vector<double> gap;
+  Signorini::StiffnessMultigrid<dim> A;
+  dealii::Vector<double> f, gap;
   std::shared_ptr<const Signorini::BoundaryModel> model;
   Signorini::ContactSystem contact;
 };

@@ -15,33 +15,12 @@ struct Spectrum
   }
 };
 
-/** By the symmetric matrix L^{-1} C L^{-T}, B = L L^T. */
 inline Spectrum spectrum(const dealii::FullMatrix<double> &B, const dealii::FullMatrix<double> &C)
 {
-  const unsigned int n = B.m();
-  dealii::FullMatrix<double> L(n, n), half(C), M(n, n);
-  L.cholesky(B);
-  // half = L^{-1} C, then M = L^{-1} half^T.
-  const auto forward = [&](dealii::FullMatrix<double> &X) {
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        double value = X(i, j);
-        for (unsigned int k = 0; k < i; ++k)
-          value -= L(i, k) * X(k, j);
-        X(i, j) = value / L(i, i);
-      }
-  };
-  forward(half);
-  M.copy_transposed(half);
-  forward(M);
-  for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int j = 0; j < i; ++j)
-      M(j, i) = M(i, j);
-  dealii::LAPACKFullMatrix<double> matrix(n, n);
-  matrix = M;
-  dealii::Vector<double> eigenvalues;
-  dealii::FullMatrix<double> eigenvectors;
-  matrix.compute_eigenvalues_symmetric(0., 1e30, 0., eigenvalues, eigenvectors);
-  return {eigenvalues[0], eigenvalues[eigenvalues.size() - 1]};
+  dealii::LAPACKFullMatrix<double> C_copy(C.m(), C.n()), B_copy(B.m(), B.n());
+  C_copy = C;
+  B_copy = B;
+  std::vector<dealii::Vector<double>> no_eigenvectors;
+  C_copy.compute_generalized_eigenvalues_symmetric(B_copy, no_eigenvectors);
+  return {C_copy.eigenvalue(0).real(), C_copy.eigenvalue(C.m() - 1).real()};
 }

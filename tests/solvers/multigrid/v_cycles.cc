@@ -34,6 +34,26 @@ void plane(Checks &checks,
     1,
     most);
 }
+
+template <int dim>
+void memory(Checks &checks,
+            const std::string &name,
+            const Scene<dim> &scene,
+            const unsigned int level,
+            const double lower,
+            const double upper)
+{
+  const HeldBody<dim> body(scene, level, level);
+  checks.between(name + ": bytes per unknown",
+                 static_cast<double>(body.multigrid.memory()) / body.multigrid.size(),
+                 lower,
+                 upper);
+}
+
+Scene<2> square(const std::string &other)
+{
+  return make_scene<2>(parse_parameters(held + other, "test"));
+}
 } // namespace
 
 int main(int argc, char **argv)
@@ -76,7 +96,14 @@ int main(int argc, char **argv)
   for (const unsigned int level : {3U, 4U, 5U})
     checks.between(
       "cube, level " + std::to_string(level), n_steps(HeldBody<3>(scene, level, level)), 1, 8);
+  memory<3>(checks, "cube", scene, 5, 40., 60.);
   scene.geometry.distortion = 0.2;
   checks.between("distorted cube", n_steps(HeldBody<3>(scene, 2, 4)), 1, 14);
+  memory<2>(checks, "square", square(""), 7, 40., 54.);
+  memory<2>(
+    checks, "distorted square", square(entry("Geometry", "Distortion", "0.2")), 7, 50., 70.);
+  memory<2>(
+    checks, "square, E(x)", square(entry("Material", "Young's modulus", "1 + x")), 6, 200., 300.);
+  memory<3>(checks, "distorted cube", scene, 5, 50., 75.);
   return checks.exit_code();
 }

@@ -16,16 +16,6 @@ namespace
 {
 const std::string clamped = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
 
-DistributedVector random_vector(const DisplacementSpace<2> &space, const unsigned int seed)
-{
-  const dealii::Vector<double> values = RandomNumbers(seed).vector(space.dofs().n_dofs());
-  DistributedVector vector = space.make_vector();
-  for (const auto i : space.locally_owned())
-    vector(i) = space.constraints().is_constrained(i) ? 0. : values[i];
-  vector.compress(dealii::VectorOperation::insert);
-  return vector;
-}
-
 /** b = A x is solved for x, for several right-hand sides; C does not depend on the solver. */
 void compare(Checks &checks, const std::string &name, const MeshPlan &plan)
 {
@@ -38,7 +28,10 @@ void compare(Checks &checks, const std::string &name, const MeshPlan &plan)
   double error = 0.;
   for (const unsigned int seed : {1U, 2U, 3U})
   {
-    exact.push_back(random_vector(level.space(), seed));
+    const dealii::Vector<double> values = RandomNumbers(seed).vector(A.m());
+    exact.push_back(level.space().make_vector());
+    std::copy(values.begin(), values.end(), exact.back().begin());
+    level.space().constraints().set_zero(exact.back());
     b.push_back(level.space().make_vector());
     x.push_back(level.space().make_vector());
     A.vmult(b.back(), exact.back());
@@ -67,12 +60,9 @@ void singular(Checks &checks, const unsigned int degree)
   const DisplacementSpace<2> space(
     level.mesh(), level.scene, StrainOperator::symmetric_gradient, degree);
   const auto A = std::move(assemble_linear_system(space, level.scene, 3).matrix);
-  checks.throws<ComputationError>(
-    "loose body, degree " + std::to_string(degree), "singular", [&]() {
-      const auto inverse = factorise(A, 1., LinearSolver::condensed);
-      DistributedVector x = space.make_vector();
-      inverse->solve(x, random_vector(space, 4));
-    });
+  checks.throws<ComputationError>("loose body, degree " + std::to_string(degree),
+                                  "singular",
+                                  [&]() { factorise(A, 1., LinearSolver::condensed); });
 }
 } // namespace
 

@@ -90,32 +90,21 @@ double relative_distance(DistributedVector a, const DistributedVector &b)
 void known_answers(Checks &checks)
 {
   const System system(held(), 3);
-  const DistributedVector exact = system.random_vector(1), other = system.random_vector(2);
-  DistributedVector b = system.space.make_vector(), x = b, b_other = b;
+  const DistributedVector exact = system.random_vector(1);
+  DistributedVector b = system.space.make_vector(), x = b;
   system.A.vmult(b, exact);
-  system.A.vmult(b_other, other);
   for (const LinearSolver solver : solvers())
   {
     const std::string name = to_text(solver);
-    const auto inverse = factorise(system.A, 1., solver);
+    const auto inverse = factorise(system.A, 4., solver);
     checks.that(name + ": no solve yet", inverse->n_solves() == 0);
     inverse->solve(x, b);
+    x *= 4.;
     checks.near(name + ": known answer", relative_distance(x, exact), 0., 1e-12);
-    inverse->solve(x, b_other);
-    checks.near(name + ": second right-hand side", relative_distance(x, other), 0., 1e-12);
-    b_other *= 1e12;
-    inverse->solve(x, b_other);
-    x *= 1e-12;
-    b_other *= 1e-12;
-    checks.near(name + ": large right-hand side", relative_distance(x, other), 0., 1e-12);
-    x = 1.;
     inverse->solve(x, system.space.make_vector());
     checks.near(name + ": b = 0", x.linfty_norm(), 0., 0.);
-    checks.that(name + ": solves are counted", inverse->n_solves() == 4);
+    checks.that(name + ": solves are counted", inverse->n_solves() == 2);
     checks.between(name + ": residual", inverse->max_residual(), 1e-18, 1e-12);
-    factorise(system.A, 4., solver)->solve(x, b);
-    x *= 4.;
-    checks.near(name + ": the inverse of 4 A", relative_distance(x, exact), 0., 1e-12);
   }
 }
 
@@ -123,8 +112,7 @@ void known_answers(Checks &checks)
  * the order in which they arrive, and last digits differ. */
 bool same(const DistributedVector &a, const DistributedVector &b, const double tolerance)
 {
-  const bool one_rank = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
-  return relative_distance(a, b) <= (one_rank ? 0. : tolerance);
+  return relative_distance(a, b) <= (one_rank() ? 0. : tolerance);
 }
 
 /** Loads as smooth and as rough as they come, very large and very small ones. */
@@ -184,21 +172,12 @@ void without_history(Checks &checks,
   }
 }
 
-/** Right-hand sides in and outside the range of A. */
+/** A singular matrix is refused before any load. */
 void singular(Checks &checks, const std::string &body, const System &system)
 {
-  DistributedVector in_range = system.space.make_vector();
-  system.A.vmult(in_range, system.random_vector(3));
-  const std::pair<const char *, DistributedVector> right_hand_sides[] = {
-    {"any load", system.random_vector(4)}, {"balanced load", in_range}};
   for (const LinearSolver solver : solvers())
-    for (const auto &b : right_hand_sides)
-      checks.throws<ComputationError>(
-        body + ", " + b.first + ", " + to_text(solver), "singular", [&]() {
-          const auto inverse = factorise(system.A, 1., solver);
-          DistributedVector x = system.space.make_vector();
-          inverse->solve(x, b.second);
-        });
+    checks.throws<ComputationError>(
+      body + ", " + to_text(solver), "singular", [&]() { factorise(system.A, 1., solver); });
 }
 
 /** What a value of Linear solver means on these ranks. */
@@ -208,12 +187,6 @@ void choice(Checks &checks)
   const auto automatic = factorise(system.A, 1., LinearSolver::automatic);
   checks.that("automatic is condensed on one rank only",
               (dynamic_cast<const CondensedInverse *>(automatic.get()) != nullptr) == one_rank());
-  checks.that("automatic is resolved",
-              resolve(LinearSolver::automatic, 1) == LinearSolver::condensed &&
-                resolve(LinearSolver::automatic, 2) == LinearSolver::amesos_mumps);
-  checks.that("others stay as they are",
-              resolve(LinearSolver::condensed, 2) == LinearSolver::condensed &&
-                resolve(LinearSolver::amesos_klu, 1) == LinearSolver::amesos_klu);
   if (one_rank())
     return;
   checks.throws<InputError>(
@@ -234,21 +207,6 @@ Scene<2> bar()
                      "subsection Boundary\nset Clamped = left\nset Contact = bottom\nend\n",
                      "test"));
 }
-
-void slender_bar(Checks &checks)
-{
-  const System system(bar(), 1);
-  const DistributedVector exact = system.random_vector(7);
-  DistributedVector b = system.space.make_vector(), x = b;
-  system.A.vmult(b, exact);
-  for (const LinearSolver solver : solvers())
-  {
-    const std::string name = to_text(solver);
-    const auto inverse = factorise(system.A, 1., solver);
-    inverse->solve(x, b);
-    checks.between("slender bar, " + name, inverse->max_residual(), 0., 1e-12);
-  }
-}
 } // namespace
 
 int main(int argc, char **argv)
@@ -258,7 +216,6 @@ int main(int argc, char **argv)
   Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
   known_answers(checks);
   choice(checks);
-  slender_bar(checks);
   without_history(checks, "square", System(held(), 3), false, 1e-13);
   without_history(checks, "slender bar", System(bar(), 1), true, 1e-9);
   for (const unsigned int level : {0U, 1U, 3U, 5U})
