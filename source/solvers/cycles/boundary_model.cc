@@ -259,8 +259,8 @@ std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim>
   const double radius = surface.scene().geometry.diameter();
   const Vector scaling = scaling_of(surface, patches);
   std::vector<Point<dim>> centres;
-  // Charges at these heights above the surface and below it act on each other like two patches, in a
-  // way that is definite. An alternating pressure on equal patches has the energy that it should.
+  // Charges at these heights above the surface and below it act on each other like two patches, in
+  // a way that is definite. An alternating pressure on equal patches has the energy that it should.
   std::vector<double> heights;
   for (const Patch<dim> &patch : patches)
   {
