@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The answer of the finest level, for people to read.
+// The answer of the finest level on the screen.
 
 #include <signorini/results/files/answer_output.h>
+
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
-#include "answer_output_internal.h"
+#include "answer_json.h"
 
 namespace Signorini
 {
@@ -30,23 +32,40 @@ double rounded(const double value, const double size)
   return std::abs(value) <= rounding * size ? 0. : value;
 }
 
-/** Returns "(0.25, 0)". */
-std::string vector_text(const AnswerVector &x, const double size)
+std::string percent(const double share)
 {
+  std::ostringstream text;
+  text << std::showpos << std::setprecision(2) << 100. * rounded(share, 1.) << " %";
+  return text.str();
+}
+
+/** Returns "0.25", of a vector "(0.25, 0)". */
+std::string number_text(const Json &x, const double size)
+{
+  if (x.is_number())
+    return digits(rounded(x, size));
   std::string text;
-  for (const double component : x.values())
+  for (const double component : x)
     text += (text.empty() ? "" : ", ") + digits(rounded(component, size));
   return "(" + text + ")";
 }
 
-/** Writes lines "label  part part part", broken between parts where the line is full. */
-class Lines
+/** Prints an answer; the size of the body decides which lengths are rounding. */
+class AnswerLines
 {
 public:
-  explicit Lines(std::ostream &stream)
+  AnswerLines(std::ostream &stream, const std::vector<LevelRecord> &levels)
     : stream_(stream)
+    , level_(levels.back())
+    , size_(level_.answer.size)
+    , scale_(level_.contact.normal_force)
   {
+    for (const auto *const forces : {&level_.answer.contact_by_side, &level_.answer.reactions})
+      for (const SideForce &force : *forces)
+        scale_ = std::max(scale_, force.resultant.force.norm());
   }
+
+  /** Prints a line "label  part part part", broken between parts where it is full. */
   void add(const std::string &label, const std::vector<std::string> &parts)
   {
     std::string line = "  " + label;
@@ -64,143 +83,100 @@ public:
     stream_ << line << "\n";
   }
 
-private:
-  std::ostream &stream_;
-};
-
-/** Writes one answer; the size of the body decides which lengths are rounding. */
-class AnswerBlock
-{
-public:
-  AnswerBlock(std::ostream &stream, const std::vector<LevelRecord> &levels)
-    : lines_(stream)
-    , levels_(levels)
-    , level_(levels.back())
-    , answer_(level_.answer)
+  void add_forces(const Json &answer)
   {
+    const Json &total = answer["contact_force"];
+    std::vector<std::string> parts = force_parts(total);
+    if (total["error"].is_number() && rounded(total["error"], scale_) > 0.)
+      parts.push_back("error at most " + digits(total["error"]));
+    add("Contact force", parts);
+    if (answer["contact_by_side"].size() > 1)
+      for (const Json &force : answer["contact_by_side"])
+        add("  on " + std::string(force["side"]), force_parts(force));
+    for (const Json &force : answer["reactions"])
+      add("Reaction of " + std::string(force["side"]), force_parts(force));
   }
 
-  void print_forces()
+  void add_plates(const Json &answer)
   {
-    std::vector<std::string> total = force_parts(answer_.contact_force);
-    if (level_.bound && level_.bound->force_error &&
-        rounded(*level_.bound->force_error, scale_of_forces()) > 0.)
-      total.push_back("error at most " + digits(*level_.bound->force_error));
-    lines_.add("Contact force", total);
-    if (answer_.contact_by_side.size() > 1)
-      for (const SideForce &force : answer_.contact_by_side)
-        lines_.add("  on " + force.side, force_parts(force));
-    for (const SideForce &force : answer_.reactions)
-      lines_.add("Reaction of " + force.side, force_parts(force));
-  }
-
-  void print_plates()
-  {
-    const double scale = scale_of_forces();
-    for (const PlateRecord &record : level_.motions.plates)
+    for (std::size_t i = 0; i < answer["plates"].size(); ++i)
     {
-      const Plate &plate = record.plate;
-      std::vector<std::string> parts = {
-        "travel " + digits(rounded(record.motion.travel, answer_.size)),
-        "along " + vector_text(plate.direction, 1.) + ",",
-        "force " + digits(rounded(record.force, scale)) + (plate.turns ? "," : "")};
-      if (plate.turns)
+      const Json &plate = answer["plates"][i];
+      const bool turns = level_.motions.plates[i].plate.turns;
+      std::vector<std::string> parts = {"travel " + number_text(plate["travel"], size_),
+                                        "along " + number_text(plate["direction"], 1.) + ",",
+                                        "force " + number_text(plate["force"], scale_) +
+                                          (turns ? "," : "")};
+      if (turns)
         parts.insert(parts.end(),
-                     {"rotation " + digits(rounded(record.motion.rotation, 1.)),
-                      "about " + vector_text(plate.centre, answer_.size) + ",",
-                      "moment " + digits(rounded(record.moment, scale * answer_.size))});
-      lines_.add("Plate on " + record.side, parts);
+                     {"rotation " + number_text(plate["rotation"], 1.),
+                      "about " + number_text(plate["centre"], size_) + ",",
+                      "moment " + number_text(plate["moment"], scale_ * size_)});
+      add("Plate on " + std::string(plate["side"]), parts);
     }
     for (const std::string &motion : level_.motions.undetermined)
-      lines_.add("Undetermined", {motion + ":", "nothing resists it,", "it is taken as zero"});
+      add("Undetermined", {motion + ":", "nothing resists it,", "it is taken as zero"});
   }
 
-  void print_pressure()
+  /** Prints a maximum, and below it that away from the place where it grows. */
+  void add_maximum(const std::string &label, const Json &maximum)
   {
-    if (!answer_.peak_pressure)
+    const Json &place = maximum["grows_at"];
+    add(label, maximum_parts(maximum, place));
+    if (!place.is_null() && !maximum["away"].is_null())
+      add("  farther than " + digits(place["radius"]), maximum_parts(maximum["away"], nullptr));
+  }
+
+  void add_zones(const Json &answer)
+  {
+    if (answer.contains("contact_area"))
+      add("Contact area", {digits(answer["contact_area"])});
+    for (std::size_t i = 0; i < answer["contact_zones"].size(); ++i)
     {
-      lines_.add("Peak pressure", {"0: nothing touches"});
-      return;
-    }
-    const PeakPressure &peak = *answer_.peak_pressure;
-    const MaximumTrends trends = trends_of_peak(levels_);
-    const auto parts = [this](const PressureMaximum &maximum, std::vector<std::string> trend) {
-      trend.back() += ";";
-      trend.insert(trend.begin(), {digits(maximum.value), at(maximum.place) + ","});
-      trend.insert(trend.end(),
-                   {"mean of its patch",
-                    digits(maximum.mean),
-                    "(" + percent(maximum.mean / maximum.value - 1.) + ")"});
-      return trend;
-    };
-    lines_.add("Peak pressure", parts(peak, trend_parts(trends.largest, peak.grows_at)));
-    if (peak.grows_at && peak.away)
-      lines_.add(away_text(*peak.grows_at), parts(*peak.away, trend_parts(trends.away)));
-  }
-
-  void print_zones()
-  {
-    if (answer_.dimension == 3)
-      lines_.add("Contact area", {digits(level_.contact.length)});
-    for (const ContactZone &zone : answer_.zones)
-      if (zone.start.place.point.distance(zone.end.place.point) <= 1e-10 * answer_.size)
-        lines_.add("Contact zone",
-                   {"all around " + zone.start.place.side + ",", "length", digits(zone.length)});
+      const Json &zone = answer["contact_zones"][i];
+      const auto &[start, end, length] = level_.answer.zones[i];
+      const std::string side = start.place.side;
+      if (start.place.point.distance(end.place.point) <= 1e-10 * size_)
+        add("Contact zone", {"all around " + side + ",", "length", digits(length)});
       else
-        lines_.add("Contact zone",
-                   {zone.start.place.side + " from",
-                    end_text(zone.start),
-                    "to",
-                    end_text(zone.end) + ",",
-                    "length",
-                    digits(zone.length)});
+        add("Contact zone",
+            {side + " from",
+             end_text(zone["start"]),
+             "to",
+             end_text(zone["end"]) + ",",
+             "length",
+             digits(length)});
+    }
   }
 
-  void print_penetration()
+  void add_penetration(const Json &deepest)
   {
-    if (!answer_.penetration)
+    if (deepest.is_null())
       return;
-    const Penetration &deepest = *answer_.penetration;
-    if (rounded(deepest.value, answer_.size) == 0.)
-      lines_.add("Penetration", {"none"});
-    else if (deepest.value > 0.)
+    const double depth = rounded(deepest["value"], size_);
+    std::vector<std::string> parts = {digits(std::abs(depth)), at(deepest)};
+    if (depth > 0.)
     {
-      std::vector<std::string> parts = {"at most", digits(deepest.value), at(deepest.place)};
+      parts.insert(parts.begin(), "at most");
       if (!level_.sizes.is_graded())
         parts.emplace_back("(between the means)");
-      lines_.add("Penetration", parts);
     }
-    else
-      lines_.add("Smallest opening", {digits(-deepest.value), at(deepest.place)});
+    if (depth == 0.)
+      parts = {"none"};
+    add(depth < 0. ? "Smallest opening" : "Penetration", parts);
   }
 
-  void print_stress()
+  void add_energy(const Json &energy)
   {
-    const VonMises &stress = answer_.von_mises;
-    const MaximumTrends trends = trends_of_stress(levels_);
-    const auto parts = [this](const StressMaximum &maximum, std::vector<std::string> trend) {
-      trend.insert(trend.begin(),
-                   {digits(maximum.value), "at", vector_text(maximum.point, answer_.size) + ","});
-      return trend;
-    };
-    lines_.add("Von Mises stress", parts(stress, trend_parts(trends.largest, stress.grows_at)));
-    if (stress.grows_at && stress.away)
-      lines_.add(away_text(*stress.grows_at), parts(*stress.away, trend_parts(trends.away)));
+    std::vector<std::string> parts = {digits(energy["value"])};
+    if (energy["lower"].is_number() && energy["upper"].is_number())
+      parts.insert(
+        parts.end(),
+        {"(exact: between", digits(energy["lower"]), "and", digits(energy["upper"]) + ")"});
+    add("Energy", parts);
   }
 
-  void print_energy()
-  {
-    std::vector<std::string> parts = {digits(level_.certificate.energy)};
-    if (level_.bound && level_.bound->energy_lower && level_.bound->energy_upper)
-      parts.insert(parts.end(),
-                   {"(exact: between",
-                    digits(*level_.bound->energy_lower),
-                    "and",
-                    digits(*level_.bound->energy_upper) + ")"});
-    lines_.add("Energy", parts);
-  }
-
-  void print_load_cases()
+  void add_load_cases()
   {
     if (!level_.load_cases)
       return;
@@ -210,85 +186,71 @@ public:
                                         (cases.n_escapes > 0 ? ";" : "")};
     if (cases.n_escapes > 0)
       parts.push_back("in " + std::to_string(cases.n_escapes) + " of them nothing stops the body");
-    lines_.add("Load cases", parts);
-  }
-
-  void print_end(const std::filesystem::path &directory)
-  {
-    // Tests of runs leave out lines of this form.
-    lines_.add("Time =", {digits(std::round(1000. * total_seconds(levels_)) / 1000.), "s"});
-    if (!directory.empty())
-      lines_.add("Results", {"in", directory.string()});
+    add("Load cases", parts);
   }
 
 private:
-  double scale_of_forces() const
+  std::vector<std::string> force_parts(const Json &force) const
   {
-    double scale = level_.contact.normal_force;
-    for (const auto *const forces : {&answer_.contact_by_side, &answer_.reactions})
-      for (const SideForce &force : *forces)
-        scale = std::max(scale, force.resultant.force.norm());
-    return scale;
-  }
-  std::vector<std::string> force_parts(const SideForce &force) const
-  {
-    const double scale = scale_of_forces();
-    std::vector<std::string> parts = {vector_text(force.resultant.force, scale)};
-    const AnswerVector &moment = force.resultant.moment;
-    if (force.through)
-      parts.insert(
-        parts.end(),
-        {"through",
-         vector_text(*force.through, answer_.size) + ",",
-         "moment " + (moment.size() == 1 ? digits(rounded(moment[0], scale * answer_.size))
-                                         : vector_text(moment, scale * answer_.size))});
+    std::vector<std::string> parts = {number_text(force["force"], scale_)};
+    if (!force["through"].is_null())
+      parts.insert(parts.end(),
+                   {"through",
+                    number_text(force["through"], size_) + ",",
+                    "moment " + number_text(force["moment"],
+                                            scale_ * (force["moment"].is_number() ? size_ : 1.))});
     return parts;
   }
-  std::string at(const BoundaryPlace &place) const
+  std::string at(const Json &place) const
   {
-    return "on " + place.side + " at " + vector_text(place.point, answer_.size);
+    return "on " + std::string(place["side"]) + " at " + number_text(place["point"], size_);
   }
-  std::string end_text(const ZoneEnd &end) const
+  std::string end_text(const Json &end) const
   {
-    const std::string point = vector_text(end.place.point, answer_.size);
-    return end.uncertainty > 0. ? point + " +- " + digits(end.uncertainty) : point;
+    const std::string point = number_text(end["point"], size_);
+    return end["uncertainty"] > 0. ? point + " +- " + digits(end["uncertainty"]) : point;
   }
-  static std::string percent(const double share)
+  /** Returns value and place, "settled (-1 % from the level before)" with the @p place where the
+   * value grows, and the mean of the patch. */
+  std::vector<std::string> maximum_parts(const Json &maximum, const Json &place) const
   {
-    std::ostringstream text;
-    text << std::showpos << std::setprecision(2) << 100. * rounded(share, 1.) << " %";
-    return text.str();
-  }
-  /** Returns "settled (-1 % from the level before)", with the place where a value grows. */
-  std::vector<std::string> trend_parts(const Trend &trend,
-                                       const std::optional<GrowthPlace> &place = {}) const
-  {
-    const std::string word = word_for(trend.kind);
+    const bool is_pressure = maximum.contains("mean");
+    std::vector<std::string> parts = {digits(maximum["value"])};
+    if (is_pressure)
+      parts.push_back(at(maximum) + ",");
+    else
+      parts.insert(parts.end(), {"at", number_text(maximum["point"], size_) + ","});
     const std::string change =
-      trend.change ? "(" + percent(*trend.change) + " from the " + level_.sizes.word() + " before)"
-                   : "";
-    if (!place)
-      return {word + (trend.change ? " " + change : "")};
-    const std::string first = vector_text(place->ends[0], answer_.size);
-    std::vector<std::string> parts = {word,
-                                      answer_.dimension == 2
-                                        ? "at the corner " + first
-                                        : "at the edge from " + first + " to " +
-                                            vector_text(place->ends[1], answer_.size)};
-    if (trend.change)
-      parts.push_back(change);
+      maximum["change"].is_null()
+        ? ""
+        : "(" + percent(maximum["change"]) + " from the " + level_.sizes.word() + " before)";
+    std::string trend = maximum["trend"];
+    if (place.is_null())
+      trend += change.empty() ? "" : " " + change;
+    parts.push_back(trend);
+    if (!place.is_null())
+    {
+      parts.push_back(place.contains("point")
+                        ? "at the corner " + number_text(place["point"], size_)
+                        : "at the edge from " + number_text(place["ends"][0], size_) + " to " +
+                            number_text(place["ends"][1], size_));
+      if (!change.empty())
+        parts.push_back(change);
+    }
+    if (is_pressure)
+    {
+      parts.back() += ";";
+      const double mean = maximum["mean"], value = maximum["value"];
+      parts.insert(parts.end(),
+                   {"mean of its patch", digits(mean), "(" + percent(mean / value - 1.) + ")"});
+    }
     return parts;
-  }
-  /** Returns "  farther than 0.1". */
-  static std::string away_text(const GrowthPlace &place)
-  {
-    return "  farther than " + digits(place.radius);
   }
 
-  Lines lines_;
-  const std::vector<LevelRecord> &levels_;
+  std::ostream &stream_;
   const LevelRecord &level_;
-  const Answer &answer_;
+  /** The size of the body, and that of the forces. */
+  double size_, scale_;
 };
 } // namespace
 
@@ -299,91 +261,22 @@ void print_answer(std::ostream &stream,
   stream << "Answer of " << levels.back().sizes.word() << " " << levels.back().sizes.level
          << (levels.back().answer.dimension == 2 ? ", per unit of thickness" : "")
          << " (pressure: positive in compression)\n";
-  AnswerBlock block(stream, levels);
-  block.print_forces();
-  block.print_plates();
-  block.print_pressure();
-  block.print_zones();
-  block.print_penetration();
-  block.print_stress();
-  block.print_energy();
-  block.print_load_cases();
-  block.print_end(directory);
-}
-
-// Numbers of the answer over the levels.
-
-namespace
-{
-const AnswerVector &point_of(const PressureMaximum &peak)
-{
-  return peak.place.point;
-}
-const AnswerVector &point_of(const StressMaximum &stress)
-{
-  return stress.point;
-}
-
-/** Returns whether two maxima lie on the same cell, as far as its size, its degree and the place
- * show. */
-template <typename Maximum>
-bool share_mesh(const Maximum &a, const Maximum &b)
-{
-  return a.mesh.degree == b.mesh.degree &&
-         std::abs(a.mesh.size - b.mesh.size) < 1e-6 * a.mesh.size &&
-         point_of(a).distance(point_of(b)) < a.mesh.size;
-}
-
-template <typename Maximum>
-Trend trend_of_maxima(const std::vector<std::optional<Maximum>> &maxima)
-{
-  std::vector<std::optional<double>> values;
-  for (const std::optional<Maximum> &maximum : maxima)
-    values.push_back(maximum ? std::optional<double>(maximum->value) : std::nullopt);
-  Trend trend = trend_of(values);
-  const std::size_t n = maxima.size();
-  if (n > 1 && maxima[n - 1] && maxima[n - 2] && share_mesh(*maxima[n - 1], *maxima[n - 2]))
-    trend.kind = Trend::Kind::not_refined;
-  return trend;
-}
-
-/** Returns the trends of a maximum over the levels. @param of returns the optional Peak or VonMises
- * of an answer. */
-template <typename Maximum, typename Get>
-MaximumTrends trends_of(const std::vector<LevelRecord> &levels, const Get &of)
-{
-  std::vector<std::optional<Maximum>> largest, away;
-  for (const LevelRecord &level : levels)
-  {
-    const auto maximum = of(level.answer);
-    largest.push_back(maximum ? std::optional<Maximum>(*maximum) : std::nullopt);
-    away.push_back(maximum ? maximum->away : std::nullopt);
-  }
-  MaximumTrends trends = {trend_of_maxima(largest), trend_of_maxima(away)};
-  const auto finest = of(levels.back().answer);
-  if (finest && finest->grows_at)
-    trends.largest.kind = Trend::Kind::unlimited;
-  return trends;
-}
-} // namespace
-
-MaximumTrends trends_of_peak(const std::vector<LevelRecord> &levels)
-{
-  return trends_of<PressureMaximum>(levels,
-                                    [](const Answer &answer) { return answer.peak_pressure; });
-}
-
-MaximumTrends trends_of_stress(const std::vector<LevelRecord> &levels)
-{
-  return trends_of<StressMaximum>(
-    levels, [](const Answer &answer) { return std::optional<VonMises>(answer.von_mises); });
-}
-
-double total_seconds(const std::vector<LevelRecord> &levels)
-{
-  double seconds = 0.;
-  for (const LevelRecord &level : levels)
-    seconds += level.times.total();
-  return seconds;
+  const Json answer = answer_of(levels, StudyVerdict());
+  AnswerLines lines(stream, levels);
+  lines.add_forces(answer);
+  lines.add_plates(answer);
+  if (answer["peak_pressure"].is_null())
+    lines.add("Peak pressure", {"0: nothing touches"});
+  else
+    lines.add_maximum("Peak pressure", answer["peak_pressure"]);
+  lines.add_zones(answer);
+  lines.add_penetration(answer["penetration"]);
+  lines.add_maximum("Von Mises stress", answer["von_mises"]);
+  lines.add_energy(answer["energy"]);
+  lines.add_load_cases();
+  // Tests of runs leave out lines of this form.
+  lines.add("Time =", {digits(std::round(1000. * double(answer["seconds"])) / 1000.), "s"});
+  if (!directory.empty())
+    lines.add("Results", {"in", directory.string()});
 }
 } // namespace Signorini

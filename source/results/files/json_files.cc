@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// answer.json: the answer of the finest level, for programs to read.
+// answer.json and certificate.json, for programs to read.
 
 #include <signorini/results/files/answer_output.h>
 #include <signorini/results/files/tables.h>
@@ -7,207 +7,116 @@
 
 #include <nlohmann/json.hpp>
 
-#include "answer_output_internal.h"
+#include <cmath>
+
+#include "answer_json.h"
+
+namespace nlohmann
+{
+/** A number that is not known is null. */
+template <typename T>
+struct adl_serializer<std::optional<T>>
+{
+  template <typename Json>
+  static void to_json(Json &json, const std::optional<T> &value)
+  {
+    json = value ? Json(*value) : Json(nullptr);
+  }
+};
+} // namespace nlohmann
 
 namespace Signorini
 {
-namespace
-{
-using AnswerJson = nlohmann::ordered_json;
+// The library finds the functions to_json() by the types of their arguments.
 
-AnswerJson optional_number(const std::optional<double> &value)
+static void to_json(Json &json, const AnswerVector &x)
 {
-  return value ? AnswerJson(*value) : AnswerJson(nullptr);
+  json = x.values();
 }
 
-AnswerJson components(const AnswerVector &x)
+static void to_json(Json &json, const BoundaryPlace &place)
 {
-  return x.values();
-}
-
-AnswerJson describe(const BoundaryPlace &place)
-{
-  AnswerJson json = {{"side", place.side}};
+  json = {{"side", place.side}};
   if (place.point.size() == 2)
     json["arc_length"] = place.arc_length;
-  json["point"] = components(place.point);
-  return json;
+  json["point"] = place.point;
 }
 
-AnswerJson describe(const SideForce &force)
+static void to_json(Json &json, const SideForce &force)
 {
-  AnswerJson json;
+  json = Json::object();
   if (!force.side.empty())
     json["side"] = force.side;
-  json["force"] = components(force.resultant.force);
   const AnswerVector &moment = force.resultant.moment;
-  json["moment"] = moment.size() == 1 ? AnswerJson(moment[0]) : components(moment);
-  json["through"] = force.through ? components(*force.through) : AnswerJson(nullptr);
-  return json;
+  json["force"] = force.resultant.force;
+  json["moment"] = moment.size() == 1 ? Json(moment[0]) : Json(moment);
+  json["through"] = force.through;
 }
 
-AnswerJson describe(const std::vector<SideForce> &forces)
+static void to_json(Json &json, const ZoneEnd &end)
 {
-  AnswerJson json = AnswerJson::array();
-  for (const SideForce &force : forces)
-    json.push_back(describe(force));
-  return json;
-}
-
-AnswerJson describe(const ZoneEnd &end)
-{
-  AnswerJson json = describe(end.place);
+  json = end.place;
   json["uncertainty"] = end.uncertainty;
-  return json;
 }
 
-AnswerJson describe(const PressureMaximum &peak)
+static void to_json(Json &json, const ContactZone &zone)
 {
-  AnswerJson json = {{"value", peak.value}};
-  json.update(describe(peak.place));
+  json = {{"start", zone.start}, {"end", zone.end}, {"length", zone.length}};
+}
+
+static void to_json(Json &json, const PressureMaximum &peak)
+{
+  json = {{"value", peak.value}};
+  json.update(Json(peak.place));
   json["mean"] = peak.mean;
-  return json;
 }
 
-AnswerJson describe(const StressMaximum &stress)
+static void to_json(Json &json, const StressMaximum &stress)
 {
-  return {{"value", stress.value}, {"point", components(stress.point)}};
+  json = {{"value", stress.value}, {"point", stress.point}};
 }
 
-AnswerJson describe(const GrowthPlace &place, const unsigned int dimension)
+static void to_json(Json &json, const GrowthPlace &place)
 {
-  AnswerJson json;
-  if (dimension == 2)
-    json["point"] = components(place.ends[0]);
+  json = Json::object();
+  if (place.ends[0].size() == 2)
+    json["point"] = place.ends[0];
   else
-    json["ends"] = {components(place.ends[0]), components(place.ends[1])};
+    json["ends"] = place.ends;
   json["radius"] = place.radius;
-  return json;
 }
 
-/** Returns a maximum, the place where it grows without limit, and the maximum away from such
- * places. */
-template <typename Maximum>
-AnswerJson describe(const Maximum &maximum,
-                    const MaximumTrends &trends,
-                    const unsigned int dimension)
+static void to_json(Json &json, const PlateRecord &plate)
 {
-  const auto with_trend = [](AnswerJson json, const Trend &trend) {
-    json["change"] = optional_number(trend.change);
-    json["trend"] = word_for(trend.kind);
-    return json;
-  };
-  AnswerJson json = with_trend(describe(maximum), trends.largest);
-  json["grows_at"] =
-    maximum.grows_at ? describe(*maximum.grows_at, dimension) : AnswerJson(nullptr);
-  json["away"] = maximum.away ? with_trend(describe(*maximum.away), trends.away) : nullptr;
-  return json;
+  json = {{"side", plate.side},
+          {"direction", AnswerVector(plate.plate.direction)},
+          {"travel", plate.motion.travel},
+          {"force", plate.force},
+          {"centre", AnswerVector(plate.plate.centre)},
+          {"rotation", plate.motion.rotation},
+          {"moment", plate.moment}};
 }
 
-AnswerJson peak_of(const std::vector<LevelRecord> &levels)
+static void to_json(Json &json, const Penetration &penetration)
 {
-  const Answer &answer = levels.back().answer;
-  if (!answer.peak_pressure)
-    return nullptr;
-  return describe(*answer.peak_pressure, trends_of_peak(levels), answer.dimension);
+  json = {{"value", penetration.value}};
+  json.update(Json(penetration.place));
 }
 
-AnswerJson von_mises_of(const std::vector<LevelRecord> &levels)
+static void to_json(Json &json, const ErrorBound &bound)
 {
-  const Answer &answer = levels.back().answer;
-  return describe(answer.von_mises, trends_of_stress(levels), answer.dimension);
-}
-
-AnswerJson zones_of(const Answer &answer)
-{
-  AnswerJson json = AnswerJson::array();
-  for (const ContactZone &zone : answer.zones)
-    json.push_back(
-      {{"start", describe(zone.start)}, {"end", describe(zone.end)}, {"length", zone.length}});
-  return json;
-}
-
-AnswerJson plates_of(const MotionRecord &motions)
-{
-  AnswerJson json = AnswerJson::array();
-  for (const PlateRecord &plate : motions.plates)
-    json.push_back({{"side", plate.side},
-                    {"direction", components(plate.plate.direction)},
-                    {"travel", plate.motion.travel},
-                    {"force", plate.force},
-                    {"centre", components(plate.plate.centre)},
-                    {"rotation", plate.motion.rotation},
-                    {"moment", plate.moment}});
-  return json;
-}
-
-AnswerJson penetration_of(const Answer &answer)
-{
-  if (!answer.penetration)
-    return nullptr;
-  AnswerJson json = {{"value", answer.penetration->value}};
-  json.update(describe(answer.penetration->place));
-  return json;
-}
-} // namespace
-
-void write_answer(std::ostream &stream,
-                  const std::vector<LevelRecord> &levels,
-                  const StudyVerdict &verdict)
-{
-  const LevelRecord &finest = levels.back();
-  const Answer &answer = finest.answer;
-  const ErrorBound bound = finest.bound.value_or(ErrorBound());
-  AnswerJson total = describe(answer.contact_force);
-  total["error"] = optional_number(bound.force_error);
-  AnswerJson json = {{"level", finest.sizes.level},
-                     {"verdict", word_for(verdict.outcome)},
-                     {"accuracy", verdict.accuracy},
-                     {"contact_force", total},
-                     {"contact_by_side", describe(answer.contact_by_side)},
-                     {"reactions", describe(answer.reactions)},
-                     {"plates", plates_of(finest.motions)},
-                     {"undetermined_motions", finest.motions.undetermined},
-                     {"peak_pressure", peak_of(levels)},
-                     {"contact_zones", zones_of(answer)},
-                     {"penetration", penetration_of(answer)},
-                     {"von_mises", von_mises_of(levels)},
-                     {"strained_share", answer.von_mises.strained_share},
-                     {"energy",
-                      {{"value", finest.certificate.energy},
-                       {"lower", optional_number(bound.energy_lower)},
-                       {"upper", optional_number(bound.energy_upper)}}},
-                     {"seconds", total_seconds(levels)}};
-  if (answer.dimension == 3)
-    json["contact_area"] = finest.contact.length;
-  stream << json.dump(2) << "\n";
-}
-
-// certificate.json: how well each level satisfies (5), for programs to read.
-
-namespace
-{
-using Json = nlohmann::ordered_json;
-
-Json number(const std::optional<double> &value)
-{
-  return value ? Json(*value) : Json(nullptr);
-}
-
-Json describe(const ErrorBound &bound)
-{
-  return {{"absolute", number(bound.absolute)},
-          {"relative", number(bound.relative)},
-          {"mesh", number(bound.mesh)},
-          {"oscillation", number(bound.oscillation)},
-          {"contact", number(bound.contact)},
-          {"geometry", number(bound.geometry)},
+  json = {{"absolute", bound.absolute},
+          {"relative", bound.relative},
+          {"mesh", bound.mesh},
+          {"oscillation", bound.oscillation},
+          {"contact", bound.contact},
+          {"geometry", bound.geometry},
           {"guaranteed", bound.absolute.has_value() && bound.guaranteed},
-          {"algebra", number(bound.algebra)},
-          {"post_absolute", number(bound.post_absolute)},
-          {"post_relative", number(bound.post_relative)},
-          {"energy", {number(bound.energy_lower), number(bound.energy_upper)}},
-          {"contact_force_error", number(bound.force_error)},
+          {"algebra", bound.algebra},
+          {"post_absolute", bound.post_absolute},
+          {"post_relative", bound.post_relative},
+          {"energy", {bound.energy_lower, bound.energy_upper}},
+          {"contact_force_error", bound.force_error},
           {"max_penetration", bound.penetration},
           {"place_of_penetration", bound.place_of_penetration},
           {"largest_cell", bound.largest_cell},
@@ -215,6 +124,115 @@ Json describe(const ErrorBound &bound)
           {"missing", bound.missing}};
 }
 
+namespace
+{
+const AnswerVector &point_of(const PressureMaximum &peak)
+{
+  return peak.place.point;
+}
+const AnswerVector &point_of(const StressMaximum &stress)
+{
+  return stress.point;
+}
+
+/** Returns whether two maxima lie on the same cell, as far as its size, its degree and the place
+ * show. */
+template <typename Maximum>
+bool share_mesh(const Maximum &a, const Maximum &b)
+{
+  return a.mesh.degree == b.mesh.degree &&
+         std::abs(a.mesh.size - b.mesh.size) < 1e-6 * a.mesh.size &&
+         point_of(a).distance(point_of(b)) < a.mesh.size;
+}
+
+/** Returns the maximum of the finest level with its trend over the levels. */
+template <typename Maximum>
+Json with_trend(const std::vector<std::optional<Maximum>> &maxima, const bool is_unlimited)
+{
+  std::vector<std::optional<double>> values;
+  for (const std::optional<Maximum> &maximum : maxima)
+    values.push_back(maximum ? std::optional<double>(maximum->value) : std::nullopt);
+  Trend trend = trend_of(values);
+  const std::size_t n = maxima.size();
+  if (is_unlimited)
+    trend.kind = Trend::Kind::unlimited;
+  else if (n > 1 && maxima[n - 2] && share_mesh(*maxima[n - 1], *maxima[n - 2]))
+    trend.kind = Trend::Kind::not_refined;
+  Json json = *maxima.back();
+  json["change"] = trend.change;
+  json["trend"] = word_for(trend.kind);
+  return json;
+}
+
+/** Returns the maximum of the finest level, the place where it grows without limit, and the maximum
+ * away from such places. @param of returns the optional PeakPressure or VonMises of an answer. */
+template <typename Maximum, typename Get>
+Json maximum_of(const std::vector<LevelRecord> &levels, const Get &of)
+{
+  std::vector<std::optional<Maximum>> largest, away;
+  for (const LevelRecord &level : levels)
+  {
+    const auto maximum = of(level.answer);
+    largest.push_back(maximum);
+    away.push_back(maximum ? maximum->away : std::nullopt);
+  }
+  const auto finest = of(levels.back().answer);
+  if (!finest)
+    return nullptr;
+  Json json = with_trend(largest, finest->grows_at.has_value());
+  json["grows_at"] = finest->grows_at;
+  json["away"] = finest->away ? with_trend(away, false) : nullptr;
+  return json;
+}
+
+} // namespace
+
+Json answer_of(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict)
+{
+  const LevelRecord &finest = levels.back();
+  const Answer &answer = finest.answer;
+  const ErrorBound bound = finest.bound.value_or(ErrorBound());
+  double seconds = 0.;
+  for (const LevelRecord &level : levels)
+    seconds += level.times.total();
+  Json total = answer.contact_force;
+  total["error"] = bound.force_error;
+  Json json = {
+    {"level", finest.sizes.level},
+    {"verdict", word_for(verdict.outcome)},
+    {"accuracy", verdict.accuracy},
+    {"contact_force", total},
+    {"contact_by_side", answer.contact_by_side},
+    {"reactions", answer.reactions},
+    {"plates", finest.motions.plates},
+    {"undetermined_motions", finest.motions.undetermined},
+    {"peak_pressure",
+     maximum_of<PressureMaximum>(levels, [](const Answer &a) { return a.peak_pressure; })},
+    {"contact_zones", answer.zones},
+    {"penetration", answer.penetration},
+    {"von_mises",
+     maximum_of<StressMaximum>(levels, [](const Answer &a) { return std::optional(a.von_mises); })},
+    {"strained_share", answer.von_mises.strained_share},
+    {"energy",
+     {{"value", finest.certificate.energy},
+      {"lower", bound.energy_lower},
+      {"upper", bound.energy_upper}}},
+    {"seconds", seconds}};
+  if (answer.dimension == 3)
+    json["contact_area"] = finest.contact.length;
+  return json;
+}
+void write_answer(std::ostream &stream,
+                  const std::vector<LevelRecord> &levels,
+                  const StudyVerdict &verdict)
+{
+  stream << answer_of(levels, verdict).dump(2) << "\n";
+}
+
+// certificate.json: how well each level satisfies (5).
+
+namespace
+{
 Json describe(const LevelRecord &level, const Judge &judge)
 {
   const Certificate &c = level.certificate;
@@ -229,7 +247,7 @@ Json describe(const LevelRecord &level, const Judge &judge)
           {"support", c.support},
           {"moment_balance", c.moment_balance},
           {"moment_balance_is_exact", c.moments_are_exact},
-          {"inf_sup", level.inf_sup ? Json(*level.inf_sup) : Json(nullptr)},
+          {"inf_sup", level.inf_sup},
           {"degenerate_patches", c.degenerate_patches},
           {"kkt", level.dual.kkt},
           {"linear_solves", level.linear.solves},
@@ -240,7 +258,7 @@ Json describe(const LevelRecord &level, const Judge &judge)
           {"contact_solver_replaced",
            level.dual.active_set_failure.has_value() || level.dual.stalled.has_value() ||
              level.dual.failure_of_cycles.has_value()},
-          {"bound", level.bound ? describe(*level.bound) : Json(nullptr)},
+          {"bound", level.bound},
           {"certified", judge.accepts(level)}};
 }
 } // namespace

@@ -9,24 +9,39 @@
 
 namespace Signorini
 {
+namespace
+{
+/** Writes a dense matrix of m x n entries, or its lower triangle if it is @p symmetric. */
+template <typename Entry>
+void write_array(std::ostream &stream,
+                 const std::size_t m,
+                 const std::size_t n,
+                 const bool symmetric,
+                 const Entry &entry)
+{
+  stream << "%%MatrixMarket matrix array real " << (symmetric ? "symmetric" : "general") << "\n"
+         << m << " " << n << "\n"
+         << std::setprecision(17);
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = symmetric ? j : 0; i < m; ++i)
+      stream << entry(i, j) << "\n";
+}
+} // namespace
+
 void write_symmetric_matrix_market(std::ostream &stream, const FullMatrix<double> &matrix)
 {
-  stream << "%%MatrixMarket matrix array real symmetric\n"
-         << matrix.m() << " " << matrix.n() << "\n"
-         << std::setprecision(17);
-  for (unsigned int j = 0; j < matrix.n(); ++j)
-    for (unsigned int i = j; i < matrix.m(); ++i)
-      stream << matrix(i, j) << "\n";
+  write_array(stream, matrix.m(), matrix.n(), true, matrix);
 }
 
 void write_matrix_market(std::ostream &stream, const FullMatrix<double> &matrix)
 {
-  stream << "%%MatrixMarket matrix array real general\n"
-         << matrix.m() << " " << matrix.n() << "\n"
-         << std::setprecision(17);
-  for (unsigned int j = 0; j < matrix.n(); ++j)
-    for (unsigned int i = 0; i < matrix.m(); ++i)
-      stream << matrix(i, j) << "\n";
+  write_array(stream, matrix.m(), matrix.n(), false, matrix);
+}
+
+void write_matrix_market(std::ostream &stream, const dealii::Vector<double> &vector)
+{
+  write_array(
+    stream, vector.size(), 1, false, [&](const std::size_t i, std::size_t) { return vector[i]; });
 }
 
 std::string lower_triangle(const TrilinosWrappers::SparseMatrix &matrix, const double factor)
@@ -52,15 +67,6 @@ void write_symmetric_matrix_market(std::ostream &stream,
          << n << " " << n << " " << n_entries << "\n";
   for (const std::string &part : parts)
     stream << part;
-}
-
-void write_matrix_market(std::ostream &stream, const dealii::Vector<double> &vector)
-{
-  stream << "%%MatrixMarket matrix array real general\n"
-         << vector.size() << " 1\n"
-         << std::setprecision(17);
-  for (const double entry : vector)
-    stream << entry << "\n";
 }
 
 void write_matrix_market(std::ostream &stream,

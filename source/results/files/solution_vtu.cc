@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <regex>
 #include <sstream>
 
 namespace Signorini
@@ -214,17 +215,13 @@ void write_solution_vtu(const std::filesystem::path &path,
   });
 }
 
-void write_pvd(const std::filesystem::path &path,
-               const std::vector<std::pair<double, std::string>> &files)
+void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::string>> &files)
 {
   std::ostringstream record;
   DataOutBase::write_pvd_record(record, files);
-  // The comment, which contains the time, is removed: the same run gives the same file.
-  std::string text = record.str();
-  const std::size_t start = text.find("<!--"), end = text.find("-->");
-  if (start != std::string::npos && end != std::string::npos)
-    text.erase(start, text.find_first_not_of("->\n", end) - start);
-  write_file(path, [&](std::ostream &stream) { stream << text; });
+  // The comment, which contains the time, is left out: the same run gives the same file.
+  static const std::regex comment("<!--[^>]*-->\\s*");
+  stream << std::regex_replace(record.str(), comment, "");
 }
 
 #define INSTANTIATE(dim)                                                                           \

@@ -29,6 +29,11 @@ std::string commented(const std::string &text)
   return result;
 }
 
+/** Returns "name-LL.ending". */
+std::string level_file(const char *name, const unsigned int level, const char *ending)
+{
+  return std::string(name) + "-" + Utilities::int_to_string(level, 2) + ending;
+}
 } // namespace
 
 ResultsWriter::ResultsWriter(const Parameters &parameters,
@@ -44,12 +49,18 @@ ResultsWriter::ResultsWriter(const Parameters &parameters,
 {
 }
 
-void ResultsWriter::write_on_first_rank(const std::function<void()> &write) const
+void ResultsWriter::on_first_rank(const std::function<void()> &work) const
 {
   agree(communicator_, [&]() {
     if (!directory_.empty() && Utilities::MPI::this_mpi_process(communicator_) == 0)
-      write();
+      work();
   });
+}
+
+void ResultsWriter::write(const std::string &name,
+                          const std::function<void(std::ostream &)> &content) const
+{
+  on_first_rank([&]() { write_file(directory_ / name, content); });
 }
 
 void ResultsWriter::start_directory()
@@ -57,36 +68,23 @@ void ResultsWriter::start_directory()
   if (started_)
     return;
   started_ = true;
-  write_on_first_rank([&]() {
-    // From here on there is no verdict of an earlier run.
-    write_certificate_of({}, judge_.unfinished({}));
+  // From here on there is no verdict of an earlier run.
+  write_certificate({}, judge_.unfinished({}));
+  on_first_rank([&]() {
     remove_files(directory_, [](const std::string &name) {
       return is_name_of_result(name) && name != certificate_name;
     });
-    write_file(directory_ / parameters_name, [&](std::ostream &stream) {
-      stream << commented(scene_description_) << parameters_.echo;
-    });
   });
+  write(parameters_name,
+        [&](std::ostream &stream) { stream << commented(scene_description_) << parameters_.echo; });
 }
 
-void ResultsWriter::write_convergence_of(const std::vector<LevelRecord> &levels) const
+void ResultsWriter::write_certificate(const std::vector<LevelRecord> &levels,
+                                      const StudyVerdict &verdict) const
 {
-  write_file(directory_ / "convergence.csv",
-             [&](std::ostream &stream) { write_convergence_csv(stream, levels); });
-}
-
-void ResultsWriter::write_certificate_of(const std::vector<LevelRecord> &levels,
-                                         const StudyVerdict &verdict) const
-{
-  write_file(directory_ / certificate_name,
-             [&](std::ostream &stream) { write_certificate(stream, levels, judge_, verdict); });
-}
-
-std::filesystem::path ResultsWriter::level_file(const char *name,
-                                                const unsigned int level,
-                                                const char *ending) const
-{
-  return directory_ / (std::string(name) + "-" + Utilities::int_to_string(level, 2) + ending);
+  write(certificate_name, [&](std::ostream &stream) {
+    Signorini::write_certificate(stream, levels, judge_, verdict);
+  });
 }
 
 template <int dim>
@@ -98,12 +96,12 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
   const LevelSolution<dim> &solution = level.solution;
   start_directory();
   TracedContact<dim> traced;
-  write_on_first_rank([&]() {
+  on_first_rank([&]() {
     traced = trace_contact(
       discretization.space, discretization.multipliers, scene.boundary, solution.U, solution.P);
-    write_file(level_file("contact", solution.record.sizes.level, ".csv"),
-               [&](std::ostream &stream) { write_contact_csv<dim>(stream, traced); });
   });
+  write(level_file("contact", solution.record.sizes.level, ".csv"),
+        [&](std::ostream &stream) { write_contact_csv<dim>(stream, traced); });
   const VtuLevels vtu = parameters_.output.vtu;
   const bool wants_finest = vtu == VtuLevels::finest || parameters_.output.pictures;
   if (vtu == VtuLevels::all || (wants_finest && level.is_last))
@@ -119,18 +117,17 @@ void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
                               const TracedContact<dim> &traced)
 {
   const unsigned int level = solution.record.sizes.level;
-  const auto body = level_file("solution", level, ".vtu");
-  const auto contact = level_file("contact", level, ".vtu");
-  write_solution_vtu(body, discretization.space, scene, solution.U, solution.bound_fields, level);
-  solution_files_.emplace_back(level, body.filename().string());
-  contact_files_.emplace_back(level, contact.filename().string());
-  write_on_first_rank([&]() {
-    write_file(contact, [&](std::ostream &stream) {
-      write_contact_vtu<dim>(stream, traced, solution.bound_fields.contact);
-    });
-    write_pvd(directory_ / "solution.pvd", solution_files_);
-    write_pvd(directory_ / "contact.pvd", contact_files_);
+  const std::string body = level_file("solution", level, ".vtu");
+  const std::string contact = level_file("contact", level, ".vtu");
+  write_solution_vtu(
+    directory_ / body, discretization.space, scene, solution.U, solution.bound_fields, level);
+  write(contact, [&](std::ostream &stream) {
+    write_contact_vtu<dim>(stream, traced, solution.bound_fields.contact);
   });
+  solution_files_.emplace_back(level, body);
+  contact_files_.emplace_back(level, contact);
+  write("solution.pvd", [&](std::ostream &stream) { write_pvd(stream, solution_files_); });
+  write("contact.pvd", [&](std::ostream &stream) { write_pvd(stream, contact_files_); });
 }
 
 template <int dim>
@@ -147,23 +144,17 @@ void ResultsWriter::write_case_fields(const Discretization<dim> &discretization,
   if (parameters_.output.vtu != VtuLevels::none)
     write_solution_vtu(
       directory_ / ("solution" + ending + ".vtu"), discretization.space, scene, U, {}, number);
-  write_on_first_rank([&]() {
-    const auto traced =
-      trace_contact(discretization.space, discretization.multipliers, scene.boundary, U, P);
-    write_file(directory_ / ("contact" + ending + ".csv"),
-               [&](std::ostream &stream) { write_contact_csv<dim>(stream, traced); });
+  write("contact" + ending + ".csv", [&](std::ostream &stream) {
+    write_contact_csv<dim>(
+      stream,
+      trace_contact(discretization.space, discretization.multipliers, scene.boundary, U, P));
   });
 }
 
 void ResultsWriter::write_cases(const std::vector<CaseResult> &cases)
 {
-  if (directory_.empty())
-    return;
   start_directory();
-  write_on_first_rank([&]() {
-    write_file(directory_ / "cases.csv",
-               [&](std::ostream &stream) { write_cases_csv(stream, cases); });
-  });
+  write("cases.csv", [&](std::ostream &stream) { write_cases_csv(stream, cases); });
 }
 
 template <int dim>
@@ -179,69 +170,62 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   dealii::Vector<double> G = discretization.G;
   G -= discretization.D.transpose_product(space.complete(space.make_vector()));
   const FullMatrix<double> C = solution.dual->C ? solution.dual->C->dense() : FullMatrix<double>();
-  const auto write = [&](const char *name, const std::function<void(std::ostream &)> &content) {
-    write_file(level_file(name, solution.record.sizes.level, ".mtx"), content);
+  const auto write_matrix = [&](const char *name,
+                                const std::function<void(std::ostream &)> &content) {
+    write(level_file(name, solution.record.sizes.level, ".mtx"), content);
   };
-  const auto write_vector = [&](const char *name, const dealii::Vector<double> &vector) {
-    write(name, [&](std::ostream &stream) { write_matrix_market(stream, vector); });
+  const auto write_dense = [&](const char *name, const auto &matrix) {
+    write_matrix(name, [&](std::ostream &stream) { write_matrix_market(stream, matrix); });
   };
-  write_on_first_rank([&]() {
-    write("A", [&](std::ostream &stream) { write_symmetric_matrix_market(stream, f.size(), A); });
-    write("D", [&](std::ostream &stream) {
-      write_matrix_market(stream, discretization.condensed_D, f.size());
-    });
-    write_vector("f", f);
-    write_vector("G", G);
-    write_vector("F", solution.dual->F);
-    write_vector("P", solution.P);
-    if (solution.q.size() > 0)
-    {
-      write_vector("b", solution.dual->motions.b);
-      write_vector("q", solution.q);
-      write("B",
-            [&](std::ostream &stream) { write_matrix_market(stream, solution.dual->motions.B); });
-      write("K", [&](std::ostream &stream) {
-        write_symmetric_matrix_market(stream, solution.dual->motions.K);
-      });
-    }
-    if (C.m() > 0)
-      write("C", [&](std::ostream &stream) { write_symmetric_matrix_market(stream, C); });
+  const auto write_symmetric = [&](const char *name, const FullMatrix<double> &matrix) {
+    write_matrix(name,
+                 [&](std::ostream &stream) { write_symmetric_matrix_market(stream, matrix); });
+  };
+  write_matrix("A",
+               [&](std::ostream &stream) { write_symmetric_matrix_market(stream, f.size(), A); });
+  write_matrix("D", [&](std::ostream &stream) {
+    write_matrix_market(stream, discretization.condensed_D, f.size());
   });
+  write_dense("f", f);
+  write_dense("G", G);
+  write_dense("F", solution.dual->F);
+  write_dense("P", solution.P);
+  if (solution.q.size() > 0)
+  {
+    write_dense("b", solution.dual->motions.b);
+    write_dense("q", solution.q);
+    write_dense("B", solution.dual->motions.B);
+    write_symmetric("K", solution.dual->motions.K);
+  }
+  if (C.m() > 0)
+    write_symmetric("C", C);
 }
 
 void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,
                                  const StudyVerdict &verdict)
 {
-  if (directory_.empty())
-    return;
   start_directory();
-  write_on_first_rank([&]() {
-    // The disk may fill up in between. Then the certificate must not claim more than the table
-    // contains; the reason why a study is not certified must not get lost.
-    if (verdict.reason.empty())
-      write_convergence_of(levels);
-    write_certificate_of(levels, verdict);
-    if (!verdict.reason.empty())
-      write_convergence_of(levels);
-  });
+  // The disk may fill up in between. Then the certificate must not claim more than the table
+  // contains; the reason why a study is not certified must not get lost.
+  if (!verdict.reason.empty())
+    write_certificate(levels, verdict);
+  write("convergence.csv", [&](std::ostream &stream) { write_convergence_csv(stream, levels); });
+  if (verdict.reason.empty())
+    write_certificate(levels, verdict);
 }
 
 void ResultsWriter::write_answer(const std::vector<LevelRecord> &levels,
                                  const StudyVerdict &verdict)
 {
-  if (directory_.empty())
-    return;
-  write_on_first_rank([&]() {
-    write_file(directory_ / "answer.json",
-               [&](std::ostream &stream) { Signorini::write_answer(stream, levels, verdict); });
-  });
+  write("answer.json",
+        [&](std::ostream &stream) { Signorini::write_answer(stream, levels, verdict); });
 }
 
 std::string ResultsWriter::write_pictures()
 {
   std::string missing;
   if (parameters_.output.pictures)
-    write_on_first_rank([&]() { missing = draw_pictures(directory_); });
+    on_first_rank([&]() { missing = draw_pictures(directory_); });
   return missing;
 }
 
@@ -250,7 +234,7 @@ void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,
 {
   bool keeps_earlier_results = false;
   if (!started_)
-    write_on_first_rank([&]() {
+    on_first_rank([&]() {
       std::error_code error;
       keeps_earlier_results = std::filesystem::exists(directory_ / certificate_name, error);
     });

@@ -189,24 +189,15 @@ void directories(Checks &checks, const fs::path &directory)
     checks.that("directories without use are removed, but no others",
                 !fs::exists(directory / "a") && fs::is_directory(directory));
   }
-  {
-    const ResultsDirectory results(path);
-    write_file(directory / "a" / "notes", [](std::ostream &stream) { stream << "mine"; });
-    results.remove_if_empty();
-    checks.that("only as far as they are empty",
-                !fs::exists(path) && fs::is_directory(directory / "a"));
-  }
   std::ofstream(directory / "file") << "mine";
   checks.throws<InputError>("a file behind a new directory", "--output: found", [&]() {
     const ResultsDirectory results(directory / "new" / ".." / "file");
   });
   checks.that("which stays, without the directory",
               read(directory / "file") == "mine" && !fs::exists(directory / "new"));
-  fs::create_directory(path);
+  fs::create_directories(path);
   ResultsDirectory(path).remove_if_empty();
   checks.that("what was there before stays", fs::is_directory(path));
-  const ResultsDirectory later(path);
-  checks.that("one run after the other", fs::is_empty(path));
   fs::remove_all(directory);
 }
 
@@ -257,26 +248,21 @@ void disk(Checks &checks, const fs::path &directory)
     });
   });
   checks.that("the old file survives it and is alone", read(file) == "second" && n_files() == 1);
-  checks.throws<ComputationError>("a stream that fails", "could not be written", [&]() {
-    write_file(file, [](std::ostream &stream) { stream.setstate(std::ios::badbit); });
-  });
   checks.throws<ComputationError>("a directory that is missing", "could not be written", [&]() {
     write_file(directory / "missing" / "file", [](std::ostream &) {});
   });
   checks.that("no temporary files", n_files() == 1 && read(file) == "second");
-  checks.throws<InputError>("a directory below a file", "--output: found", [&]() {
-    const ResultsDirectory below(file / "results");
-  });
   checks.throws<InputError>("a directory that is a file", "--output: found", [&]() {
     const ResultsDirectory results(file);
   });
   checks.that("the file is still there", read(file) == "second");
 }
 
-void pvd(Checks &checks, const fs::path &directory)
+void pvd(Checks &checks)
 {
-  write_pvd(directory / "solution.pvd", {{0., "solution-00.vtu"}, {1., "solution-01.vtu"}});
-  const std::string pvd = read(directory / "solution.pvd");
+  std::ostringstream stream;
+  write_pvd(stream, {{0., "solution-00.vtu"}, {1., "solution-01.vtu"}});
+  const std::string pvd = stream.str();
   checks.that("PVD lists its files, levels are times",
               pvd.find("solution-00.vtu") != std::string::npos &&
                 pvd.find("timestep=\"1\" group=\"\" part=\"0\" file=\"solution-01.vtu\"") !=
@@ -296,7 +282,7 @@ int main(int argc, char **argv)
   directories(checks, directory);
   earlier_run(checks, directory);
   disk(checks, directory);
-  pvd(checks, directory);
+  pvd(checks);
   fs::remove_all(directory);
   return checks.exit_code();
 }

@@ -66,7 +66,7 @@ int main(int argc, char **argv)
   Checks checks;
   const LevelSolution<2> unmoved = solve(0.);
   checks.that("S = 0 is accepted", Judge({1e-10, 0.2, 0.}).accepts(unmoved.record));
-  for (const double S : {1., 1e2, 1e4, 1e6, 1e8, 1e10, 1e12, 1e14})
+  for (const double S : {1., 1e4, 1e8, 1e14})
     check(checks, S, unmoved);
   return checks.exit_code();
 }

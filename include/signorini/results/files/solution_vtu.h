@@ -75,6 +75,5 @@ void write_solution_vtu(const std::filesystem::path &path,
                         unsigned int number);
 
 /** Writes a .pvd that lists one file per level; the level takes the place of time. */
-void write_pvd(const std::filesystem::path &path,
-               const std::vector<std::pair<double, std::string>> &files);
+void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::string>> &files);
 } // namespace Signorini

@@ -75,14 +75,11 @@ private:
 
   /** Prepares the directory, at the first call only. */
   void start_directory();
-  /** Writes a small file on rank 0; if that fails, all ranks throw a WritingError. */
-  void write_on_first_rank(const std::function<void()> &write) const;
-  void write_convergence_of(const std::vector<LevelRecord> &levels) const;
-  void write_certificate_of(const std::vector<LevelRecord> &levels,
-                            const StudyVerdict &verdict) const;
-
-  /** Returns the path of "name-LL.ending" in the directory. */
-  std::filesystem::path level_file(const char *name, unsigned int level, const char *ending) const;
+  /** Calls @p work on rank 0 if there is a directory; if it fails, all ranks throw. Collective. */
+  void on_first_rank(const std::function<void()> &work) const;
+  /** Writes a file in this way. */
+  void write(const std::string &name, const std::function<void(std::ostream &)> &content) const;
+  void write_certificate(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict) const;
 
   const Parameters &parameters_;
   const Judge &judge_;
