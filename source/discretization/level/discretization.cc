@@ -49,17 +49,6 @@ void refuse_needless_patches(const Parameters &parameters,
                      std::to_string(max_patches_per_face) + " per face.");
 }
 
-/** Throws if a patch has no free node next to it: such a patch has no effect. */
-void refuse_patches_without_nodes(const Parameters &parameters, const Coupling &condensed_D)
-{
-  for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
-    if (condensed_D.column(k).empty())
-      throw InputError(parameters.discretization.coarsest_level.where() + ": contact patch " +
-                       std::to_string(k) +
-                       " sees no free mesh node on the coarsest level, allowed: a finer coarsest "
-                       "level, fewer patches or a larger patch ratio.");
-}
-
 template <int dim>
 void refuse_unstable_patches(const Parameters &parameters,
                              const Discretization<dim> &discretization)
@@ -127,13 +116,10 @@ Discretization<dim>::Discretization(const Parameters &parameters,
                                                          parameters.discretization.patches});
                   }))
   , multipliers(surface)
-  , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
-  , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
   , n_gap_points(n_points)
   , gap_grading(Grading::towards_kinks)
-  , G(timed(times.setup, [&]() { return assemble_gap_of(scene); }))
 {
-  refuse_patches_without_nodes(parameters, condensed_D);
+  assemble(parameters, scene);
   refuse_needless_patches(parameters, level, surface);
   refuse_unstable_patches(parameters, *this);
 }
@@ -149,13 +135,25 @@ Discretization<2>::Discretization(const Parameters &parameters,
   , surface(
       timed(times.setup, [&]() { return ContactSurface<2>(mesh, scene, points_on_faces(space)); }))
   , multipliers(surface, nodes_of_patches(space, surface))
-  , D(timed(times.setup, [&]() { return assemble_coupling(space, multipliers); }))
-  , condensed_D(timed(times.setup, [&]() { return condense(D, space.constraints()); }))
   , n_gap_points(n_points + 2)
   , gap_grading(Grading::none)
-  , G(timed(times.setup, [&]() { return assemble_gap_of(scene); }))
 {
-  refuse_patches_without_nodes(parameters, condensed_D);
+  assemble(parameters, scene);
+}
+
+template <int dim>
+void Discretization<dim>::assemble(const Parameters &parameters, const Scene<dim> &scene)
+{
+  const StageTimer timer(times.setup);
+  D = assemble_coupling(space, multipliers);
+  condensed_D = condense(D, space.constraints());
+  G = assemble_gap_of(scene);
+  for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
+    if (condensed_D.column(k).empty())
+      throw InputError(parameters.discretization.coarsest_level.where() + ": contact patch " +
+                       std::to_string(k) +
+                       " sees no free mesh node on the coarsest level, allowed: a finer coarsest "
+                       "level, fewer patches or a larger patch ratio.");
 }
 
 template <int dim>

@@ -25,10 +25,8 @@ CaseData case_data(const Parameters &parameters,
     contact.modes,
     discretization.n_points,
     [&discretization](const Scene<2> &other) { return discretization.assemble_gap_of(other); },
-    {solver.contact_solver,
-     solver.relaxation,
-     solver.tolerance,
-     solver.maximum_iterations,
+    {{solver.tolerance, solver.maximum_iterations, solver.relaxation, {}},
+     solver.contact_solver,
      is_unstable(discretization)}};
 }
 } // namespace

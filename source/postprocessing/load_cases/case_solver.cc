@@ -94,18 +94,12 @@ CaseResult CaseSolver::solve_dual(const LoadCase &load_case)
     motions.b.add(share, response.work.value);
     motions.b_magnitude.add(std::abs(share), response.work.magnitude);
   }
-  QPResult qp;
-  if (data_.modes.size() == 0)
-    qp = solve_dual_problem(C_, F, P_, data_.options);
-  else
-  {
-    const MotionResult solved = solve_dual_problem(C_, F, motions, P_, data_.options);
-    if (solved.escape)
-      result.escape =
-        text_of_escape(rigid_part(data_.modes, *solved.escape), opens(B_, *solved.escape));
-    qp = solved.qp;
-    q_ = solved.q;
-  }
+  const MotionResult solved = solve_dual_problem(C_, F, motions, P_, data_.options);
+  if (solved.escape)
+    result.escape =
+      text_of_escape(rigid_part(data_.modes, *solved.escape), opens(B_, *solved.escape));
+  const QPResult &qp = solved.qp;
+  q_ = solved.q;
   P_ = Pressure(qp.P);
   result.iterations = qp.iterations;
   result.kkt = qp.kkt_residual;

@@ -4,10 +4,7 @@
 #include <signorini/base/columns.h>
 #include <signorini/solvers/contact/compliance.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 namespace Signorini
@@ -22,69 +19,13 @@ ColumnCompliance::ColumnCompliance(const StiffnessInverse &inverse,
                                    const Coupling &condensed_D,
                                    double &seconds,
                                    ColumnProgress progress)
-  : inverse_(inverse)
+  : DenseCompliance(Matrix(condensed_D.n_columns(), condensed_D.n_columns()))
+  , inverse_(inverse)
   , D_(condensed_D)
   , seconds_(seconds)
   , progress_(std::move(progress))
-  , C_(condensed_D.n_columns(), condensed_D.n_columns())
   , known_(condensed_D.n_columns(), false)
 {
-}
-
-unsigned int ColumnCompliance::size() const
-{
-  return known_.size();
-}
-
-ComplianceOperator::Vector ColumnCompliance::apply(const Vector &P) const
-{
-  Indices pressing;
-  for (unsigned int k = 0; k < size(); ++k)
-    if (P[k] != 0.)
-      pressing.push_back(k);
-  require(pressing);
-  Vector product(size());
-  for (unsigned int i = 0; i < size(); ++i)
-    for (const unsigned int k : pressing)
-      product[i] += C_(i, k) * P[k];
-  return product;
-}
-
-ComplianceOperator::Vector ColumnCompliance::diagonal() const
-{
-  require(all());
-  Vector diagonal(size());
-  for (unsigned int k = 0; k < size(); ++k)
-    diagonal[k] = C_(k, k);
-  return diagonal;
-}
-
-ComplianceOperator::Matrix ColumnCompliance::columns(const Indices &numbers) const
-{
-  require(numbers);
-  Matrix columns(size(), numbers.size());
-  for (unsigned int i = 0; i < size(); ++i)
-    for (unsigned int j = 0; j < numbers.size(); ++j)
-      columns(i, j) = C_(i, numbers[j]);
-  return columns;
-}
-
-const ComplianceOperator::Matrix &ColumnCompliance::dense() const
-{
-  require(all());
-  return C_;
-}
-
-bool ColumnCompliance::is_explicit() const
-{
-  return n_known_ == size();
-}
-
-ComplianceOperator::Indices ColumnCompliance::all() const
-{
-  Indices numbers(size());
-  std::iota(numbers.begin(), numbers.end(), 0);
-  return numbers;
 }
 
 ComplianceOperator::Matrix ColumnCompliance::solve_for(const Indices &numbers) const
@@ -127,22 +68,15 @@ void ColumnCompliance::require(const Indices &numbers) const
     return;
   const StageTimer timer(seconds_);
   const Matrix found = solve_for(missing);
+  // Where both columns are computed now, the mean; elsewhere the row is the column.
   for (unsigned int j = 0; j < missing.size(); ++j)
-  {
-    known_[missing[j]] = true;
     for (unsigned int i = 0; i < size(); ++i)
-      C_(i, missing[j]) = found(i, j);
-  }
-  // Where both columns were computed now, the mean; elsewhere the row is the column.
-  std::vector<bool> is_new(size(), false);
+      C_(i, missing[j]) = C_(missing[j], i) = found(i, j);
+  for (unsigned int j = 0; j < missing.size(); ++j)
+    for (unsigned int i = 0; i < missing.size(); ++i)
+      C_(missing[i], missing[j]) = 0.5 * (found(missing[i], j) + found(missing[j], i));
   for (const unsigned int k : missing)
-    is_new[k] = true;
-  for (const unsigned int k : missing)
-    for (unsigned int i = 0; i < size(); ++i)
-      if (!is_new[i])
-        C_(k, i) = C_(i, k);
-      else if (i < k)
-        C_(k, i) = C_(i, k) = 0.5 * (C_(k, i) + C_(i, k));
+    known_[k] = true;
   n_known_ += static_cast<unsigned int>(missing.size());
 }
 
@@ -157,11 +91,6 @@ SolvedCompliance::SolvedCompliance(const StiffnessInverse &inverse,
 {
 }
 
-unsigned int SolvedCompliance::size() const
-{
-  return D_.n_columns();
-}
-
 SolvedCompliance::Vector SolvedCompliance::apply(const Vector &P) const
 {
   if (P.size() == 0 || P.all_zero())
@@ -171,42 +100,6 @@ SolvedCompliance::Vector SolvedCompliance::apply(const Vector &P) const
   b.compress(VectorOperation::add);
   inverse_.solve(x, b);
   return D_.transpose_product(x);
-}
-
-SolvedCompliance::Vector SolvedCompliance::diagonal() const
-{
-  return diagonal_;
-}
-
-SolvedCompliance::Matrix SolvedCompliance::columns(const Indices &numbers) const
-{
-  Matrix values(size(), numbers.size());
-  Vector unit(size());
-  for (unsigned int j = 0; j < numbers.size(); ++j)
-  {
-    unit = 0.;
-    unit[numbers[j]] = 1.;
-    const Vector column = apply(unit);
-    for (unsigned int i = 0; i < size(); ++i)
-      values(i, j) = column[i];
-  }
-  return values;
-}
-
-const SolvedCompliance::Matrix &SolvedCompliance::dense() const
-{
-  if (dense_.m() != size())
-  {
-    Indices all(size());
-    std::iota(all.begin(), all.end(), 0);
-    dense_ = columns(all);
-  }
-  return dense_;
-}
-
-bool SolvedCompliance::is_explicit() const
-{
-  return false;
 }
 
 // C = Dᵀ A⁻¹ D: read from the factors, or by columns.
@@ -275,17 +168,6 @@ FreeState solve_free_state(const StiffnessInverse &inverse,
   return state;
 }
 
-template FreeState solve_free_state(const StiffnessInverse &,
-                                    const DisplacementSpace<2> &,
-                                    const DistributedVector &,
-                                    const Coupling &,
-                                    const dealii::Vector<double> &);
-template FreeState solve_free_state(const StiffnessInverse &,
-                                    const DisplacementSpace<3> &,
-                                    const DistributedVector &,
-                                    const Coupling &,
-                                    const dealii::Vector<double> &);
-
 // U = A⁻¹(D P + f), (23).
 
 template <int dim>
@@ -331,24 +213,23 @@ Displacement solve_prescribed(const StiffnessInverse &inverse,
   return U;
 }
 
-template Displacement solve_prescribed(const StiffnessInverse &,
-                                       const DisplacementSpace<2> &,
-                                       const Displacement &,
-                                       const DualVector &);
-template Displacement solve_homogeneous(const StiffnessInverse &,
-                                        const DisplacementSpace<2> &,
-                                        DistributedVector &);
-template Displacement solve_homogeneous(const StiffnessInverse &,
-                                        const DisplacementSpace<3> &,
-                                        DistributedVector &);
-template Displacement recover_displacement(const StiffnessInverse &,
-                                           const DisplacementSpace<2> &,
-                                           const Coupling &,
-                                           const dealii::Vector<double> &,
-                                           const DistributedVector &);
-template Displacement recover_displacement(const StiffnessInverse &,
-                                           const DisplacementSpace<3> &,
-                                           const Coupling &,
-                                           const dealii::Vector<double> &,
-                                           const DistributedVector &);
+#define INSTANTIATE(dim)                                                                           \
+  template FreeState solve_free_state(const StiffnessInverse &,                                    \
+                                      const DisplacementSpace<dim> &,                              \
+                                      const DistributedVector &,                                   \
+                                      const Coupling &,                                            \
+                                      const dealii::Vector<double> &);                             \
+  template Displacement recover_displacement(const StiffnessInverse &,                             \
+                                             const DisplacementSpace<dim> &,                       \
+                                             const Coupling &,                                     \
+                                             const dealii::Vector<double> &,                       \
+                                             const DistributedVector &);                           \
+  template Displacement solve_homogeneous(                                                         \
+    const StiffnessInverse &, const DisplacementSpace<dim> &, DistributedVector &);                \
+  template Displacement solve_prescribed(const StiffnessInverse &,                                 \
+                                         const DisplacementSpace<dim> &,                           \
+                                         const Displacement &,                                     \
+                                         const DualVector &);
+INSTANTIATE(2)
+INSTANTIATE(3)
 } // namespace Signorini

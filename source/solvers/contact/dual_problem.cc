@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The compliance C as a matrix, and parts of C.
+// The compliance C as a matrix, and the dual problem with the residual by which every solver is
+// judged.
 
 #include <signorini/solvers/contact/dual_problem.h>
 
-#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/exceptions.h>
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace Signorini
@@ -14,11 +16,57 @@ using Vector = ComplianceOperator::Vector;
 using Matrix = ComplianceOperator::Matrix;
 using Indices = ComplianceOperator::Indices;
 
-DenseCompliance::DenseCompliance(Matrix C)
-  : C_(std::move(C))
+namespace
 {
-  if (C_.m() != C_.n())
-    throw std::invalid_argument("C is not a square matrix.");
+Indices nonzeros(const Vector &P)
+{
+  Indices numbers;
+  for (unsigned int k = 0; k < P.size(); ++k)
+    if (P[k] != 0.)
+      numbers.push_back(k);
+  return numbers;
+}
+} // namespace
+
+Indices all_indices(const unsigned int n)
+{
+  Indices numbers(n);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+Vector ComplianceOperator::diagonal_times(const Vector &P) const
+{
+  Vector product(P);
+  product.scale(diagonal());
+  return product;
+}
+
+Matrix ComplianceOperator::columns(const Indices &numbers) const
+{
+  Matrix columns(size(), numbers.size());
+  for (unsigned int j = 0; j < numbers.size(); ++j)
+  {
+    Vector unit(size());
+    unit[numbers[j]] = 1.;
+    const Vector column = apply(unit);
+    for (unsigned int i = 0; i < size(); ++i)
+      columns(i, j) = column[i];
+  }
+  return columns;
+}
+
+const Matrix &ComplianceOperator::dense() const
+{
+  if (C_.m() != size())
+    C_ = columns(all_indices(size()));
+  return C_;
+}
+
+DenseCompliance::DenseCompliance(Matrix C)
+{
+  AssertDimension(C.m(), C.n());
+  C_ = std::move(C);
 }
 
 unsigned int DenseCompliance::size() const
@@ -28,22 +76,36 @@ unsigned int DenseCompliance::size() const
 
 Vector DenseCompliance::apply(const Vector &P) const
 {
+  const Indices pressing = nonzeros(P);
+  require(pressing);
   Vector product(size());
-  if (size() > 0)
-    C_.vmult(product, P);
+  for (unsigned int i = 0; i < size(); ++i)
+    for (const unsigned int k : pressing)
+      product[i] += C_(i, k) * P[k];
   return product;
 }
 
 Vector DenseCompliance::diagonal() const
 {
+  require(all_indices(size()));
   Vector diagonal(size());
   for (unsigned int k = 0; k < size(); ++k)
     diagonal[k] = C_(k, k);
   return diagonal;
 }
 
+Vector DenseCompliance::diagonal_times(const Vector &P) const
+{
+  require(nonzeros(P));
+  Vector product(P);
+  for (unsigned int k = 0; k < size(); ++k)
+    product[k] *= P[k] != 0. ? C_(k, k) : 0.;
+  return product;
+}
+
 Matrix DenseCompliance::columns(const Indices &numbers) const
 {
+  require(numbers);
   Matrix columns(size(), numbers.size());
   for (unsigned int i = 0; i < size(); ++i)
     for (unsigned int j = 0; j < numbers.size(); ++j)
@@ -53,129 +115,154 @@ Matrix DenseCompliance::columns(const Indices &numbers) const
 
 const Matrix &DenseCompliance::dense() const
 {
+  require(all_indices(size()));
   return C_;
-}
-
-bool DenseCompliance::is_explicit() const
-{
-  return true;
-}
-
-Vector diagonal_times(const ComplianceOperator &C, const Vector &P)
-{
-  Indices pressing;
-  for (unsigned int k = 0; k < P.size(); ++k)
-    if (P[k] != 0.)
-      pressing.push_back(k);
-  const Matrix columns = C.columns(pressing);
-  Vector product(P.size());
-  for (unsigned int j = 0; j < pressing.size(); ++j)
-    product[pressing[j]] = columns(pressing[j], j) * P[pressing[j]];
-  return product;
 }
 
 Matrix submatrix(const ComplianceOperator &C, const Indices &numbers)
 {
-  const auto n = static_cast<unsigned int>(numbers.size());
   const Matrix columns = C.columns(numbers);
-  Matrix part(n, n);
-  for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int j = 0; j < n; ++j)
+  Matrix part(numbers.size(), numbers.size());
+  for (unsigned int i = 0; i < numbers.size(); ++i)
+    for (unsigned int j = 0; j < numbers.size(); ++j)
       part(i, j) = columns(numbers[i], j);
   return part;
 }
 
-// The problem min ½ Pᵀ C P - Pᵀ F over P in K, and the residual by which every solver is judged.
+LAPACKFullMatrix<double> cholesky(const Matrix &C, const double rounding)
+{
+  LAPACKFullMatrix<double> L(C.m());
+  if (C.m() == 0)
+    return L;
+  L = C;
+  L.set_property(LAPACKSupport::symmetric);
+  L.compute_cholesky_factorization();
+  // L_ii² is what elimination leaves of a diagonal entry.
+  for (unsigned int i = 0; i < C.m(); ++i)
+    if (!(L(i, i) * L(i, i) > rounding * C(i, i)))
+      throw LACExceptions::ExcSingular();
+  return L;
+}
 
 BoundConstrainedQP::BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C_,
                                        Vector F_,
-                                       AdmissibleSet K_)
+                                       AdmissibleSet K_,
+                                       Balances balances_)
   : C(std::move(C_))
   , diagonal(C->diagonal())
   , F(std::move(F_))
   , K(std::move(K_))
+  , balances(std::move(balances_))
 {
-  if (C->size() != F.size() || K.size() != F.size())
-    throw std::invalid_argument("The sizes of C, F and K do not fit together.");
+  AssertDimension(C->size(), F.size());
+  AssertDimension(K.size(), F.size());
   for (unsigned int i = 0; i < size(); ++i)
     if (!(diagonal[i] > 0.))
       throw std::invalid_argument("C has a diagonal entry that is not positive: row " +
                                   std::to_string(i) + ".");
 }
 
-BoundConstrainedQP::BoundConstrainedQP(FullMatrix<double> C_, Vector F_, AdmissibleSet K_)
+BoundConstrainedQP::BoundConstrainedQP(Matrix C_, const Vector &F_, Balances balances_)
   : BoundConstrainedQP(std::make_shared<const DenseCompliance>(std::move(C_)),
-                       std::move(F_),
-                       std::move(K_))
+                       F_,
+                       AdmissibleSet::nonpositive(F_.size()),
+                       std::move(balances_))
 {
 }
 
-BoundConstrainedQP::BoundConstrainedQP(FullMatrix<double> C_, const Vector &F_)
-  : BoundConstrainedQP(std::move(C_), F_, AdmissibleSet::nonpositive(F_.size()))
-{
-}
-
-BoundConstrainedQP::Vector BoundConstrainedQP::gradient(const Vector &P) const
+Vector BoundConstrainedQP::gradient(const Vector &P, const Vector &z) const
 {
   Vector W = C->apply(P);
+  if (size() > 0 && balances.size() > 0)
+    balances.B.vmult_add(W, z);
   if (size() > 0)
     W -= F;
   return W;
 }
 
-double BoundConstrainedQP::energy(const Vector &P) const
+Vector BoundConstrainedQP::imbalance(const Vector &P, const Vector &z) const
 {
-  if (size() == 0)
-    return 0.;
-  const Vector W = gradient(P);
-  return 0.5 * (P * W) - 0.5 * (P * F);
+  Vector r(balances.b), K_z(r);
+  if (r.size() == 0)
+    return r;
+  if (size() > 0)
+    balances.B.Tvmult_add(r, P);
+  balances.K.vmult(K_z, z);
+  r -= K_z;
+  return r;
 }
 
-double BoundConstrainedQP::kkt_residual(const Vector &P) const
+double BoundConstrainedQP::energy(const Vector &P) const
 {
-  const Vector W = gradient(P);
-  double residual = 0.;
-  double size_of_P = 0.;
-  double size_of_F = 0.;
+  return size() > 0 ? 0.5 * (P * gradient(P)) - 0.5 * (P * F) : 0.;
+}
+
+double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const Vector &W) const
+{
+  double residual = 0., size_of_P = 0., size_of_F = 0., size_of_b = 0.;
+  for (const double r : imbalance(P, z))
+    residual += r * r;
+  for (const double b : balances.b)
+    size_of_b += b * b;
   for (unsigned int i = 0; i < size(); ++i)
   {
     const double r = K.residual(i, P[i], W[i] / diagonal[i]);
     residual += r * r;
     size_of_P += P[i] * P[i];
-    size_of_F += F[i] * F[i] / (diagonal[i] * diagonal[i]);
+    if (balances.size() == 0 || P[i] != 0. || r != 0.)
+      size_of_F += F[i] * F[i] / (diagonal[i] * diagonal[i]);
   }
-  const double scale = std::max(size_of_P, size_of_F);
+  const double scale = std::max({size_of_P, size_of_F, size_of_b});
   return scale > 0. ? std::sqrt(residual / scale) : std::sqrt(residual);
 }
 
-bool BoundConstrainedQP::has_unique_solution(const Vector &P) const
+bool BoundConstrainedQP::has_unique_solution(const Vector &P, const Vector &z) const
 {
-  const Vector W = gradient(P);
-  const double zero = size() > 0 ? 1e-9 * F.linfty_norm() : 0.;
-  std::vector<unsigned int> touching;
+  if (size() == 0)
+    return true;
+  const Vector W = gradient(P, z);
+  Vector B_z(size());
+  if (balances.size() > 0)
+    balances.B.vmult(B_z, z);
+  const double zero = 1e-9 * (F.linfty_norm() + B_z.linfty_norm());
+  Indices touching;
   for (unsigned int i = 0; i < size(); ++i)
     if (K.is_inside(i, P[i]) || (P[i] >= K[i].upper ? W[i] > -zero : W[i] < zero))
       touching.push_back(i);
-  const auto n = static_cast<unsigned int>(touching.size());
-  if (n == 0)
-    return true;
-  const FullMatrix<double> C_TT = submatrix(*C, touching);
-  LAPACKFullMatrix<double> L(n, n);
-  L = C_TT;
-  L.set_property(LAPACKSupport::symmetric);
+  // Q with C Q = 0 and Bᵀ Q = 0 is one with (C + s B Bᵀ) Q = 0.
+  Matrix C_TT = submatrix(*C, touching);
+  const double s = C_TT.m() * diagonal.linfty_norm();
+  for (unsigned int i = 0; i < C_TT.m(); ++i)
+    for (unsigned int j = 0; j < C_TT.m(); ++j)
+      for (unsigned int l = 0; l < balances.size(); ++l)
+        C_TT(i, j) += s * balances.B(touching[i], l) * balances.B(touching[j], l);
   try
   {
-    L.compute_cholesky_factorization();
+    cholesky(C_TT, 1e-12);
   }
   catch (const ExceptionBase &)
   {
     return false;
   }
-  // The pivots: L_ii² is what elimination leaves of a diagonal entry.
-  constexpr double rounding = 1e-12;
-  for (unsigned int i = 0; i < n; ++i)
-    if (!(L(i, i) * L(i, i) > rounding * C_TT(i, i)))
-      return false;
   return true;
+}
+
+MotionResistance::MotionResistance(const Balances &balances,
+                                   const Indices &A,
+                                   const LAPACKFullMatrix<double> &C_AA)
+  : S(balances.K)
+{
+  for (unsigned int j = 0; j < balances.size(); ++j)
+  {
+    Vector column(A.size());
+    for (unsigned int r = 0; r < A.size(); ++r)
+      column[r] = balances.B(A[r], j);
+    if (!A.empty())
+      C_AA.solve(column);
+    for (unsigned int i = 0; i < balances.size(); ++i)
+      for (unsigned int r = 0; r < A.size(); ++r)
+        S(i, j) += balances.B(A[r], i) * column[r];
+    X.push_back(column);
+  }
 }
 } // namespace Signorini

@@ -29,31 +29,21 @@ std::string message_of(const ExceptionBase &exception)
   return one_line(trim(text.str()));
 }
 
-QPResult by_psor(const BoundConstrainedQP &qp,
-                 const Vector &start,
-                 const DualSolverOptions &options)
-{
-  return solve_by_psor(qp,
-                       start.size() > 0 ? start : Vector(qp.size()),
-                       {options.relaxation, options.tolerance, options.maximum_iterations});
-}
-
 QPResult by_chosen_method(const BoundConstrainedQP &qp,
                           const Vector &start,
                           const DualSolverOptions &options)
 {
-  if (options.method == ContactSolver::psor)
-    return by_psor(qp, start, options);
+  if (options.method == ContactSolver::psor && qp.size() > 0)
+    return solve_by_psor(qp, start, options);
   if (options.method == ContactSolver::mprgp)
-    return solve_by_mprgp(
-      qp, start, {options.tolerance, options.maximum_iterations, options.preconditioner});
+    return solve_by_mprgp(qp, start, options);
   try
   {
-    return solve_by_active_set(qp, start, {options.tolerance, options.maximum_iterations});
+    return solve_by_active_set(qp, start, options);
   }
   catch (const ExceptionBase &exception)
   {
-    QPResult result = by_psor(qp, start, options);
+    QPResult result = solve_by_psor(qp, start, options);
     result.active_set_failure = message_of(exception);
     return result;
   }
@@ -63,41 +53,52 @@ QPResult by_chosen_method(const BoundConstrainedQP &qp,
 QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
                             const Vector &F,
                             const Vector &start,
-                            const DualSolverOptions &options)
+                            const DualSolverOptions &options,
+                            const Balances &balances)
 {
   const QPSolver solve = [&](const BoundConstrainedQP &qp, const Vector &qp_start) {
     QPResult result = by_chosen_method(qp, qp_start, options);
-    result.unique = !options.may_be_singular || qp.has_unique_solution(result.P);
+    result.unique = !options.may_be_singular || qp.has_unique_solution(result.P, result.z);
     return result;
   };
   if (options.method != ContactSolver::psor && options.method != ContactSolver::mprgp &&
       !C->is_explicit())
-    return solve_on_growing_set(*C, F, start, solve);
-  return solve(BoundConstrainedQP(C, F, AdmissibleSet::nonpositive(F.size())), start);
+    return solve_on_growing_set(*C, F, start, solve, balances);
+  return solve(BoundConstrainedQP(C, F, AdmissibleSet::nonpositive(F.size()), balances), start);
 }
 
 // The dual problem on a growing set of patches.
 
 namespace
 {
-using Vector = dealii::Vector<double>;
-using Indices = std::vector<unsigned int>;
+using Indices = ComplianceOperator::Indices;
 
-Vector restrict_to(const Indices &K, const Vector &v)
+Vector restrict_to(const Indices &S, const Vector &v)
 {
-  Vector part(K.size());
-  for (unsigned int i = 0; i < K.size(); ++i)
-    part[i] = v[K[i]];
+  Vector part(v.size() > 0 ? S.size() : 0);
+  for (unsigned int i = 0; i < part.size(); ++i)
+    part[i] = v[S[i]];
   return part;
 }
 
-/** Returns the indices outside of K that satisfy @p is_wanted. */
+Balances restrict_to(const Indices &S, const Balances &balances)
+{
+  Balances part = balances;
+  part.P = restrict_to(S, balances.P);
+  part.B.reinit(S.size(), balances.size());
+  for (unsigned int i = 0; i < S.size(); ++i)
+    for (unsigned int j = 0; j < balances.size(); ++j)
+      part.B(i, j) = balances.B(S[i], j);
+  return part;
+}
+
+/** Returns the indices outside of S, below m, that satisfy @p is_wanted. */
 template <typename Predicate>
-Indices find_outside(const Indices &K, const unsigned int m, const Predicate &is_wanted)
+Indices find_outside(const Indices &S, const unsigned int m, const Predicate &is_wanted)
 {
   Indices found;
   for (unsigned int i = 0; i < m; ++i)
-    if (!std::binary_search(K.begin(), K.end(), i) && is_wanted(i))
+    if (!std::binary_search(S.begin(), S.end(), i) && is_wanted(i))
       found.push_back(i);
   return found;
 }
@@ -106,42 +107,48 @@ Indices find_outside(const Indices &K, const unsigned int m, const Predicate &is
 QPResult solve_on_growing_set(const ComplianceOperator &C,
                               const Vector &F,
                               const Vector &start,
-                              const QPSolver &solve)
+                              const QPSolver &solve,
+                              const Balances &balances)
 {
   const unsigned int m = F.size();
+  const bool moves = balances.size() > 0;
   QPResult whole;
   whole.P = start.size() > 0 ? start : Vector(m);
-  Indices S;
-  const auto presses = [&](const unsigned int i) { return i < m && whole.P[i] < 0.; };
+  const auto presses = [&](const unsigned int i) {
+    return i < m && (whole.P[i] < 0. || (moves && balances.P[i] < 0.));
+  };
   // Ends of contact move by a patch or so; i - 1 wraps around at zero.
-  Indices joining = find_outside(
-    S, m, [&](const unsigned int i) { return presses(i) || presses(i - 1) || presses(i + 1); });
-  const bool has_start = !joining.empty();
-  if (!has_start)
+  Indices S, joining = find_outside(S, m, [&](const unsigned int i) {
+               return presses(i) || presses(i - 1) || presses(i + 1);
+             });
+  const bool has_start = !whole.P.all_zero();
+  if (joining.empty())
     joining = find_outside(S, m, [&](const unsigned int i) { return F[i] < 0.; });
-  whole.converged = joining.empty(); // then P = 0 it is
-  for (bool first = true; !joining.empty(); first = false)
+  whole.converged = joining.empty() && !moves; // then P = 0 it is
+  for (bool first = true; !joining.empty() || (first && moves); first = false)
   {
     S.insert(S.end(), joining.begin(), joining.end());
     std::sort(S.begin(), S.end());
-    const QPResult on_S = solve(BoundConstrainedQP(submatrix(C, S), restrict_to(S, F)),
-                                first && !has_start ? Vector() : restrict_to(S, whole.P));
-    whole.P = 0.;
+    const Vector start_on_S = first && !has_start ? Vector() : restrict_to(S, whole.P);
+    const unsigned int before = whole.iterations;
+    const bool cycled = whole.cycled;
+    whole = solve(BoundConstrainedQP(submatrix(C, S), restrict_to(S, F), restrict_to(S, balances)),
+                  start_on_S);
+    whole.iterations += before;
+    whole.cycled = whole.cycled || cycled;
+    Vector P(m);
     for (unsigned int i = 0; i < S.size(); ++i)
-      whole.P[S[i]] = on_S.P[i];
-    whole.iterations += on_S.iterations;
-    whole.kkt_residual = on_S.kkt_residual;
-    whole.converged = on_S.converged;
-    whole.cycled = whole.cycled || on_S.cycled;
-    whole.unique = on_S.unique;
-    whole.active_set_failure = on_S.active_set_failure;
-    const Vector C_P = C.apply(whole.P);
-    joining = find_outside(S, m, [&](const unsigned int i) { return C_P[i] - F[i] > 0.; });
+      P[S[i]] = whole.P[i];
+    whole.P = P;
+    Vector W = C.apply(P);
+    if (moves)
+      balances.B.vmult_add(W, whole.z);
+    joining = find_outside(S, m, [&](const unsigned int i) { return W[i] - F[i] > 0.; });
   }
   return whole;
 }
 
-// The primal-dual active set method with a finite fallback.
+// The active set method.
 
 namespace
 {
@@ -153,7 +160,6 @@ enum class State : char
   upper
 };
 using States = std::vector<State>;
-using Vector = dealii::Vector<double>;
 
 State state_of(const AdmissibleSet &K, const unsigned int i, const double p)
 {
@@ -168,57 +174,71 @@ States states_of(const AdmissibleSet &K, const Vector &P)
   return states;
 }
 
-/** Solves C_AA P_A = F_A - C_AI e_I, P_I = e_I. @throws ExceptionBase if C_AA is not
- * positive definite. */
-Vector solve_on_set(const BoundConstrainedQP &qp, const States &states)
+/** A pressure and free motions. */
+struct Iterate
 {
-  std::vector<unsigned int> A;
-  Vector P(qp.size());
+  Vector P, z;
+};
+
+/**
+ * Solves C_AA P_A + B_A z = F_A - C_AI e_I, P_I = e_I, K z - Bᵀ P = b by block elimination, with
+ * the Schur complement S of the motions, and three times more for what rounding leaves of both
+ * equations. A motion that neither K nor patches of A resist stays
+ * zero. @throws ExceptionBase if C_AA is not positive definite.
+ */
+Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states)
+{
+  const unsigned int n = qp.balances.size();
+  Indices A;
+  Iterate x = {Vector(qp.size()), Vector(n)};
   for (unsigned int i = 0; i < qp.size(); ++i)
     if (states[i] == State::inside)
       A.push_back(i);
     else
-      P[i] = states[i] == State::upper ? qp.K[i].upper : qp.K[i].lower;
-  if (A.empty())
-    return P;
-  const Vector minus_rhs = qp.gradient(P);
-  LAPACKFullMatrix<double> C_AA(A.size(), A.size());
-  C_AA = submatrix(*qp.C, A);
-  Vector P_A(A.size());
-  for (unsigned int r = 0; r < A.size(); ++r)
-    P_A[r] = -minus_rhs[A[r]];
-  C_AA.set_property(LAPACKSupport::symmetric);
-  C_AA.compute_cholesky_factorization();
-  C_AA.solve(P_A);
-  for (unsigned int r = 0; r < A.size(); ++r)
-    P[A[r]] = P_A[r];
-  return P;
+      x.P[i] = states[i] == State::upper ? qp.K[i].upper : qp.K[i].lower;
+  if (A.empty() && n == 0)
+    return x;
+  const LAPACKFullMatrix<double> C_AA = cholesky(submatrix(*qp.C, A));
+  const MotionResistance resistance(qp.balances, A, C_AA);
+  LAPACKFullMatrix<double> S(n);
+  if (n > 0)
+  {
+    constexpr double rounding = 1e-13;
+    S = resistance.S;
+    S.compute_inverse_svd(rounding);
+  }
+  for (unsigned int pass = 0; pass < (n > 0 ? 4U : 1U); ++pass)
+  {
+    const Vector W = qp.gradient(x.P, x.z);
+    Vector dP(A.size()), dz(n);
+    for (unsigned int r = 0; r < A.size(); ++r)
+      dP[r] = -W[A[r]];
+    if (!A.empty())
+      C_AA.solve(dP);
+    for (unsigned int r = 0; r < A.size(); ++r)
+      x.P[A[r]] += dP[r];
+    if (n == 0)
+      continue;
+    S.vmult(dz, qp.imbalance(x.P, x.z));
+    x.z += dz;
+    for (unsigned int r = 0; r < A.size(); ++r)
+      for (unsigned int j = 0; j < n; ++j)
+        x.P[A[r]] -= resistance.X[j][r] * dz[j];
+  }
+  return x;
 }
 
-/** Returns the states that the solution P for @p states predicts. In P, W vanishes inside of the
+/** Returns the states that the solution x for @p states predicts. In x, W vanishes inside of the
  * intervals. */
-States improve(const BoundConstrainedQP &qp, const States &states, const Vector &P)
+States improve(const BoundConstrainedQP &qp, const States &states, const Iterate &x)
 {
-  const Vector W = qp.gradient(P);
+  const Vector W = qp.gradient(x.P, x.z);
   States next(states);
   for (unsigned int i = 0; i < qp.size(); ++i)
     if (states[i] == State::inside)
-      next[i] = state_of(qp.K, i, P[i]);
-    else if (qp.K.inward(i, P[i], W[i]) != 0.)
+      next[i] = state_of(qp.K, i, x.P[i]);
+    else if (qp.K.inward(i, x.P[i], W[i]) != 0.)
       next[i] = State::inside;
-  return next;
-}
-
-/** Changes the state of the first unknown for which the states differ. */
-States exchange_lowest(const States &states, const States &wanted)
-{
-  States next = states;
-  for (unsigned int i = 0; i < states.size(); ++i)
-    if (states[i] != wanted[i])
-    {
-      next[i] = wanted[i];
-      break;
-    }
   return next;
 }
 
@@ -227,35 +247,109 @@ double rounding_level(const BoundConstrainedQP &qp)
 {
   return (qp.size() + 10) * std::numeric_limits<double>::epsilon();
 }
+
+/** Moves P towards the wanted one; where an unknown would leave its interval, only to the first end
+ * that is met, which that unknown keeps. @return whether P is the wanted one. */
+bool step_to_first_end(const AdmissibleSet &K, const Vector &wanted, Vector &P, States &states)
+{
+  const double rounding =
+    P.size() > 0 ? 10. * std::numeric_limits<double>::epsilon() * wanted.linfty_norm() : 0.;
+  double part = 1.;
+  unsigned int leaving = P.size();
+  for (unsigned int i = 0; i < P.size(); ++i)
+    if (states[i] == State::inside && std::abs(wanted[i] - K.project(i, wanted[i])) > rounding)
+    {
+      const double here = (K.project(i, wanted[i]) - P[i]) / (wanted[i] - P[i]);
+      if (leaving == P.size() || here < part)
+      {
+        part = here;
+        leaving = i;
+      }
+    }
+  P.sadd(1. - part, part, wanted);
+  K.project(P);
+  if (leaving == P.size())
+    return true;
+  P[leaving] = K.project(leaving, wanted[leaving]);
+  states[leaving] = P[leaving] >= K[leaving].upper ? State::upper : State::lower;
+  return false;
+}
+
+/** Lets the unknown join whose residual is largest. @return whether there is one above rounding. */
+bool join_deepest(const BoundConstrainedQP &qp, const Iterate &x, States &states)
+{
+  const Vector W = qp.gradient(x.P, x.z);
+  double largest = 0.;
+  for (unsigned int i = 0; i < qp.size(); ++i)
+    largest = std::max({largest, std::abs(qp.F[i]), std::abs(qp.F[i] + W[i])});
+  double deepest = 0.;
+  unsigned int joining = qp.size();
+  for (unsigned int i = 0; i < qp.size(); ++i)
+  {
+    const double inward = std::abs(qp.K.inward(i, x.P[i], W[i]));
+    if (states[i] != State::inside && inward > 1e-13 * largest && inward > deepest * qp.diagonal[i])
+    {
+      deepest = inward / qp.diagonal[i];
+      joining = i;
+    }
+  }
+  if (joining < qp.size())
+    states[joining] = State::inside;
+  return joining < qp.size();
+}
 } // namespace
 
 QPResult solve_by_active_set(const BoundConstrainedQP &qp,
-                             const dealii::Vector<double> &start,
-                             const ActiveSetOptions &options)
+                             const Vector &start,
+                             const IterationOptions &options)
 {
+  const bool moves = qp.balances.size() > 0;
   QPResult result;
+  Iterate x;
   States states = start.size() == 0 ? States(qp.size(), State::inside) : states_of(qp.K, start);
   std::set<States> visited;
-  bool settled = false;
-  while (!settled && result.iterations < options.maximum_iterations)
+  for (bool settled = false; !settled && result.iterations < options.maximum_iterations;)
   {
     ++result.iterations;
-    visited.insert(states);
-    result.P = solve_on_set(qp, states);
-    const States wanted = improve(qp, states, result.P);
+    const Iterate wanted = solve_on_set(qp, states);
     // Where P and W vanish together, rounding changes the set each time, although P is the
     // solution.
-    Vector projected = result.P;
+    Vector projected = wanted.P;
     qp.K.project(projected);
-    const double residual = qp.kkt_residual(projected);
-    const bool came_back = visited.count(wanted) > 0;
-    settled = wanted == states || residual <= rounding_level(qp) ||
-              (came_back && residual <= 1e-3 * options.tolerance);
-    result.cycled = result.cycled || (came_back && !settled);
-    states = result.cycled ? exchange_lowest(states, wanted) : wanted;
+    const double residual = qp.kkt_residual(projected, wanted.z);
+    if (!result.cycled)
+    {
+      x = wanted;
+      visited.insert(states);
+      const States next = improve(qp, states, x);
+      const bool came_back = visited.count(next) > 0;
+      settled = residual <= rounding_level(qp) ||
+                (next == states && (!moves || residual <= options.tolerance)) ||
+                (came_back && residual <= 1e-3 * options.tolerance);
+      result.cycled = came_back && !settled;
+      states = next;
+      if (result.cycled)
+      {
+        if (moves)
+          x.P = qp.balances.P;
+        qp.K.project(x.P);
+        states = states_of(qp.K, x.P);
+      }
+    }
+    else
+    {
+      settled = residual <= rounding_level(qp);
+      if (settled || step_to_first_end(qp.K, wanted.P, x.P, states))
+      {
+        x = wanted;
+        settled = settled || !join_deepest(qp, x, states);
+      }
+    }
   }
-  qp.K.project(result.P);
-  result.kkt_residual = qp.kkt_residual(result.P);
+  qp.K.project(x.P);
+  result.P = x.P;
+  result.z = x.z;
+  result.kkt_residual = qp.kkt_residual(result.P, result.z);
   result.converged = result.kkt_residual <= options.tolerance;
   return result;
 }

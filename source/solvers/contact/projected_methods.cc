@@ -10,7 +10,9 @@
 
 namespace Signorini
 {
-double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, dealii::Vector<double> &P)
+using Vector = dealii::Vector<double>;
+
+double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, Vector &P)
 {
   const FullMatrix<double> &C = qp.C->dense();
   double squared_increment = 0.;
@@ -29,14 +31,15 @@ double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, dealii:
   return std::sqrt(squared_increment);
 }
 
-QPResult solve_by_psor(const BoundConstrainedQP &qp,
-                       const dealii::Vector<double> &start,
-                       const PsorOptions &options)
+namespace
 {
-  if (!(options.relaxation > 0. && options.relaxation < 2.))
-    throw std::invalid_argument("Projected SOR converges for relaxations between 0 and 2 only.");
+/** Solves a problem without balances. */
+QPResult sweep_until_settled(const BoundConstrainedQP &qp,
+                             const Vector &start,
+                             const IterationOptions &options)
+{
   QPResult result;
-  result.P = start;
+  result.P = start.size() > 0 ? start : Vector(qp.size());
   qp.K.project(result.P);
   result.converged = qp.size() == 0; // nothing to do
   double last_increment = 0.;
@@ -62,12 +65,83 @@ QPResult solve_by_psor(const BoundConstrainedQP &qp,
   return result;
 }
 
+/** Returns E: part of the stiffness of the patches that press, or of all; motions that it does not
+ * resist get some, too. */
+FullMatrix<double> proximal_stiffness(const BoundConstrainedQP &qp, const Vector &P)
+{
+  constexpr double part = 0.3, small = 1e-4, regular = 1e-8;
+  ComplianceOperator::Indices A;
+  for (unsigned int i = 0; i < qp.size(); ++i)
+    if (qp.K.is_inside(i, P[i]))
+      A.push_back(i);
+  if (A.empty())
+    A = all_indices(qp.size());
+  FullMatrix<double> C_AA = submatrix(*qp.C, A);
+  C_AA.diagadd(regular * C_AA.trace() / A.size());
+  FullMatrix<double> E = MotionResistance(qp.balances, A, cholesky(C_AA)).S;
+  E.add(-1., qp.balances.K);
+  E.diagadd(small * E.trace());
+  E *= part;
+  return E;
+}
+
+/** Solves a problem with balances by proximal iteration. */
+QPResult sweep_proximally(const BoundConstrainedQP &qp,
+                          const Vector &start,
+                          const IterationOptions &options)
+{
+  const Balances &balances = qp.balances;
+  QPResult result;
+  result.P = start.size() > 0 ? start : Vector(qp.size());
+  result.z.reinit(balances.size());
+  result.kkt_residual = 1.;
+  const Vector no_pressure(qp.size());
+  while (result.iterations < options.maximum_iterations && !result.converged)
+  {
+    FullMatrix<double> Q = proximal_stiffness(qp, result.P), C = qp.C->dense(),
+                       B_Q(qp.size(), balances.size());
+    Q.add(1., balances.K);
+    Q.gauss_jordan();
+    balances.B.mmult(B_Q, Q);
+    B_Q.mTmult(C, balances.B, true);
+    // z = z_old + Q⁻¹(b - K z_old + Bᵀ P).
+    Vector z(result.z);
+    Q.vmult_add(z, qp.imbalance(no_pressure, z));
+    Vector F(qp.size());
+    balances.B.vmult(F, z);
+    F.sadd(-1., 1., qp.F);
+    const QPResult swept = sweep_until_settled(
+      BoundConstrainedQP(std::make_shared<const DenseCompliance>(std::move(C)), F, qp.K),
+      result.P,
+      {std::max(0.1 * options.tolerance, std::min(1e-4, 1e-2 * result.kkt_residual)),
+       options.maximum_iterations - result.iterations,
+       options.relaxation,
+       {}});
+    result.P = swept.P;
+    result.iterations += std::max(1U, swept.iterations);
+    B_Q.Tvmult_add(z, result.P);
+    result.z = z;
+    result.kkt_residual = qp.kkt_residual(result.P, result.z);
+    result.converged = result.kkt_residual <= options.tolerance;
+  }
+  return result;
+}
+} // namespace
+
+QPResult solve_by_psor(const BoundConstrainedQP &qp,
+                       const Vector &start,
+                       const IterationOptions &options)
+{
+  if (!(options.relaxation > 0. && options.relaxation < 2.))
+    throw std::invalid_argument("Projected SOR converges for relaxations between 0 and 2 only.");
+  return qp.balances.size() > 0 ? sweep_proximally(qp, start, options)
+                                : sweep_until_settled(qp, start, options);
+}
+
 // MPRGP: modified proportioning with reduced gradient projections.
 
 namespace
 {
-using Vector = dealii::Vector<double>;
-
 /** Returns 1.05 times the norm |C| that the power method finds. Steps of a length below 2/|C| are
  * allowed. */
 double norm_of(const ComplianceOperator &C, unsigned int &products)
@@ -91,7 +165,7 @@ double norm_of(const ComplianceOperator &C, unsigned int &products)
 class Mprgp
 {
 public:
-  Mprgp(const BoundConstrainedQP &qp, const Vector &start, const MprgpOptions &options)
+  Mprgp(const BoundConstrainedQP &qp, const Vector &start, const IterationOptions &options)
     : qp_(qp)
     , options_(options)
     , P_(start.size() > 0 ? start : Vector(qp.size()))
@@ -104,7 +178,8 @@ public:
   QPResult solve()
   {
     QPResult result;
-    while (residual() > options_.tolerance && products_ < options_.maximum_iterations)
+    while (qp_.kkt_residual(P_, {}, W_) > options_.tolerance &&
+           products_ < options_.maximum_iterations)
       if (is_proportional())
         conjugate_step();
       else
@@ -133,21 +208,6 @@ private:
     W_ = times_C(P_);
     W_ -= qp_.F;
     direction_ = preconditioned();
-  }
-
-  /** Returns BoundConstrainedQP::kkt_residual from the stored gradient. */
-  double residual() const
-  {
-    double sum = 0., size_of_P = 0., size_of_F = 0.;
-    for (unsigned int i = 0; i < P_.size(); ++i)
-    {
-      const double step = W_[i] / qp_.diagonal[i];
-      sum += std::pow(qp_.K.residual(i, P_[i], step), 2);
-      size_of_P += P_[i] * P_[i];
-      size_of_F += std::pow(qp_.F[i] / qp_.diagonal[i], 2);
-    }
-    const double scale = std::max(size_of_P, size_of_F);
-    return std::sqrt(scale > 0. ? sum / scale : sum);
   }
 
   /** Returns W_i, reduced so that a step of the fixed length along it stays in K. */
@@ -237,7 +297,7 @@ private:
   }
 
   const BoundConstrainedQP &qp_;
-  const MprgpOptions &options_;
+  const IterationOptions &options_;
   Vector P_, W_, direction_;
   double length_ = 0.;
   unsigned int products_ = 0;
@@ -245,8 +305,8 @@ private:
 } // namespace
 
 QPResult solve_by_mprgp(const BoundConstrainedQP &qp,
-                        const dealii::Vector<double> &start,
-                        const MprgpOptions &options)
+                        const Vector &start,
+                        const IterationOptions &options)
 {
   if (qp.size() == 0)
   {

@@ -8,6 +8,7 @@
 #include <signorini/solvers/kinematics/motion_modes.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -51,26 +52,25 @@ DualVector forces_of_mode(const Displacement &z,
   return z * forces <= rounding * sizes.l1_norm() ? DualVector() : forces;
 }
 
-/** A sum with the sum of the absolute values of its terms. */
-struct WorkSum
+/** Returns b.c and the sum of the absolute values of its terms. */
+std::array<double, 2> product_of(const DualVector &b, const DualVector &c)
 {
-  double value = 0.;
-  double magnitude = 0.;
+  DualVector terms(b);
+  terms.scale(c);
+  return {{b * c, terms.l1_norm()}};
+}
 
-  void add(const double term)
-  {
-    value += term;
-    magnitude += std::abs(term);
-  }
-  /** Adds the terms of factor a.b. */
-  void add_product(const DualVector &a, const DualVector &b, const double factor)
-  {
-    DualVector terms(a);
-    terms.scale(b);
-    value += factor * (a * b);
-    magnitude += std::abs(factor) * terms.l1_norm();
-  }
-};
+/** Returns the work of the forces on plates and of the loads in a motion with nodal values z, and
+ * the sum of the absolute values of its terms. */
+std::array<double, 2> work_in(const FreeMotion &motion,
+                              const Displacement &z,
+                              const std::vector<Plate> &plates,
+                              const DualVector &loads)
+{
+  const double by_plates = motion.work_of_plates(plates);
+  const auto by_loads = product_of(z, loads);
+  return {{by_plates + by_loads[0], std::abs(by_plates) + by_loads[1]}};
+}
 
 /** Returns k - A⁻¹ A k. */
 Displacement extend(const Displacement &k,
@@ -107,16 +107,14 @@ MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space,
   const unsigned int k = modes.size();
   modes.K.reinit(k, k);
   for (unsigned int i = 0; i < k; ++i)
-    for (unsigned int j = 0; j < k; ++j)
+    for (unsigned int j = i + 1; j-- > 0;)
       if (modes.forces[i].size() > 0 && modes.forces[j].size() > 0)
-        modes.K(i, j) = 0.5 * (modes.Z[i] * modes.forces[j] + modes.Z[j] * modes.forces[i]);
-  // Rounding must not make K indefinite.
-  for (unsigned int i = 0; i < k; ++i)
-    for (unsigned int j = 0; j < i; ++j)
-    {
-      const double largest = std::sqrt(std::max(0., modes.K(i, i) * modes.K(j, j)));
-      modes.K(i, j) = modes.K(j, i) = std::clamp(modes.K(i, j), -largest, largest);
-    }
+      {
+        const double K_ij = 0.5 * (modes.Z[i] * modes.forces[j] + modes.Z[j] * modes.forces[i]);
+        // Rounding must not make K indefinite.
+        const double largest = std::sqrt(modes.K(i, i) * modes.K(j, j));
+        modes.K(i, j) = modes.K(j, i) = i == j ? K_ij : std::clamp(K_ij, -largest, largest);
+      }
   return modes;
 }
 } // namespace
@@ -142,13 +140,10 @@ MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates,
   MotionWork work = {dealii::Vector<double>(size()), dealii::Vector<double>(size())};
   for (unsigned int j = 0; j < size(); ++j)
   {
-    WorkSum sum;
-    sum.add(motions[j].work_of_plates(plates));
-    sum.add_product(Z[j], loads, 1.);
-    if (forces[j].size() > 0)
-      sum.add_product(forces[j], U_0, -1.);
-    work.value[j] = sum.value;
-    work.magnitude[j] = sum.magnitude;
+    const auto on_boundary = work_in(motions[j], Z[j], plates, loads);
+    const auto by_U_0 = forces[j].size() > 0 ? product_of(forces[j], U_0) : std::array<double, 2>();
+    work.value[j] = on_boundary[0] - by_U_0[0];
+    work.magnitude[j] = on_boundary[1] + by_U_0[1];
   }
   return work;
 }
@@ -159,10 +154,8 @@ std::optional<unsigned int> MotionModes<dim>::driven_unseen(const std::vector<Pl
 {
   for (unsigned int j = 0; j < unseen.size(); ++j)
   {
-    WorkSum sum;
-    sum.add(unseen[j].work_of_plates(plates));
-    sum.add_product(unseen_modes[j], loads, 1.);
-    if (std::abs(sum.value) > unseen_tolerance * sum.magnitude)
+    const auto [value, magnitude] = work_in(unseen[j], unseen_modes[j], plates, loads);
+    if (std::abs(value) > unseen_tolerance * magnitude)
       return j;
   }
   return {};

@@ -9,7 +9,6 @@
 #include <signorini/solvers/cycles/boundary_model.h>
 #include <signorini/solvers/kinematics/free_motions.h>
 #include <signorini/solvers/kinematics/motion_modes.h>
-#include <signorini/solvers/kinematics/seen_motions.h>
 #include <signorini/solvers/multigrid/stiffness_multigrid.h>
 
 #include <algorithm>
@@ -20,34 +19,108 @@ namespace Signorini
 {
 namespace
 {
-/**
- * Refuses a motion of the body that nothing stops. Piecewise constant pressures carry forces
- * between the middles of patches only: where pressures at points of the contact boundary would
- * balance the loads, the mesh is too coarse, and the message says that.
- * @param v MotionResult::escape.
- * @throws InputError always.
- */
-[[noreturn]] void refuse_escape(const Parameters &parameters,
-                                const Discretization<2> &discretization,
-                                const MotionModes<2> &modes,
-                                const FreeMotions &motions,
-                                const dealii::Vector<double> &v);
+using Vector = dealii::Vector<double>;
+
+/** Returns z_j·n at the ends of all pieces of the contact boundary. */
+FullMatrix<double> closing_of_points(const Discretization<2> &discretization,
+                                     const MotionModes<2> &modes)
+{
+  const ContactSurface<2> &surface = discretization.surface;
+  const std::vector<Point<1>> ends = {Point<1>(0.), Point<1>(1.)};
+  TraceValues<2> traces(discretization.space);
+  FullMatrix<double> closing(ends.size() * surface.pieces().size(), modes.size());
+  for (std::size_t i = 0; i < surface.pieces().size(); ++i)
+  {
+    const Piece<2> &piece = surface.pieces()[i];
+    const SurfaceRule<2> rule = surface.at(piece, ends);
+    for (unsigned int j = 0; j < modes.size(); ++j)
+    {
+      const std::vector<double> z_n =
+        traces.normal_displacement(surface.faces()[piece.face], rule, modes.Z[j]);
+      for (std::size_t e = 0; e < ends.size(); ++e)
+        closing(ends.size() * i + e, j) = z_n[e];
+    }
+  }
+  return closing;
+}
+
+/** Returns the largest diagonal entry of K; one if K has no positive entry. */
+double typical_stiffness(const FreeMotions &motions)
+{
+  double stiffness = 0.;
+  for (unsigned int j = 0; j < motions.K.m(); ++j)
+    stiffness = std::max(stiffness, motions.K(j, j));
+  return stiffness > 0. ? stiffness : 1.;
+}
+
+/** Returns whether forces at points of the contact boundary can balance the loads. */
+bool points_balance(const Discretization<2> &discretization,
+                    const MotionModes<2> &modes,
+                    const FreeMotions &motions)
+{
+  FreeMotions point_motions = motions;
+  point_motions.B = closing_of_points(discretization, modes);
+  return !ReducedMotions(point_motions, point_motions.B.m(), typical_stiffness(motions)).escape;
+}
 
 /** Refuses loads that drive a motion along which contact sides slide. @throws InputError always. */
-[[noreturn]] void refuse_sliding(const Parameters &parameters, const RigidMotion &motion);
+[[noreturn]] void refuse_sliding(const Parameters &parameters, const RigidMotion &motion)
+{
+  throw InputError(parameters.boundary.where + ": the loads drive " + motion.name() +
+                   " of the body, along which contact sides slide without friction; allowed: "
+                   "loads in balance, or more sides that hold the body.");
+}
 
 /** Refuses a motion of the body that the pressing patches leave free, where all loads are zero and
  * only a negative gap presses. @throws InputError if there is such a motion. */
 void refuse_undetermined(const Parameters &parameters,
                          const MotionModes<2> &modes,
                          const FreeMotions &motions,
-                         const dealii::Vector<double> &P);
-} // namespace
-
-namespace
+                         const Vector &P)
 {
-using Vector = dealii::Vector<double>;
+  if (!motions.b.all_zero())
+    return;
+  FreeMotions pressing_motions = motions;
+  for (unsigned int i = 0; i < P.size(); ++i)
+    for (unsigned int j = 0; j < modes.size() && P[i] == 0.; ++j)
+      pressing_motions.B(i, j) = 0.;
+  const auto unseen = ReducedMotions(pressing_motions, P.size(), typical_stiffness(motions)).unseen;
+  if (!unseen.empty())
+    throw InputError(parameters.boundary.where +
+                     ": the loads are zero, and the pressure of the "
+                     "foundation, into which the body begins, leaves " +
+                     rigid_part(modes, unseen.front()).name() +
+                     " free; allowed: loads that press the body onto the foundation, or more sides "
+                     "that hold it.");
+}
 
+/**
+ * Refuses a motion v of the body that nothing stops. Piecewise constant pressures carry forces
+ * between the middles of patches only: where pressures at points of the contact boundary would
+ * balance the loads, the mesh is too coarse, and the message says that.
+ * @throws InputError always.
+ */
+[[noreturn]] void refuse_escape(const Parameters &parameters,
+                                const Discretization<2> &discretization,
+                                const MotionModes<2> &modes,
+                                const FreeMotions &motions,
+                                const Vector &v)
+{
+  const RigidMotion motion = rigid_part(modes, v);
+  if (points_balance(discretization, modes, motions))
+  {
+    const Given<unsigned int> &coarsest = parameters.discretization.coarsest_level;
+    throw InputError(coarsest.where() + ": found '" + std::to_string(coarsest.value) +
+                     "', where a contact patch carries forces in its middle only and the loads "
+                     "act closer to the end of contact (the body would move " +
+                     motion.direction() + "), allowed: a finer coarsest level.");
+  }
+  throw InputError(parameters.boundary.where + ": the loads move the body " + motion.direction() +
+                   ", and no pressure of the foundation balances them (" +
+                   text_of_escape(motion, opens(motions.B, v)) +
+                   "); allowed: loads that press it onto the foundation, or more sides that hold "
+                   "it.");
+}
 DualSolve summary_of(const QPResult &result, const ContactSolver method)
 {
   DualSolve summary;
@@ -184,27 +257,21 @@ private:
     const StageTimer timer(state.times.qp);
     const DualData &dual = *state.dual;
     const DualSolverOptions options = options_for(discretization);
-    QPResult result;
-    if (state.modes.size() == 0)
-      result = solve_dual_problem(dual.C, dual.F, start, options);
-    else
-    {
-      if (choice_.contact == ContactSolver::mprgp)
-        refuse_solver_for_free_motions(parameters_.solver);
-      const MotionResult found = solve_dual_problem(dual.C, dual.F, dual.motions, start, options);
-      if constexpr (dim == 2)
-        if (found.escape)
-          refuse_escape(parameters_, discretization, state.modes, dual.motions, *found.escape);
-      if constexpr (dim == 2)
-        if (std::any_of(dual.F.begin(), dual.F.end(), [](const double F_k) { return F_k < 0.; }))
-          refuse_undetermined(parameters_, state.modes, dual.motions, found.qp.P);
-      state.q = found.q;
-      result = found.qp;
-    }
-    state.report = summary_of(result, choice_.contact);
-    state.P = Pressure(result.P);
+    if (state.modes.size() > 0 && choice_.contact == ContactSolver::mprgp)
+      refuse_solver_for_free_motions(parameters_.solver);
+    const MotionResult found = solve_dual_problem(dual.C, dual.F, dual.motions, start, options);
+    if constexpr (dim == 2)
+      if (found.escape)
+        refuse_escape(parameters_, discretization, state.modes, dual.motions, *found.escape);
+    if constexpr (dim == 2)
+      if (state.modes.size() > 0 &&
+          std::any_of(dual.F.begin(), dual.F.end(), [](const double F_k) { return F_k < 0.; }))
+        refuse_undetermined(parameters_, state.modes, dual.motions, found.qp.P);
+    state.q = found.q;
+    state.report = summary_of(found.qp, choice_.contact);
+    state.P = Pressure(found.qp.P);
     state.dual->C_P = dual.C->apply(state.P);
-    state.diagonal_P = effect_on_itself(*dual.C, state.P);
+    state.diagonal_P = dual.C->diagonal_times(state.P);
   }
 
   /** Computes U = A⁻¹(f + D P) + Z q. */
@@ -213,8 +280,7 @@ private:
     const StageTimer timer(state.times.recovery);
     state.U = recover_displacement(
       *state.inverse, discretization.space, discretization.condensed_D, state.P, state.system->f);
-    if (state.modes.size() > 0)
-      state.modes.add_to(state.U, state.q);
+    state.modes.add_to(state.U, state.q);
   }
 
   /**
@@ -254,14 +320,11 @@ private:
     const AdmissibleSet K = discretization.multipliers.admissible_set();
     Vector W = discretization.D.transpose_product(state.U);
     W -= discretization.G;
-    const ComplianceOperator &C = *state.dual->C;
-    if (choice_.contact == ContactSolver::mprgp)
-      return algebraic_error(K, state.P, W, C.diagonal());
     // Where nothing presses nor penetrates, a column of C may cost a solve.
     Vector counted(state.P.size());
     for (unsigned int k = 0; k < counted.size(); ++k)
       counted[k] = state.P[k] != 0. || W[k] > 0. ? 1. : 0.;
-    return algebraic_error(K, state.P, W, diagonal_times(C, counted));
+    return algebraic_error(K, state.P, W, state.dual->C->diagonal_times(counted));
   }
 
   /** Adds the free motions to the free state: U_0 + Z q is then the body without contact. */
@@ -288,27 +351,15 @@ private:
   DualSolverOptions options_for(const Discretization<dim> &discretization) const
   {
     const SolverParameters &solver = parameters_.solver;
-    DualSolverOptions options = {choice_.contact,
-                                 solver.relaxation,
-                                 solver.tolerance,
-                                 solver.maximum_iterations,
-                                 is_unstable(discretization),
-                                 {}};
+    DualSolverOptions options = {
+      {solver.tolerance, solver.maximum_iterations, solver.relaxation, {}},
+      choice_.contact,
+      is_unstable(discretization)};
     if (const auto model = boundary_model(discretization))
       options.preconditioner = [model](const std::vector<unsigned int> &set, const Vector &r) {
         return model->solve(set, r);
       };
     return options;
-  }
-
-  /** Returns C_kk P_k for all k. */
-  Vector effect_on_itself(const ComplianceOperator &C, const Vector &P) const
-  {
-    if (choice_.contact != ContactSolver::mprgp)
-      return diagonal_times(C, P);
-    Vector product(P);
-    product.scale(C.diagonal());
-    return product;
   }
 
   const Parameters &parameters_;
@@ -333,130 +384,24 @@ std::optional<Vector> solve_on_other_patches(const ContactState<dim> &contact,
 {
   double seconds = 0.;
   const auto C = make_compliance(*contact.inverse, patches.condensed_D, seconds);
-  QPResult result;
-  if (contact.modes.size() == 0)
-    result = solve_dual_problem(C, F, start, {});
-  else
+  FreeMotions motions;
+  if (contact.modes.size() > 0)
   {
-    FreeMotions motions = contact.dual->motions;
+    motions = contact.dual->motions;
     motions.B = contact.modes.couple(patches.D);
     Vector K_q(contact.q.size());
     motions.K.vmult(K_q, contact.q);
     motions.b -= K_q;
-    result = solve_dual_problem(C, F, motions, start, {}).qp;
   }
+  const QPResult result = solve_dual_problem(C, F, motions, start, {}).qp;
   return result.converged ? std::optional<Vector>(result.P) : std::nullopt;
 }
 
-template std::optional<Vector> solve_on_other_patches(const ContactState<2> &,
-                                                      const CouplingPair &,
-                                                      const Vector &,
-                                                      const Vector &);
-template std::optional<Vector> solve_on_other_patches(const ContactState<3> &,
-                                                      const CouplingPair &,
-                                                      const Vector &,
-                                                      const Vector &);
-template std::unique_ptr<ContactMethod<2>> make_dual_method(const Parameters &,
-                                                            const Scene<2> &,
-                                                            const SolverChoice &);
-template std::unique_ptr<ContactMethod<3>> make_dual_method(const Parameters &,
-                                                            const Scene<3> &,
-                                                            const SolverChoice &);
-
-// The reasons why contact cannot hold a body.
-
-namespace
-{
-/** Returns z_j·n at the ends of all pieces of the contact boundary. */
-FullMatrix<double> closing_of_points(const Discretization<2> &discretization,
-                                     const MotionModes<2> &modes)
-{
-  const ContactSurface<2> &surface = discretization.surface;
-  const std::vector<Point<1>> ends = {Point<1>(0.), Point<1>(1.)};
-  TraceValues<2> traces(discretization.space);
-  FullMatrix<double> closing(ends.size() * surface.pieces().size(), modes.size());
-  for (std::size_t i = 0; i < surface.pieces().size(); ++i)
-  {
-    const Piece<2> &piece = surface.pieces()[i];
-    const SurfaceRule<2> rule = surface.at(piece, ends);
-    for (unsigned int j = 0; j < modes.size(); ++j)
-    {
-      const std::vector<double> z_n =
-        traces.normal_displacement(surface.faces()[piece.face], rule, modes.Z[j]);
-      for (std::size_t e = 0; e < ends.size(); ++e)
-        closing(ends.size() * i + e, j) = z_n[e];
-    }
-  }
-  return closing;
-}
-
-/** Returns the largest diagonal entry of K; one if K has no positive entry. */
-double typical_stiffness(const FreeMotions &motions)
-{
-  double stiffness = 0.;
-  for (unsigned int j = 0; j < motions.K.m(); ++j)
-    stiffness = std::max(stiffness, motions.K(j, j));
-  return stiffness > 0. ? stiffness : 1.;
-}
-
-/** Returns whether forces at points of the contact boundary can balance the loads. */
-bool points_balance(const Discretization<2> &discretization,
-                    const MotionModes<2> &modes,
-                    const FreeMotions &motions)
-{
-  FreeMotions point_motions = motions;
-  point_motions.B = closing_of_points(discretization, modes);
-  return !ReducedMotions(point_motions, point_motions.B.m(), typical_stiffness(motions)).escape;
-}
-
-void refuse_sliding(const Parameters &parameters, const RigidMotion &motion)
-{
-  throw InputError(parameters.boundary.where + ": the loads drive " + motion.name() +
-                   " of the body, along which contact sides slide without friction; allowed: "
-                   "loads in balance, or more sides that hold the body.");
-}
-
-void refuse_undetermined(const Parameters &parameters,
-                         const MotionModes<2> &modes,
-                         const FreeMotions &motions,
-                         const dealii::Vector<double> &P)
-{
-  if (!motions.b.all_zero())
-    return;
-  FreeMotions pressing_motions = motions;
-  for (unsigned int i = 0; i < P.size(); ++i)
-    for (unsigned int j = 0; j < modes.size() && P[i] == 0.; ++j)
-      pressing_motions.B(i, j) = 0.;
-  const auto unseen = ReducedMotions(pressing_motions, P.size(), typical_stiffness(motions)).unseen;
-  if (!unseen.empty())
-    throw InputError(parameters.boundary.where +
-                     ": the loads are zero, and the pressure of the "
-                     "foundation, into which the body begins, leaves " +
-                     rigid_part(modes, unseen.front()).name() +
-                     " free; allowed: loads that press the body onto the foundation, or more sides "
-                     "that hold it.");
-}
-
-void refuse_escape(const Parameters &parameters,
-                   const Discretization<2> &discretization,
-                   const MotionModes<2> &modes,
-                   const FreeMotions &motions,
-                   const dealii::Vector<double> &v)
-{
-  const RigidMotion motion = rigid_part(modes, v);
-  if (points_balance(discretization, modes, motions))
-  {
-    const Given<unsigned int> &coarsest = parameters.discretization.coarsest_level;
-    throw InputError(coarsest.where() + ": found '" + std::to_string(coarsest.value) +
-                     "', where a contact patch carries forces in its middle only and the loads "
-                     "act closer to the end of contact (the body would move " +
-                     motion.direction() + "), allowed: a finer coarsest level.");
-  }
-  throw InputError(parameters.boundary.where + ": the loads move the body " + motion.direction() +
-                   ", and no pressure of the foundation balances them (" +
-                   text_of_escape(motion, opens(motions.B, v)) +
-                   "); allowed: loads that press it onto the foundation, or more sides that hold "
-                   "it.");
-}
-} // namespace
+#define INSTANTIATE(dim)                                                                           \
+  template std::optional<Vector> solve_on_other_patches(                                           \
+    const ContactState<dim> &, const CouplingPair &, const Vector &, const Vector &);              \
+  template std::unique_ptr<ContactMethod<dim>> make_dual_method(                                   \
+    const Parameters &, const Scene<dim> &, const SolverChoice &);
+INSTANTIATE(2)
+INSTANTIATE(3)
 } // namespace Signorini

@@ -159,51 +159,6 @@ void square_roots(Checks &checks)
   }
 }
 
-/** The basis: its values, integrals and bounds, and the projection of a linear function. */
-void basis(Checks &checks)
-{
-  const OneLevel level(square("0", "set Patches = 5\n"), 3);
-  const auto &space = level.multipliers();
-  const Pressure P(RandomNumbers(3).vector(space.n_multipliers()));
-  checks.that("as many multipliers as patches",
-              space.n_multipliers() == 5 && space.first_of(3) == 3);
-  double off = 0., integral = 0., exact = 0.;
-  const dealii::Vector<double> integrals = space.integrals();
-  for (unsigned int k = 0; k < space.n_multipliers(); ++k)
-  {
-    const unsigned int patch = space.patch_of(k);
-    for (const double r : {0.1, 0.8})
-    {
-      const dealii::Point<1> s((patch + r) / 5.);
-      off = std::max(
-        {off, std::abs(space.shape_value(k, s) - 1.), std::abs(space.value(P, patch, s) - P[k])});
-    }
-    off = std::max(off, std::abs(integrals[k] - 0.2));
-    integral += P[k] * integrals[k];
-    exact += P[k] / 5.;
-  }
-  checks.near("values and integrals of the basis", off, 0., 1e-15);
-  checks.near("int p_H = sum P_k int psi_k", integral, exact, 1e-15);
-  for (const Grading grading : {Grading::none, Grading::towards_kinks})
-  {
-    const auto moments = integrate_against_multipliers(
-      space, 3, grading, [](const Piece<2> &, const SurfaceRule<2> &rule) {
-        std::vector<double> values;
-        for (const auto &x : rule.points)
-          values.push_back(3. * x[0] - 1.);
-        return values;
-      });
-    const auto projection = space.project(moments);
-    double largest = 0.;
-    for (unsigned int k = 0; k < space.n_multipliers(); ++k)
-    {
-      const double mean = 3. * (k + 0.5) / 5. - 1.;
-      largest =
-        std::max({largest, std::abs(moments[k] - 0.2 * mean), std::abs(projection[k] - mean)});
-    }
-    checks.near("moments and projection of a linear function", largest, 0., 1e-14);
-  }
-}
 } // namespace
 
 int main(int argc, char **argv)
@@ -215,6 +170,5 @@ int main(int argc, char **argv)
   fractional_powers(checks);
   rules(checks);
   square_roots(checks);
-  basis(checks);
   return checks.exit_code();
 }

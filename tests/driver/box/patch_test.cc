@@ -53,7 +53,7 @@ void patch_test(Checks &checks,
   ContactState<3> found;
   found.U = U;
   found.P = P;
-  found.diagonal_P = diagonal_times(*C, P);
+  found.diagonal_P = C->diagonal_times(P);
   found.system = {std::shared_ptr<void>(), &system};
   found.dual.emplace();
   found.dual->free = free;

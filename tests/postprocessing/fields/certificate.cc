@@ -45,7 +45,7 @@ struct Solved
     ContactState<2> contact;
     contact.U = displacement;
     contact.P = pressure;
-    contact.diagonal_P = diagonal_times(*C, pressure);
+    contact.diagonal_P = C->diagonal_times(pressure);
     // Lives as long as the caller's.
     contact.system = {std::shared_ptr<void>(), &linear_system};
     contact.dual.emplace();

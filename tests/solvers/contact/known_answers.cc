@@ -38,7 +38,9 @@ BoundConstrainedQP make_qp(const Problem &problem, const AdmissibleSet &K)
   for (unsigned int i = 0; i < m; ++i)
     for (unsigned int j = 0; j < m; ++j)
       C(i, j) = problem.C[i][j];
-  return BoundConstrainedQP(C, dealii::Vector<double>(problem.F.begin(), problem.F.end()), K);
+  return BoundConstrainedQP(std::make_shared<const DenseCompliance>(C),
+                            dealii::Vector<double>(problem.F.begin(), problem.F.end()),
+                            K);
 }
 
 BoundConstrainedQP make_qp(const Problem &problem)
@@ -57,7 +59,7 @@ double distance(const dealii::Vector<double> &P, const std::vector<double> &expe
 void solve(const Problem &problem, const BoundConstrainedQP &qp, Checks &checks)
 {
   const dealii::Vector<double> zero(qp.size());
-  const QPResult psor = solve_by_psor(qp, zero, {1.1, 1e-12, 1000});
+  const QPResult psor = solve_by_psor(qp, zero, {1e-12, 1000, 1.1});
   checks.near(problem.name + ", psor", distance(psor.P, problem.P), 0., 1e-10);
   const QPResult cold = solve_by_active_set(qp, {}, {1e-12, 100});
   checks.near(problem.name + ", active set", distance(cold.P, problem.P), 0., 1e-14);
@@ -109,11 +111,11 @@ int main()
   const dealii::Vector<double> zero(2);
   for (const double omega : {-1., 0., 2., 2.05})
     checks.throws<std::invalid_argument>("omega outside (0,2)", "between 0 and 2", [&]() {
-      solve_by_psor(qp, zero, {omega, 1e-10, 10});
+      solve_by_psor(qp, zero, {1e-10, 10, omega});
     });
   // At the solution the residual vanishes; elsewhere it is the projected step.
   checks.near("residual at zero", qp.kkt_residual(zero), 1., 1e-15);
-  checks.that("sweeps run out", !solve_by_psor(qp, zero, {0.1, 1e-12, 3}).converged);
+  checks.that("sweeps run out", !solve_by_psor(qp, zero, {1e-12, 3, 0.1}).converged);
   dealii::FullMatrix<double> indefinite(1, 1);
   checks.throws<std::invalid_argument>("diagonal of C", "not positive", [&]() {
     BoundConstrainedQP(indefinite, dealii::Vector<double>(1));

@@ -48,6 +48,10 @@ struct Discretization
 
   /** Returns G for the gap of another scene with the same contact sides. */
   dealii::Vector<double> assemble_gap_of(const Scene<dim> &scene) const;
+
+private:
+  /** Computes D, condensed D and G. @throws InputError for a multiplier without a free node. */
+  void assemble(const Parameters &parameters, const Scene<dim> &scene);
 };
 
 /** Returns whether patches of a single face have multipliers of a degree that is not inf-sup

@@ -168,7 +168,7 @@ class Coupling
 public:
   using Column = std::map<types::global_dof_index, double>;
 
-  explicit Coupling(std::vector<Column> columns)
+  explicit Coupling(std::vector<Column> columns = {})
     : columns_(std::move(columns))
   {
   }

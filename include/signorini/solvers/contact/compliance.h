@@ -36,7 +36,7 @@ std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse
 
 /** The compliance C = Dᵀ A⁻¹ D by columns C_k = Dᵀ A⁻¹ D_k. Each column costs one solve; it
  * is computed at its first use and kept. Columns are symmetrised among each other. */
-class ColumnCompliance final : public ComplianceOperator
+class ColumnCompliance final : public DenseCompliance
 {
 public:
   ColumnCompliance(const StiffnessInverse &inverse,
@@ -44,34 +44,26 @@ public:
                    double &seconds,
                    ColumnProgress progress);
 
-  unsigned int size() const override;
-  /** Returns C P; computes the columns with P_k != 0. */
-  Vector apply(const Vector &P) const override;
-  /** Returns the diagonal of C; computes all columns. */
-  Vector diagonal() const override;
-  Matrix columns(const Indices &numbers) const override;
-  const Matrix &dense() const override;
-  bool is_explicit() const override;
+  bool is_explicit() const override
+  {
+    return n_known_ == size();
+  }
 
 private:
-  /** Computes the missing ones of the given columns. */
-  void require(const Indices &numbers) const;
+  void require(const Indices &numbers) const override;
   /** Returns Dᵀ A⁻¹ D_k for the given k, m x n. */
   Matrix solve_for(const Indices &numbers) const;
-  Indices all() const;
 
   const StiffnessInverse &inverse_;
   const Coupling &D_;
   double &seconds_;
   ColumnProgress progress_;
-  /** The columns and rows of the known numbers. */
-  mutable Matrix C_;
   mutable std::vector<bool> known_;
   mutable unsigned int n_known_ = 0;
 };
 
 /** The compliance C = Dᵀ A⁻¹ D by products, one solve each, for methods that need few products
- * and no entries. Each column costs a solve, too, and is not kept. */
+ * and no entries. */
 class SolvedCompliance final : public ComplianceOperator
 {
 public:
@@ -82,19 +74,20 @@ public:
    */
   SolvedCompliance(const StiffnessInverse &inverse, const Coupling &condensed_D, Vector diagonal);
 
-  unsigned int size() const override;
+  unsigned int size() const override
+  {
+    return D_.n_columns();
+  }
   Vector apply(const Vector &P) const override;
-  Vector diagonal() const override;
-  Matrix columns(const Indices &numbers) const override;
-  const Matrix &dense() const override;
-  bool is_explicit() const override;
+  Vector diagonal() const override
+  {
+    return diagonal_;
+  }
 
 private:
   const StiffnessInverse &inverse_;
   const Coupling &D_;
   Vector diagonal_;
-  /** The dense matrix, made at its first use. */
-  mutable Matrix dense_;
 };
 
 /** The displacement of the body without contact pressure, and the opening that it leaves. */

@@ -5,8 +5,10 @@
 #include <signorini/discretization/multiplier/admissible_set.h>
 
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,88 +35,182 @@ public:
   virtual Vector apply(const Vector &P) const = 0;
   /** Returns C_kk for all k. */
   virtual Vector diagonal() const = 0;
-  /** Returns the columns with the given numbers, m x n. */
-  virtual Matrix columns(const Indices &numbers) const = 0;
+  /** Returns C_kk P_k for all k: how far each multiplier opens its own patch. */
+  virtual Vector diagonal_times(const Vector &P) const;
+  /** Returns the columns with the given numbers, m x n; here by one product each. */
+  virtual Matrix columns(const Indices &numbers) const;
   /** Returns the whole matrix C. */
-  virtual const Matrix &dense() const = 0;
+  virtual const Matrix &dense() const;
   /** Returns whether all entries are stored, so that no function above costs a linear solve. */
-  virtual bool is_explicit() const = 0;
+  virtual bool is_explicit() const
+  {
+    return false;
+  }
+
+protected:
+  /** The entries, as far as they are known. */
+  mutable Matrix C_;
 };
 
-/** The compliance C as a stored matrix. */
-class DenseCompliance final : public ComplianceOperator
+/** The compliance C as a stored matrix. Derived classes may compute its columns at their first use.
+ */
+class DenseCompliance : public ComplianceOperator
 {
 public:
-  /** Stores C. @throws std::invalid_argument if C is not square. */
+  /** Stores C, which is square. */
   explicit DenseCompliance(Matrix C);
 
   unsigned int size() const override;
   Vector apply(const Vector &P) const override;
   Vector diagonal() const override;
+  /** Reads only the columns with P_k != 0. */
+  Vector diagonal_times(const Vector &P) const override;
   Matrix columns(const Indices &numbers) const override;
   const Matrix &dense() const override;
-  bool is_explicit() const override;
+  bool is_explicit() const override
+  {
+    return true;
+  }
 
-private:
-  Matrix C_;
+protected:
+  /** Makes the given columns and rows of C known. */
+  virtual void require(const Indices & /*numbers*/) const {}
 };
 
-/** Returns C_kk P_k for all k: how far each multiplier opens its own patch. Reads only the columns
- * with P_k != 0. */
-dealii::Vector<double> diagonal_times(const ComplianceOperator &C, const dealii::Vector<double> &P);
+/** Returns the numbers 0, ..., n - 1. */
+ComplianceOperator::Indices all_indices(unsigned int n);
 
 /** Returns the block of C that belongs to the given rows and columns. */
 FullMatrix<double> submatrix(const ComplianceOperator &C,
                              const ComplianceOperator::Indices &numbers);
 
 /**
- * The dual problem: min ½ Pᵀ C P - Pᵀ F over P in K, C symmetric positive definite, m x m.
+ * Factorises a symmetric matrix by Cholesky's method.
+ * @throws LACExceptions::ExcSingular if a pivot is not above rounding relative to its diagonal
+ * entry.
+ */
+LAPACKFullMatrix<double> cholesky(const FullMatrix<double> &C, double rounding = 0.);
+
+/**
+ * The linear balances of a body that n motions z move freely beside the pressures:
  *
- * Its solution satisfies, with W = C P - F,  P in K  and  Wᵀ(Q - P) ≥ 0 for all Q in K. Contact
- * without friction has K = {P ≤ 0}: there  W ≤ 0,  Pᵀ W = 0.
+ *     K z - Bᵀ P = b.
+ *
+ * Motion j closes patch i by B_ij, K (n x n, symmetric, positive semi-definite) is the elastic
+ * resistance, and b the work of the loads. Without free motions everything is empty. Columns of B
+ * are of size one, so that b has the unit of P, and z that of W.
+ */
+struct Balances
+{
+  FullMatrix<double> B{};
+  FullMatrix<double> K{};
+  dealii::Vector<double> b = {};
+  /** An admissible P for which some z balances. */
+  dealii::Vector<double> P = {};
+
+  unsigned int size() const
+  {
+    return b.size();
+  }
+};
+
+/**
+ * The dual problem: min ½ Pᵀ C P - Pᵀ F over P in K, C symmetric positive definite, m x m. With
+ * balances ½ zᵀ K z is added, and P and z balance.
+ *
+ * Its solution satisfies, with W = C P + B z - F,  P in K  and  Wᵀ(Q - P) ≥ 0 for all Q in K.
+ * Contact without friction has K = {P ≤ 0}: there  W ≤ 0,  Pᵀ W = 0. The motions are the
+ * multipliers of the balances.
  */
 struct BoundConstrainedQP
 {
   using Vector = dealii::Vector<double>;
 
-  /** Stores the problem. @throws std::invalid_argument if the sizes do not fit or a diagonal entry
-   * of C is not positive. */
-  BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C, Vector F, AdmissibleSet K);
-  BoundConstrainedQP(FullMatrix<double> C, Vector F, AdmissibleSet K);
+  /** Stores the problem. @throws std::invalid_argument if a diagonal entry of C is not positive. */
+  BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C,
+                     Vector F,
+                     AdmissibleSet K,
+                     Balances balances = {});
   /** Makes the problem with K = {P ≤ 0}. */
-  BoundConstrainedQP(FullMatrix<double> C, const Vector &F);
+  BoundConstrainedQP(FullMatrix<double> C, const Vector &F, Balances balances = {});
 
   std::shared_ptr<const ComplianceOperator> C;
   /** The diagonal of C. */
   Vector diagonal;
   Vector F;
   AdmissibleSet K;
+  Balances balances;
 
   unsigned int size() const
   {
     return F.size();
   }
-  /** Returns W = C P - F. */
-  Vector gradient(const Vector &P) const;
+  /** Returns W = C P + B z - F. */
+  Vector gradient(const Vector &P, const Vector &z = {}) const;
+  /** Returns b + Bᵀ P - K z. */
+  Vector imbalance(const Vector &P, const Vector &z) const;
   /** Returns ½ Pᵀ C P - Pᵀ F. */
   double energy(const Vector &P) const;
   /**
    * Returns |P - projection of P - W/diag C onto K|₂ / max(|P|₂, |F/diag C|₂), or the numerator if
-   * the denominator vanishes. It is zero at the solution and nowhere else.
+   * the denominator vanishes. It is zero at the solution and nowhere else. With balances the
+   * imbalance belongs to the numerator and |b|₂ to the denominator, and F counts on patches that
+   * press or penetrate only: for a body that moves, gaps far away are irrelevant.
    */
-  double kkt_residual(const Vector &P) const;
+  double kkt_residual(const Vector &P, const Vector &z = {}) const
+  {
+    return kkt_residual(P, z, gradient(P, z));
+  }
+  /** Returns the same for a known W. */
+  double kkt_residual(const Vector &P, const Vector &z, const Vector &W) const;
   /**
-   * Returns whether the solution P is the only one: whether C restricted to {i : W_i = 0 within
-   * rounding} is regular. (Two solutions have the same W; their difference lies in the kernel of C
-   * and vanishes on all other i.)
+   * Returns whether the pressure P of a solution is the only one: whether no Q ≠ 0 that vanishes
+   * where W_i ≠ 0 has C Q = 0 and Bᵀ Q = 0. (Two solutions have the same W; their difference is
+   * such a Q.)
    */
-  bool has_unique_solution(const Vector &P) const;
+  bool has_unique_solution(const Vector &P, const Vector &z = {}) const;
+};
+
+/** The resistance of a set A of patches against the motions of Balances: the columns of
+ * X = C_AA⁻¹ B_A, and S = K + B_Aᵀ X. */
+struct MotionResistance
+{
+  /** Computes X and S with a factor of C_AA. */
+  MotionResistance(const Balances &balances,
+                   const ComplianceOperator::Indices &A,
+                   const LAPACKFullMatrix<double> &C_AA);
+
+  std::vector<dealii::Vector<double>> X;
+  FullMatrix<double> S;
+};
+
+/** A function that returns z = M⁻¹ r on a set of indices. M is symmetric positive definite and
+ * close to C there. */
+using SetPreconditioner = std::function<dealii::Vector<double>(const std::vector<unsigned int> &set,
+                                                               const dealii::Vector<double> &r)>;
+
+/** The options of the methods that solve the dual problem. */
+struct IterationOptions
+{
+  /** The tolerance of the KKT residual, for projected SOR also of the increment. */
+  double tolerance = 1e-10;
+  /** The maximal number of sweeps, linear solves or products with C. */
+  unsigned int maximum_iterations = 100000;
+  /** The factor ω of projected SOR, 0 < ω < 2. */
+  double relaxation = 1.1;
+  /** MPRGP: the preconditioner of C restricted to the free set, where P is inside of K; empty:
+   * none.
+   */
+  SetPreconditioner preconditioner = {};
 };
 
 /** The result of a solver of the dual problem. */
 struct QPResult
 {
   dealii::Vector<double> P;
+  /** The free motions of Balances. Where pressing patches leave a motion free (tipping about an
+   * edge), one of several solutions. */
+  dealii::Vector<double> z;
   /** The number of sweeps of projected SOR, linear solves of an active set method, or products of
    * MPRGP. */
   unsigned int iterations = 0;
@@ -122,7 +218,8 @@ struct QPResult
   bool converged = false;
   /** The sweep of projected SOR at which the increment alone was small enough; else 0. */
   unsigned int increment_iterations = 0;
-  /** Whether a set of the active set method came back, and single exchanges ended the search. */
+  /** Whether a set of the active set method came back, and steps by single patches ended the
+   * search. */
   bool cycled = false;
   /** Whether P is the only solution; true if that was not examined. */
   bool unique = true;

@@ -12,32 +12,26 @@
 namespace Signorini
 {
 /** The options of the solution of the dual problem. */
-struct DualSolverOptions
+struct DualSolverOptions : public IterationOptions
 {
   ContactSolver method = ContactSolver::active_set;
-  /** The factor ω of projected SOR, 0 < ω < 2. */
-  double relaxation = 1.1;
-  /** The tolerance of the KKT residual. */
-  double tolerance = 1e-10;
-  unsigned int maximum_iterations = 100000;
   /** Whether C may be singular: then QPResult::unique is determined. */
   bool may_be_singular = false;
-  /** The preconditioner of MPRGP; none if it is empty. */
-  SetPreconditioner preconditioner = {};
 };
 
 /**
- * Solves the dual problem with the bound zero by the chosen method. Where columns of C cost linear
- * solves, the active set method works on a growing set of patches. Where it fails because C is
- * singular (patches finer than the mesh: many pressures give the same displacement), projected SOR
- * finds one of the solutions, and QPResult::active_set_failure is set.
+ * Solves the dual problem over P ≤ 0 by the chosen method. Where columns of C cost linear solves,
+ * the active set method works on a growing set of patches. Where it fails because C is singular
+ * (patches finer than the mesh: many pressures give the same displacement), projected SOR finds one
+ * of the solutions, and QPResult::active_set_failure is set.
  *
  * @param start a pressure to start from; empty: none.
  */
 QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
                             const dealii::Vector<double> &F,
                             const dealii::Vector<double> &start,
-                            const DualSolverOptions &options);
+                            const DualSolverOptions &options,
+                            const Balances &balances = {});
 
 /** A solver of the dual problem that gets a start, which may be empty. */
 using QPSolver =
@@ -45,40 +39,37 @@ using QPSolver =
 
 /**
  * Solves the dual problem over P ≤ 0 where columns of C are expensive. It is solved on a set S of
- * patches, with P = 0 elsewhere; then the patches with W = C P - F > 0 join S, until there are
- * none. The result solves the whole problem, and only the columns of S are computed.
+ * patches, with P = 0 elsewhere; then the patches with W > 0 join S, until there are none. The
+ * result solves the whole problem, and only the columns of S are computed.
  *
  * @param start a pressure; S begins with the patches that press in it, and their neighbours; if
- * nothing presses, with the patches where F < 0.
+ * nothing presses, with the patches where F < 0. Patches that press in Balances::P belong to S.
  */
 QPResult solve_on_growing_set(const ComplianceOperator &C,
                               const dealii::Vector<double> &F,
                               const dealii::Vector<double> &start,
-                              const QPSolver &solve);
-
-/** The options of the active set method. */
-struct ActiveSetOptions
-{
-  /** The tolerance of the KKT residual. */
-  double tolerance = 1e-10;
-  /** The largest number of linear solves. */
-  unsigned int maximum_iterations = 100000;
-};
+                              const QPSolver &solve,
+                              const Balances &balances = {});
 
 /**
  * Solves the dual problem by the primal-dual active set method, i.e. the semi-smooth Newton method
  * for P = projection of P - W/diag C onto K. Each unknown is inside of its interval (active, in
  * contact) or at one of its ends. With the active set A and the ends e_I of the others,
- * C_AA P_A = F_A - C_AI e_I,  P_I = e_I.
+ *
+ *     C_AA P_A + B_A z = F_A - C_AI e_I,   P_I = e_I,   K z - Bᵀ P = b.
  *
  * It ends when a set predicts itself, or when the residual is at the level of rounding (where P and
- * W vanish together on many patches, the sets could differ for ever). When a set comes back, single
- * exchanges (the lowest wrong index changes sides, Murty's rule) end the search: for positive
- * definite C no set can come back under that rule.
+ * W vanish together on many patches, the sets could differ for ever).
+ *
+ * When a set comes back, or a set that predicts itself cannot carry the loads, a primal active set
+ * method ends the search. It begins with an admissible pressure in balance, and solves on the
+ * patches that press. Where one would leave its interval, the step ends there, and the patch leaves
+ * the set; else the patch with the largest penetration joins. The energy falls in every step, so no
+ * set comes back (J. Nocedal, S. Wright: Numerical Optimization, 2006, section 16.5).
  *
  * @param start a pressure that gives the first states; empty: every unknown is active.
  */
 QPResult solve_by_active_set(const BoundConstrainedQP &qp,
                              const dealii::Vector<double> &start,
-                             const ActiveSetOptions &options);
+                             const IterationOptions &options);
 } // namespace Signorini

@@ -3,20 +3,8 @@
 
 #include <signorini/solvers/contact/dual_problem.h>
 
-#include <functional>
-
 namespace Signorini
 {
-/** The options of projected SOR. */
-struct PsorOptions
-{
-  /** The factor ω, 0 < ω < 2. */
-  double relaxation = 1.1;
-  /** The tolerance of the increment and of the KKT residual. */
-  double tolerance = 1e-10;
-  unsigned int maximum_iterations = 100000;
-};
-
 /** Performs one sweep (ii) of the algorithm in place. @return |P^{k+1} - P^k|₂. */
 double psor_sweep(const BoundConstrainedQP &qp, double relaxation, dealii::Vector<double> &P);
 
@@ -28,28 +16,20 @@ double psor_sweep(const BoundConstrainedQP &qp, double relaxation, dealii::Vecto
  *
  * It stops when |P^{k+1} - P^k| ≤ tolerance |P^{k+1}| and the KKT residual is below the tolerance,
  * and goes on while the increments fall so slowly that the error, estimated from them, is above 50
- * times the tolerance.
+ * times the tolerance. With balances this is the inner iteration of a proximal method: with a
+ * small E,
+ *
+ *     (K + E) z_new = b + Bᵀ P + E z_old
+ *
+ * is inserted into W, which leaves a problem without balances and with the compliance
+ * C + B (K + E)⁻¹ Bᵀ (R. T. Rockafellar, Math. Oper. Res. 1 (1976) 97-116: it converges for
+ * every E).
+ * @param start may be empty.
  * @throws std::invalid_argument for ω outside (0, 2).
  */
 QPResult solve_by_psor(const BoundConstrainedQP &qp,
                        const dealii::Vector<double> &start,
-                       const PsorOptions &options);
-
-/** A function that returns z = M⁻¹ r on a set of indices. M is symmetric positive definite and
- * close to C there. */
-using SetPreconditioner = std::function<dealii::Vector<double>(const std::vector<unsigned int> &set,
-                                                               const dealii::Vector<double> &r)>;
-
-/** The options of MPRGP. */
-struct MprgpOptions
-{
-  /** The tolerance of the KKT residual. */
-  double tolerance = 1e-10;
-  /** The largest number of products with C. */
-  unsigned int maximum_iterations = 100000;
-  /** The preconditioner of C restricted to the free set, where P is inside of K; empty: none. */
-  SetPreconditioner preconditioner = {};
-};
+                       const IterationOptions &options);
 
 /**
  * Solves the dual problem by MPRGP, modified proportioning with reduced gradient projections
@@ -63,5 +43,5 @@ struct MprgpOptions
  */
 QPResult solve_by_mprgp(const BoundConstrainedQP &qp,
                         const dealii::Vector<double> &start,
-                        const MprgpOptions &options);
+                        const IterationOptions &options);
 } // namespace Signorini

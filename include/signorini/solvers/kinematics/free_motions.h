@@ -6,7 +6,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace Signorini
@@ -28,57 +27,63 @@ struct FreeMotions
   dealii::Vector<double> b_magnitude = {};
 };
 
+/**
+ * The free motions in coordinates z without units: q = T z, where columns of B have norm one before
+ * they are combined. Motions without any resistance (K v = 0, B v = 0) are left out.
+ */
+struct ReducedMotions
+{
+  using Vector = dealii::Vector<double>;
+  using Matrix = FullMatrix<double>;
+
+  /**
+   * Reduces the motions.
+   * @param m the number of patches.
+   * @param stiffness a typical stiffness of the contact, the sum over all patches of |B_i|²/C_ii
+   * with columns of B of norm one. K is zero where it is below 1e-12 of it.
+   */
+  ReducedMotions(const FreeMotions &motions, unsigned int m, double stiffness);
+
+  /** The balances of the n ≤ k reduced motions; without a pressure if a motion escapes. */
+  Balances balances;
+  /** The matrix T, k x n. */
+  Matrix T;
+  /**
+   * A motion v with K v = 0, B v ≤ 0 (it opens or slides everywhere) and b.v > 0, if there is one.
+   * Its largest part is one in units in which the columns of B have norm one.
+   *
+   * b has to lie in the cone {-Bᵀ P : P ≤ 0} as far as K does not resist. Nonnegative least squares
+   * with rows of B of norm one decide this (a cone depends on directions only): the remainder of b
+   * is the motion that escapes. Remainders below 1e-9 of b are rounding: a load just above the edge
+   * of a body does not tip it.
+   */
+  std::optional<Vector> escape;
+  /** The motions v with K v = 0, B v = 0 and b.v = 0: nothing determines them, and q has no part of
+   * them. They are scaled like the escape. */
+  std::vector<Vector> unseen;
+};
+
 /** The solution of a dual problem with free motions, or the reason why there is none. */
 struct MotionResult
 {
-  /** The pressure P, its residual (see solve_dual_problem) and the linear solves or sweeps of all
-   * inner problems; cycled, increment_iterations and active_set_failure are those of the last inner
-   * problem. Without a solution P = 0, not converged. */
+  /** The pressure P. Without a solution P = 0, not converged. */
   QPResult qp;
-  /** The k motions; one of several solutions where pressing patches leave a motion free (tipping
-   * about an edge). */
+  /** The k motions. */
   dealii::Vector<double> q;
-  /** A motion v with K v = 0, B v ≤ 0 (it opens or slides everywhere) and b.v > 0, if there is no
-   * solution. Its largest part is one in units in which the columns of B have norm one. */
+  /** See ReducedMotions. */
   std::optional<dealii::Vector<double>> escape;
-  /** The motions v with K v = 0, B v = 0 and b.v = 0: nothing determines them, and q has no part of
-   * them. They are scaled like the escape. */
   std::vector<dealii::Vector<double>> unseen;
-  /** The number of inner problems that were solved. */
-  unsigned int outer_iterations = 0;
-  /** The reason in one sentence, where there is neither convergence nor an escape. */
-  std::optional<std::string> failure;
 };
 
 /**
  * Solves the dual problem with free motions: P and q with
  *
- * W = C P + B q - F ≤ 0,   P ≤ 0,   P.W = 0,   K q - Bᵀ P = b.
+ *     W = C P + B q - F ≤ 0,   P ≤ 0,   P.W = 0,   K q - Bᵀ P = b.
  *
- * Existence is decided first (ReducedMotions::escape). Then follows proximal iteration: with a
- * small matrix E,
+ * Existence is decided first (ReducedMotions::escape); then the reduced motions are the multipliers
+ * of Balances.
  *
- * (K + E) q_new = b + Bᵀ P + E q_old,
- *
- * is inserted into W. This leaves a dual problem in P with the compliance C + B (K + E)⁻¹ Bᵀ,
- * which the chosen method solves (with columns on demand where they are expensive). E is 1e-4
- * (projected SOR: 0.3) of the stiffness B_Aᵀ C_AA⁻¹ B_A of the contact, so the error of q falls
- * by that factor. After each step, and for the start, P and q are computed exactly on the patches
- * that press (solve_on_pressing); the state with the smaller residual is kept. (R. T. Rockafellar,
- * Math. Oper. Res. 1 (1976) 97-116: convergence of proximal iteration for every E.)
- *
- * The KKT residual is that of BoundConstrainedQP with W as above, and with the imbalance r = b +
- * Bᵀ P - K q as further entries:
- *
- * (|P - min(0, P - W/diag C)|² + |r|²)^{1/2} / max(|P|, |F/diag C|, |b|),
- *
- * 0 if all vanish; r and b are divided by the norms of the columns of B, which gives them the unit
- * of P. F/diag C counts on patches that press or penetrate only: gaps far away are irrelevant.
- * Where columns of C are expensive, C_ii of patches that do not press is estimated from another
- * one.
- *
- * @param start a pressure to start from; empty: that of an elastic bedding of separate springs.
- * @throws std::invalid_argument if sizes do not fit together or K is not symmetric.
+ * @param start a pressure to start from; empty: none.
  */
 MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
                                 const dealii::Vector<double> &F,
