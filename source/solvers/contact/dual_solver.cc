@@ -250,10 +250,19 @@ double rounding_level(const BoundConstrainedQP &qp)
 
 /** Moves P towards the wanted one; where an unknown would leave its interval, only to the first end
  * that is met, which that unknown keeps. @return whether P is the wanted one. */
-bool step_to_first_end(const AdmissibleSet &K, const Vector &wanted, Vector &P, States &states)
+bool step_to_first_end(const BoundConstrainedQP &qp,
+                       const Vector &wanted,
+                       Vector &P,
+                       States &states)
 {
-  const double rounding =
-    P.size() > 0 ? 10. * std::numeric_limits<double>::epsilon() * wanted.linfty_norm() : 0.;
+  const AdmissibleSet &K = qp.K;
+  double size = 0.;
+  for (const double b : qp.balances.b)
+    size = std::max(size, std::abs(b));
+  for (unsigned int i = 0; i < P.size(); ++i)
+    if (states[i] == State::inside)
+      size = std::max({size, std::abs(wanted[i]), std::abs(qp.F[i]) / qp.diagonal[i]});
+  const double rounding = 1e-13 * size;
   double part = 1.;
   unsigned int leaving = P.size();
   for (unsigned int i = 0; i < P.size(); ++i)
@@ -308,7 +317,8 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp,
   Iterate x;
   States states = start.size() == 0 ? States(qp.size(), State::inside) : states_of(qp.K, start);
   std::set<States> visited;
-  for (bool settled = false; !settled && result.iterations < options.maximum_iterations;)
+  const unsigned int max_solves = std::min(options.maximum_iterations, 20 * qp.size() + 100);
+  for (bool settled = false; !settled && result.iterations < max_solves;)
   {
     ++result.iterations;
     const Iterate wanted = solve_on_set(qp, states);
@@ -338,8 +348,8 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp,
     }
     else
     {
-      settled = residual <= rounding_level(qp);
-      if (settled || step_to_first_end(qp.K, wanted.P, x.P, states))
+      settled = residual <= std::max(rounding_level(qp), 1e-3 * options.tolerance);
+      if (settled || step_to_first_end(qp, wanted.P, x.P, states))
       {
         x = wanted;
         settled = settled || !join_deepest(qp, x, states);
