@@ -121,28 +121,6 @@ RunSummary study_scene(const Parameters &parameters,
   return summary;
 }
 
-/** Refuses mesh files that differ between ranks on several machines. A missing file is refused
- * later. @throws InputError */
-void refuse_other_mesh_files(const Given<std::string> &file, MPI_Comm communicator)
-{
-  if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
-    return;
-  std::size_t digest = 0;
-  agree(communicator, [&]() {
-    constexpr std::size_t any_size = std::numeric_limits<std::size_t>::max();
-    std::error_code error;
-    if (std::filesystem::exists(file.value, error))
-      digest =
-        std::hash<std::string>()(read_whole_file(file, file.where() + ": ", "mesh file", any_size));
-  });
-  const std::size_t of_first = dealii::Utilities::MPI::broadcast(communicator, digest);
-  const std::string others =
-    list_ranks(communicator, digest != of_first && digest != 0 && of_first != 0);
-  if (!others.empty())
-    throw InputError(file.where() + ": found another mesh file on " + others +
-                     " than on the first rank, allowed: the same file for all ranks.");
-}
-
 /** Runs a scene. @throws InputError for wrong input. */
 RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &screen)
 {
@@ -155,8 +133,12 @@ RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &scre
                                   input.overrides,
                                   std::filesystem::path(input.file_name).parent_path().string());
   });
-  refuse_other_mesh_files(parameters.geometry.file, communicator);
-  // A mesh file may be missing on one rank.
+  GeometryParameters &geometry = parameters.geometry;
+  agree(communicator, [&]() {
+    if (first_rank && geometry.shape == Shape::file)
+      geometry.mesh = read_mesh_file(geometry);
+  });
+  geometry.mesh = dealii::Utilities::MPI::broadcast(communicator, geometry.mesh);
   agree(communicator, [&]() {
     if (dimension_of(parameters) == 2)
       scene = make_scene<2>(parameters);

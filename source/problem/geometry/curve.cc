@@ -5,12 +5,11 @@
 #include <signorini/problem/geometry/curve.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-
-#include "curve_chain.h"
 
 namespace Signorini
 {
@@ -18,17 +17,43 @@ using numbers::PI;
 
 namespace
 {
-Tensor<1, 2> direction(const double angle)
+/** The largest distance between pieces that follow one another, in lengths of the chain. */
+constexpr double max_gap_between_pieces = 1e-8;
+
+/** Returns the angle (radians) from one vector to another, in (-pi, pi]. */
+double angle_between(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
 {
-  return Tensor<1, 2>({std::cos(angle), std::sin(angle)});
+  return std::atan2(a * cross_product_2d(b), a * b);
+}
+
+double angle_of(const Tensor<1, 2> &x)
+{
+  return std::atan2(x[1], x[0]);
 }
 } // namespace
+
+/** The pieces of a chain. */
+struct Curve::Chain
+{
+  std::vector<Curve> pieces;
+  /** The arc lengths at which pieces start, and the length. */
+  std::vector<double> starts;
+  std::vector<double> corners;
+  bool is_closed;
+  /** The pieces by the boxes around them. */
+  RTree<std::pair<BoundingBox<2>, unsigned int>> boxes;
+};
 
 Curve::Curve(const Point<2> &start, const Point<2> &end, const Tensor<1, 2> &normal)
   : start_(start)
   , end_(end)
   , length_(start.distance(end))
   , normal_(normal)
+{
+}
+
+Curve::Curve(const Point<2> &start, const Point<2> &end)
+  : Curve(start, end, cross_product_2d((end - start) / start.distance(end)))
 {
 }
 
@@ -39,60 +64,98 @@ Curve Curve::arc(const Point<2> &centre,
                  const Body body)
 {
   const double orientation = body == Body::inside ? 1. : -1.;
-  Curve curve(centre + radius * direction(first),
-              centre + radius * direction(last),
-              orientation * direction(first));
-  curve.length_ = radius * std::abs(last - first);
+  Curve curve({}, {}, {});
   curve.circle_ = Circle{centre, radius, first, orientation, last < first ? -1. : 1.};
+  curve.length_ = radius * std::abs(last - first);
+  curve.start_ = curve.point(0.);
+  curve.end_ = curve.point(curve.length_);
+  curve.normal_ = curve.normal(0.);
   return curve;
+}
+
+Curve Curve::arc_between(const Point<2> &start,
+                         const Point<2> &end,
+                         const Point<2> &centre,
+                         const bool counter_clockwise)
+{
+  const double first = angle_of(start - centre);
+  double turn = angle_of(end - centre) - first;
+  if (counter_clockwise && turn <= 0.)
+    turn += 2. * PI;
+  if (!counter_clockwise && turn >= 0.)
+    turn -= 2. * PI;
+  return arc(centre,
+             centre.distance(start),
+             first,
+             first + turn,
+             counter_clockwise ? Body::inside : Body::outside);
 }
 
 Curve Curve::chain(const std::vector<Curve> &pieces)
 {
-  const auto chain = std::make_shared<const Chain>(pieces);
-  if (chain->n_pieces() == 1)
-    return chain->piece(0);
-  Curve curve(
-    chain->piece(0).start(), chain->piece(chain->n_pieces() - 1).end(), chain->piece(0).normal(0.));
-  curve.length_ = chain->length();
-  curve.chain_ = chain;
+  Chain chain;
+  for (const Curve &piece : pieces)
+    if (Curve *const last = chain.pieces.empty() ? nullptr : &chain.pieces.back();
+        last != nullptr && last->is_flat() && piece.is_flat() &&
+        (last->tangent(0., 1.) - piece.tangent(0., 1.)).norm() < 1e-10)
+      *last = Curve(last->start(), piece.end(), last->normal(0.));
+    else
+      chain.pieces.push_back(piece);
+  const auto n = static_cast<unsigned int>(chain.pieces.size());
+  if (n == 1)
+    return chain.pieces[0];
+  Curve curve(chain.pieces[0].start(), chain.pieces[n - 1].end(), chain.pieces[0].normal(0.));
+  chain.starts = {0.};
+  for (const Curve &piece : chain.pieces)
+    chain.starts.push_back(chain.starts.back() + piece.length());
+  curve.length_ = chain.starts.back();
+  const double max_gap = max_gap_between_pieces * curve.length_;
+  chain.is_closed = curve.end_.distance(curve.start_) <= max_gap;
+  std::vector<std::pair<BoundingBox<2>, unsigned int>> boxes;
+  for (unsigned int k = 0; k < n; ++k)
+  {
+    const Curve &before = chain.pieces[(k + n - 1) % n], &piece = chain.pieces[k];
+    boxes.emplace_back(piece.box(), k);
+    if (k == 0 && !chain.is_closed)
+      continue;
+    Assert(before.end().distance(piece.start()) <= max_gap, ExcInternalError());
+    const double s = before.length();
+    if (std::abs(angle_between(before.tangent(s, s), piece.tangent(0., 0.))) > min_corner_turn)
+      chain.corners.push_back(chain.starts[k]);
+  }
+  chain.boxes = pack_rtree(boxes);
+  curve.chain_ = std::make_shared<const Chain>(std::move(chain));
   return curve;
 }
 
 bool Curve::is_closed() const
 {
-  if (chain_)
-    return chain_->is_closed();
-  return circle_ && length_ > (2. * PI - 1e-12) * circle_->radius;
+  return chain_ ? chain_->is_closed : circle_ && length_ > (2. * PI - 1e-12) * circle_->radius;
 }
 
 unsigned int Curve::n_pieces() const
 {
-  return chain_ ? chain_->n_pieces() : 1;
+  return chain_ ? static_cast<unsigned int>(chain_->pieces.size()) : 1;
 }
 
 const Curve &Curve::piece(const unsigned int k) const
 {
-  return chain_ ? chain_->piece(k) : *this;
+  return chain_ ? chain_->pieces[k] : *this;
 }
 
 double Curve::start_of(const unsigned int k) const
 {
-  if (chain_)
-    return chain_->start_of(k);
-  return k == 0 ? 0. : length_;
+  return chain_ ? chain_->starts[k] : k * length_;
 }
 
 const std::vector<double> &Curve::corners() const
 {
   static const std::vector<double> none;
-  return chain_ ? chain_->corners() : none;
+  return chain_ ? chain_->corners : none;
 }
 
 bool Curve::has_corner(const double s) const
 {
-  if (corners().empty())
-    return false;
   const double margin = 1e-9 * length_;
   const double on_first_turn = is_closed() ? s - length_ * std::floor((s + margin) / length_) : s;
   const auto next = std::lower_bound(corners().begin(), corners().end(), on_first_turn - margin);
@@ -101,69 +164,125 @@ bool Curve::has_corner(const double s) const
 
 std::vector<unsigned int> Curve::pieces_near(const Point<2> &x, const double distance) const
 {
-  return chain_ ? chain_->pieces_near(x, distance) : std::vector<unsigned int>{0};
+  if (!chain_)
+    return {0};
+  std::vector<unsigned int> found;
+  BoundingBox<2> around({x, x});
+  around.extend(distance);
+  for (const auto &[box, k] : chain_->boxes | boost::geometry::index::adaptors::queried(
+                                                boost::geometry::index::intersects(around)))
+  {
+    const Curve &on = piece(k);
+    if (on.point(std::clamp(on.arc_length(x), 0., on.length())).distance(x) <= distance)
+      found.push_back(k);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+BoundingBox<2> Curve::box() const
+{
+  BoundingBox<2> box(std::vector<Point<2>>{start_, end_});
+  for (unsigned int k = 0; chain_ && k < n_pieces(); ++k)
+    box.merge_with(piece(k).box());
+  for (unsigned int d = 0; circle_ && d < 2; ++d)
+    for (const double sign : {-1., 1.})
+    {
+      // The point of the circle that is farthest in this direction, if it is on the arc.
+      const Point<2> x = circle_->centre + sign * circle_->radius * Point<2>::unit_vector(d);
+      const double s = arc_length(x);
+      if (s > 0. && s < length_)
+        box.merge_with({{x, x}});
+    }
+  return box;
+}
+
+Tensor<1, 2> Curve::Circle::direction(const double s) const
+{
+  const double angle = first + turn * s / radius;
+  return Tensor<1, 2>({std::cos(angle), std::sin(angle)});
+}
+
+Curve::Place Curve::place(double s) const
+{
+  if (!chain_)
+    return {*this, s};
+  if (chain_->is_closed)
+    s -= length_ * std::floor(s / length_);
+  const auto &starts = chain_->starts;
+  const auto start = std::upper_bound(starts.begin() + 1, starts.end() - 1, s) - 1;
+  return {chain_->pieces[start - starts.begin()], s - *start};
+}
+
+Curve::Place Curve::place(const double s, const double towards) const
+{
+  if (!chain_)
+    return {*this, s};
+  const double step =
+    std::copysign(std::min(1e-9 * length_, 0.5 * std::abs(towards - s)), towards - s);
+  const Place beside = place(s + step);
+  return {beside.piece, beside.s - step};
 }
 
 Point<2> Curve::point(const double s) const
 {
-  if (chain_)
-  {
-    const auto [k, s_on_piece] = chain_->place(s);
-    return chain_->piece(k).point(s_on_piece);
-  }
-  if (!circle_)
-    return start_ + (s / length_) * (end_ - start_);
-  return circle_->centre +
-         circle_->radius * direction(circle_->first + circle_->turn * s / circle_->radius);
+  const auto [on, t] = place(s);
+  return on.circle_ ? on.circle_->centre + on.circle_->radius * on.circle_->direction(t)
+                    : on.start_ + (t / on.length_) * (on.end_ - on.start_);
 }
 
 Tensor<1, 2> Curve::normal(const double s) const
 {
-  if (chain_)
-  {
-    const auto [k, s_on_piece] = chain_->place(s);
-    return chain_->piece(k).normal(s_on_piece);
-  }
-  if (!circle_)
-    return normal_;
-  return circle_->orientation * direction(circle_->first + circle_->turn * s / circle_->radius);
+  const auto [on, t] = place(s);
+  return on.circle_ ? on.circle_->orientation * on.circle_->direction(t) : on.normal_;
 }
 
 Tensor<1, 2> Curve::normal(const double s, const double towards) const
 {
-  if (!chain_)
-    return normal(s);
-  const auto [k, s_on_piece] = chain_->place(s, towards);
-  return chain_->piece(k).normal(s_on_piece);
+  const auto [on, t] = place(s, towards);
+  return on.normal(t);
 }
 
 Tensor<1, 2> Curve::normal_at(const Point<2> &x, const Point<2> &inside) const
 {
-  const Curve &on = chain_ ? chain_->piece(chain_->place(arc_length(inside)).first) : *this;
+  const Curve &on = place(arc_length(inside)).piece;
   return on.normal(on.arc_length(x));
 }
 
 Tensor<1, 2> Curve::tangent(const double s, const double towards) const
 {
-  if (chain_)
-  {
-    const auto [k, s_on_piece] = chain_->place(s, towards);
-    return chain_->piece(k).tangent(s_on_piece, s_on_piece);
-  }
-  if (!circle_)
-    return (end_ - start_) / length_;
-  const Tensor<1, 2> outwards = circle_->orientation * normal(s);
-  return circle_->turn * Tensor<1, 2>({-outwards[1], outwards[0]});
+  const auto [on, t] = place(s, towards);
+  return on.circle_ ? -on.circle_->turn * cross_product_2d(on.circle_->direction(t))
+                    : (on.end_ - on.start_) / on.length_;
 }
 
 double Curve::arc_length(const Point<2> &x) const
 {
   if (chain_)
-    return chain_->arc_length(x);
+  {
+    // The pieces by the distances of their boxes, until these are farther than the nearest piece.
+    double nearest = HUGE_VAL, s = 0.;
+    for (auto entry = chain_->boxes.qbegin(boost::geometry::index::nearest(x, n_pieces()));
+         entry != chain_->boxes.qend() &&
+         boost::geometry::comparable_distance(x, entry->first) < nearest;
+         ++entry)
+    {
+      const Curve &on = piece(entry->second);
+      const double on_line = on.arc_length(x), on_piece = std::clamp(on_line, 0., on.length());
+      const double distance = on.point(on_piece).distance_square(x);
+      if (distance >= nearest)
+        continue;
+      nearest = distance;
+      // The outer pieces go on beyond the ends of the chain.
+      const bool is_beyond =
+        !is_closed() && on_line != on_piece && entry->second == (on_line < 0. ? 0 : n_pieces() - 1);
+      s = start_of(entry->second) + (is_beyond ? on_line : on_piece);
+    }
+    return is_closed() && s >= length_ ? 0. : s;
+  }
   if (!circle_)
     return (x - start_) * (end_ - start_) / length_;
-  const Tensor<1, 2> from_centre = x - circle_->centre;
-  double angle = circle_->turn * (std::atan2(from_centre[1], from_centre[0]) - circle_->first);
+  double angle = circle_->turn * (angle_of(x - circle_->centre) - circle_->first);
   // The end of an arc may come out a little before its start: only points far behind the middle of
   // the missing piece lie there.
   const double missing = 2. * PI - length_ / circle_->radius;
@@ -177,9 +296,28 @@ std::vector<double> Curve::crossings(const Tensor<1, 2> &m,
                                      const double from,
                                      const double to) const
 {
-  if (chain_)
-    return chain_->crossings(m, position, from, to);
   std::vector<double> found;
+  if (chain_)
+  {
+    const double apart = 1e-12 * length_;
+    const int last = static_cast<int>(n_pieces()) - 1;
+    const auto first_turn = static_cast<int>(is_closed() ? std::floor(from / length_) : 0.);
+    const auto last_turn = static_cast<int>(is_closed() ? std::floor(to / length_) : 0.);
+    for (int turn = first_turn; turn <= last_turn; ++turn)
+      for (int k = 0; k <= last; ++k)
+      {
+        // What rounding takes from one piece it leaves to the other; the outer ones go on.
+        const double start = turn * length_ + start_of(k), length = piece(k).length();
+        const double lowest = k == 0 && !is_closed() ? from : std::max(from, start - apart);
+        const double highest =
+          k == last && !is_closed() ? to : std::min(to, start + length + apart);
+        if (lowest <= highest)
+          for (const double s : piece(k).crossings(m, position, lowest - start, highest - start))
+            if (found.empty() || start + s > found.back() + 4. * apart)
+              found.push_back(start + s);
+      }
+    return found;
+  }
   const auto add = [&](const double s) {
     if (s >= from && s <= to)
       found.push_back(s);
@@ -188,19 +326,18 @@ std::vector<double> Curve::crossings(const Tensor<1, 2> &m,
   {
     const double slope = m * (end_ - start_) / length_;
     if (std::abs(slope) > 1e-14)
-      add((position - m * (start_ - Point<2>())) / slope);
+      add((position - m * start_) / slope);
     return found;
   }
   // m.(centre + R e(angle)) = position
-  const double cosine = (position - m * (circle_->centre - Point<2>())) / circle_->radius;
+  const double cosine = (position - m * circle_->centre) / circle_->radius;
   if (std::abs(cosine) >= 1.)
     return found;
   const double around = 2. * PI * circle_->radius;
   for (const double sign : {-1., 1.})
   {
-    const double angle =
-      circle_->turn * (std::atan2(m[1], m[0]) + sign * std::acos(cosine) - circle_->first);
-    const double s = circle_->radius * angle;
+    const double s =
+      circle_->radius * circle_->turn * (angle_of(m) + sign * std::acos(cosine) - circle_->first);
     for (double k = std::ceil((from - s) / around); s + k * around <= to; ++k)
       add(s + k * around);
   }
@@ -210,37 +347,35 @@ std::vector<double> Curve::crossings(const Tensor<1, 2> &m,
 
 // Transfinite interpolation in a cell with circular edges.
 
-Point<2> ArcCell::Edge::point(const double t) const
+namespace
 {
-  if (!centre)
-    return start + t * (end - start);
-  const double radius = centre->distance(start), at = angle + t * turn;
-  return *centre + radius * Tensor<1, 2>({std::cos(at), std::sin(at)});
+/** Returns the point of an edge at the share t of its length. */
+Point<2> on(const Curve &edge, const double t)
+{
+  return edge.point(t * edge.length());
 }
 
-Tensor<1, 2> ArcCell::Edge::derivative(const double t) const
+/** Returns d/dt of on(), less that of the chord. */
+Tensor<1, 2> bend(const Curve &edge, const double t)
 {
-  if (!centre)
-    return end - start;
-  const double speed = centre->distance(start) * turn, at = angle + t * turn;
-  return speed * Tensor<1, 2>({-std::sin(at), std::cos(at)});
+  return edge.length() * edge.tangent(t * edge.length(), 0.) - (edge.end() - edge.start());
 }
 
-ArcCell::ArcCell(const std::array<Point<2>, 4> &corners,
+Curve make_edge(const Point<2> &start, const Point<2> &end, const std::optional<Point<2>> &centre)
+{
+  return centre ? Curve::arc_between(
+                    start, end, *centre, angle_between(start - *centre, end - *centre) > 0.)
+                : Curve(start, end);
+}
+} // namespace
+
+ArcCell::ArcCell(const std::array<Point<2>, 4> &x,
                  const std::array<std::optional<Point<2>>, 4> &centres)
+  : edges_{{make_edge(x[0], x[1], centres[0]),
+            make_edge(x[3], x[2], centres[2]),
+            make_edge(x[0], x[3], centres[3]),
+            make_edge(x[1], x[2], centres[1])}}
 {
-  for (unsigned int i = 0; i < 4; ++i)
-  {
-    Edge &edge = edges_[i];
-    edge.start = corners[i];
-    edge.end = corners[(i + 1) % 4];
-    edge.centre = centres[i];
-    if (!edge.centre)
-      continue;
-    const Tensor<1, 2> a = edge.start - *edge.centre, b = edge.end - *edge.centre;
-    edge.angle = std::atan2(a[1], a[0]);
-    edge.turn = std::atan2(a[0] * b[1] - a[1] * b[0], a * b);
-  }
 }
 
 std::unique_ptr<Manifold<2, 2>> ArcCell::clone() const
@@ -251,40 +386,31 @@ std::unique_ptr<Manifold<2, 2>> ArcCell::clone() const
 Point<2> ArcCell::push_forward(const Point<2> &chart_point) const
 {
   const double a = chart_point[0], b = chart_point[1];
-  Tensor<1, 2> x;
-  x += (1. - b) * edges_[0].point(a) + b * edges_[2].point(1. - a);
-  x += a * edges_[1].point(b) + (1. - a) * edges_[3].point(1. - b);
-  x -= (1. - a) * (1. - b) * edges_[0].start + a * (1. - b) * edges_[1].start;
-  x -= a * b * edges_[2].start + (1. - a) * b * edges_[3].start;
-  return Point<2>(x);
+  const auto &[bottom, top, left, right] = edges_;
+  return Point<2>((1. - b) * (on(bottom, a) - (1. - a) * bottom.start() - a * bottom.end()) +
+                  b * (on(top, a) - (1. - a) * top.start() - a * top.end()) +
+                  (1. - a) * on(left, b) + a * on(right, b));
 }
 
 DerivativeForm<1, 2, 2> ArcCell::push_forward_gradient(const Point<2> &chart_point) const
 {
   const double a = chart_point[0], b = chart_point[1];
-  const Tensor<1, 2> bottom = edges_[1].start - edges_[0].start,
-                     top = edges_[2].start - edges_[3].start,
-                     left = edges_[3].start - edges_[0].start,
-                     right = edges_[2].start - edges_[1].start;
-  const Tensor<1, 2> along_a = (1. - b) * (edges_[0].derivative(a) - bottom) -
-                               b * (edges_[2].derivative(1. - a) + top) +
-                               (edges_[1].point(b) - edges_[3].point(1. - b));
-  const Tensor<1, 2> along_b = a * (edges_[1].derivative(b) - right) -
-                               (1. - a) * (edges_[3].derivative(1. - b) + left) +
-                               (edges_[2].point(1. - a) - edges_[0].point(a));
+  const auto &[bottom, top, left, right] = edges_;
+  const Tensor<1, 2> along_a =
+    (1. - b) * bend(bottom, a) + b * bend(top, a) + (on(right, b) - on(left, b));
+  const Tensor<1, 2> along_b =
+    (1. - a) * bend(left, b) + a * bend(right, b) + (on(top, a) - on(bottom, a));
   DerivativeForm<1, 2, 2> gradient;
   for (unsigned int d = 0; d < 2; ++d)
-  {
-    gradient[d][0] = along_a[d];
-    gradient[d][1] = along_b[d];
-  }
+    gradient[d] = Tensor<1, 2>({along_a[d], along_b[d]});
   return gradient;
 }
 
 Point<2> ArcCell::pull_back(const Point<2> &x) const
 {
   constexpr unsigned int max_steps = 50;
-  const double size = edges_[0].start.distance(edges_[2].start);
+  const Point<2> &corner = edges_[0].start(), &opposite = edges_[1].end();
+  const double size = corner.distance(opposite);
   const double rounding = 1e-15 * (size + x.norm());
   Point<2> chart_point(0.5, 0.5);
   double distance = HUGE_VAL;
@@ -299,19 +425,19 @@ Point<2> ArcCell::pull_back(const Point<2> &x) const
     const Tensor<2, 2> gradient(push_forward_gradient(chart_point));
     chart_point += invert(gradient) * residual;
     for (unsigned int d = 0; d < 2; ++d)
-      chart_point[d] = std::min(std::max(chart_point[d], -0.5), 1.5);
+      chart_point[d] = std::clamp(chart_point[d], -0.5, 1.5);
   }
   std::ostringstream text;
-  text
-    << "Geometry: the point (" << x << ") is not found in the coarse cell from (" << edges_[0].start
-    << ") to (" << edges_[2].start
-    << "), an edge of which lies on a circle, allowed: a finer mesh there (Mesh size, or another "
-       "File).";
+  text << "Geometry: the point (" << x << ") is not found in the coarse cell from (" << corner
+       << ") to (" << opposite
+       << "), an edge of which lies on a circle, allowed: a finer mesh there (Mesh size, or "
+          "another File).";
   throw ComputationError(text.str());
 }
 
-bool ArcCell::is_valid(const unsigned int n, const double min_ratio) const
+bool ArcCell::is_valid(const double min_ratio) const
 {
+  constexpr unsigned int n = 8;
   double lowest = HUGE_VAL, highest = 0.;
   for (unsigned int i = 0; i <= n; ++i)
     for (unsigned int j = 0; j <= n; ++j)

@@ -3,6 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/geometry/outline.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/grid/grid_generator.h>
@@ -10,46 +11,15 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <sstream>
+#include <tuple>
 
 namespace Signorini
 {
 namespace
 {
-/** Returns the outward normal of a side that has the body on its left. */
-Tensor<1, 2> normal_to_the_right(const Point<2> &start, const Point<2> &end)
-{
-  const Tensor<1, 2> tangent = (end - start) / start.distance(end);
-  return Tensor<1, 2>({tangent[1], -tangent[0]});
-}
-
-/** Makes one coarse cell of a quadrilateral, in deal.II's lexicographic order of vertices. */
-void make_quadrilateral(const std::vector<Point<2>> &corners, Triangulation<2> &triangulation)
-{
-  CellData<2> cell;
-  cell.vertices = {0, 1, 3, 2};
-  triangulation.create_triangulation(corners, {cell}, SubCellData());
-}
-
-/** Makes one coarse cell per corner: corner, middle of the next side, centroid, middle of the last.
- */
-void make_fan(const std::vector<Point<2>> &corners, Triangulation<2> &triangulation)
-{
-  const unsigned int n = corners.size();
-  std::vector<Point<2>> points = corners;
-  Point<2> centroid;
-  for (unsigned int i = 0; i < n; ++i)
-  {
-    points.push_back(corners[i] + 0.5 * (corners[(i + 1) % n] - corners[i]));
-    centroid += corners[i] / n;
-  }
-  points.push_back(centroid);
-  std::vector<CellData<2>> cells(n);
-  for (unsigned int i = 0; i < n; ++i)
-    cells[i].vertices = {i, n + i, n + (i + n - 1) % n, 2 * n};
-  triangulation.create_triangulation(points, cells, SubCellData());
-}
-
 /** Returns the steps between n + 1 equidistant positions, of which the nearest one has moved to
  * each of the @p lines; where it is taken, a position is added. */
 std::vector<double> steps_with_lines(const double from,
@@ -87,27 +57,17 @@ std::vector<double> steps_with_lines(const double from,
   return steps;
 }
 
-/** Returns whether a face lies on a segment or an arc, from end to end. */
-template <typename Face>
-bool lies_on_piece(const Face &face, const Curve &piece, const double margin)
-{
-  const double length = piece.length();
-  for (unsigned int v = 0; v < 2; ++v)
-  {
-    const double s = piece.arc_length(face->vertex(v));
-    if (piece.point(s).distance(face->vertex(v)) > margin || s < -margin || s > length + margin)
-      return false;
-  }
-  return true;
-}
-
 /** Returns whether a face lies on one piece of a side, from end to end. */
 template <typename Face>
 bool lies_on(const Face &face, const Side<2> &side)
 {
   const double margin = 1e-8 * side.length();
+  const auto has = [&](const Curve &piece, const Point<2> &x) {
+    const double s = piece.arc_length(x);
+    return piece.point(s).distance(x) <= margin && s >= -margin && s <= piece.length() + margin;
+  };
   for (const unsigned int k : side.pieces_near(face->vertex(0), margin))
-    if (lies_on_piece(face, side.piece(k), margin))
+    if (has(side.piece(k), face->vertex(0)) && has(side.piece(k), face->vertex(1)))
       return true;
   return false;
 }
@@ -155,19 +115,15 @@ Point<dim> Geometry<dim>::inner_point() const
 template <int dim>
 double Geometry<dim>::shortest_extent() const
 {
-  double shortest = diameter();
-  for (unsigned int d = 0; d < dim; ++d)
-    shortest = std::min(shortest, upper[d] - lower[d]);
-  return shortest;
+  const Tensor<1, dim> extents = upper - lower;
+  return *std::min_element(extents.begin_raw(), extents.end_raw());
 }
 
 template <int dim>
 double Geometry<dim>::longest_extent() const
 {
-  double longest = 0.;
-  for (unsigned int d = 0; d < dim; ++d)
-    longest = std::max(longest, upper[d] - lower[d]);
-  return longest;
+  const Tensor<1, dim> extents = upper - lower;
+  return *std::max_element(extents.begin_raw(), extents.end_raw());
 }
 
 template <int dim>
@@ -188,6 +144,36 @@ std::vector<std::string> Geometry<dim>::side_names() const
   return names;
 }
 
+template <int dim>
+std::vector<std::string> Geometry<dim>::described_sides() const
+{
+  std::vector<std::string> texts;
+  for (const Side<dim> &side : sides)
+  {
+    std::ostringstream text;
+    text << side.name();
+    if (std::isdigit(static_cast<unsigned char>(side.name()[0])) != 0)
+      text << " at (" << side.centre() << ")";
+    texts.push_back(text.str());
+  }
+  return texts;
+}
+
+Geometry<2> bounded_by(std::vector<Side<2>> sides)
+{
+  Geometry<2> geometry;
+  BoundingBox<2> box = sides.at(0).box();
+  for (const Side<2> &side : sides)
+  {
+    box.merge_with(side.box());
+    for (unsigned int k = 0; k < side.n_pieces(); ++k)
+      geometry.curved = geometry.curved || !side.piece(k).is_flat();
+  }
+  std::tie(geometry.lower, geometry.upper) = box.get_boundary_points();
+  geometry.sides = std::move(sides);
+  return geometry;
+}
+
 Geometry<2> make_rectangle(const Point<2> &lower_left,
                            const Point<2> &upper_right,
                            const std::vector<unsigned int> &cells)
@@ -195,15 +181,12 @@ Geometry<2> make_rectangle(const Point<2> &lower_left,
   using P = Point<2>;
   const P lower_right(upper_right[0], lower_left[1]);
   const P upper_left(lower_left[0], upper_right[1]);
-  Geometry<2> geometry;
-  geometry.n_coarse_cells = double(cells[0]) * double(cells[1]);
-  geometry.lower = lower_left;
-  geometry.upper = upper_right;
   // The arc length of every side grows with its coordinate; the order is that of colorize = true.
-  geometry.sides = {{"left", Curve(lower_left, upper_left, P(-1., 0.))},
-                    {"right", Curve(lower_right, upper_right, P(1., 0.))},
-                    {"bottom", Curve(lower_left, lower_right, P(0., -1.))},
-                    {"top", Curve(upper_left, upper_right, P(0., 1.))}};
+  Geometry<2> geometry = bounded_by({{"left", Curve(lower_left, upper_left, P(-1., 0.))},
+                                     {"right", Curve(lower_right, upper_right, P(1., 0.))},
+                                     {"bottom", Curve(lower_left, lower_right, P(0., -1.))},
+                                     {"top", Curve(upper_left, upper_right, P(0., 1.))}});
+  geometry.n_coarse_cells = double(cells[0]) * double(cells[1]);
   geometry.make_coarse_mesh = [=](Triangulation<2> &triangulation) {
     GridGenerator::subdivided_hyper_rectangle(triangulation, cells, lower_left, upper_right, true);
   };
@@ -220,28 +203,19 @@ Geometry<2> make_rectangle(const Point<2> &lower_left,
 
 Geometry<2> make_polygon(const std::vector<Point<2>> &vertices)
 {
-  const std::size_t n = vertices.size();
-  Geometry<2> geometry;
-  geometry.n_coarse_cells = n == 4 ? 1. : static_cast<double>(n);
-  geometry.lower = geometry.upper = vertices[0];
-  for (std::size_t i = 0; i < n; ++i)
+  const auto n = static_cast<unsigned int>(vertices.size());
+  std::vector<Side<2>> sides;
+  for (unsigned int i = 0; i < n; ++i)
+    sides.emplace_back("side" + std::to_string(i), Curve(vertices[i], vertices[(i + 1) % n]));
+  CoarseMesh mesh = {vertices, {{}}, {}};
+  for (unsigned int i = 0; i < n; ++i)
   {
-    const Point<2> &next = vertices[(i + 1) % n];
-    geometry.sides.emplace_back("side" + std::to_string(i),
-                                Curve(vertices[i], next, normal_to_the_right(vertices[i], next)));
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      geometry.lower[d] = std::min(geometry.lower[d], next[d]);
-      geometry.upper[d] = std::max(geometry.upper[d], next[d]);
-    }
+    mesh.cells[0].push_back(i);
+    mesh.edges.push_back({i, (i + 1) % n, i, &sides[i]});
   }
-  geometry.make_coarse_mesh = [vertices, sides = geometry.sides](Triangulation<2> &triangulation) {
-    if (vertices.size() == 4)
-      make_quadrilateral(vertices, triangulation);
-    else
-      make_fan(vertices, triangulation);
-    number_boundary(sides, triangulation);
-  };
+  Geometry<2> geometry = make_body(sides, n == 4 ? mesh : split_cells(mesh));
+  geometry.star_shaped = true;
+  geometry.inside.reset();
   return geometry;
 }
 
@@ -301,29 +275,17 @@ void attach_manifolds(const std::vector<Side<2>> &sides,
   transfinite.initialize(triangulation);
   triangulation.set_manifold(interior, transfinite);
 }
-
-Geometry<2> make_curved(const unsigned int n_coarse_cells,
-                        const Point<2> &lower,
-                        const Point<2> &upper)
-{
-  Geometry<2> geometry;
-  geometry.curved = true;
-  geometry.n_coarse_cells = n_coarse_cells;
-  geometry.lower = lower;
-  geometry.upper = upper;
-  return geometry;
-}
 } // namespace
 
 Geometry<2> make_ring(const double inner_radius, const double outer_radius, const Point<2> &centre)
 {
-  const Point<2> corner(outer_radius, outer_radius);
-  Geometry<2> geometry = make_curved(8, Point<2>(centre - corner), centre + corner);
+  // The order is that of colorize = true.
+  Geometry<2> geometry =
+    bounded_by({{"inner", Curve::arc(centre, inner_radius, -PI, PI, Body::outside)},
+                {"outer", Curve::arc(centre, outer_radius, -PI, PI, Body::inside)}});
+  geometry.n_coarse_cells = 8.;
   geometry.star_shaped = false;
   geometry.inside = centre + Point<2>(0.5 * (inner_radius + outer_radius), 0.);
-  // The order is that of colorize = true.
-  geometry.sides = {{"inner", Curve::arc(centre, inner_radius, -PI, PI, Body::outside)},
-                    {"outer", Curve::arc(centre, outer_radius, -PI, PI, Body::inside)}};
   geometry.make_coarse_mesh = [=](Triangulation<2> &triangulation) {
     GridGenerator::hyper_shell(
       triangulation, centre, inner_radius, outer_radius, 8, /*colorize=*/true);
@@ -333,13 +295,10 @@ Geometry<2> make_ring(const double inner_radius, const double outer_radius, cons
 
 Geometry<2> make_half_disc(const double radius, const Point<2> &centre)
 {
-  Geometry<2> geometry =
-    make_curved(4, Point<2>(centre - Point<2>(radius, radius)), centre + Point<2>(radius, 0.));
-  geometry.sides = {{"flat",
-                     Curve(Point<2>(centre - Point<2>(radius, 0.)),
-                           centre + Point<2>(radius, 0.),
-                           Point<2>(0., 1.))},
-                    {"arc", Curve::arc(centre, radius, -PI, 0., Body::inside)}};
+  const Point<2> left(centre[0] - radius, centre[1]), right(centre[0] + radius, centre[1]);
+  Geometry<2> geometry = bounded_by({{"flat", Curve(left, right, Point<2>(0., 1.))},
+                                     {"arc", Curve::arc(centre, radius, -PI, 0., Body::inside)}});
+  geometry.n_coarse_cells = 4.;
   geometry.make_coarse_mesh = [=, sides = geometry.sides](Triangulation<2> &triangulation) {
     // deal.II's half disc lies to the right of the y-axis.
     GridGenerator::half_hyper_ball(triangulation, Point<2>(), radius);
@@ -353,10 +312,9 @@ Geometry<2> make_half_disc(const double radius, const Point<2> &centre)
 
 Geometry<2> make_disc(const double radius, const Point<2> &centre)
 {
-  const Point<2> corner(radius, radius);
-  Geometry<2> geometry = make_curved(5, Point<2>(centre - corner), centre + corner);
+  Geometry<2> geometry = bounded_by({{"arc", Curve::arc(centre, radius, -PI, PI, Body::inside)}});
+  geometry.n_coarse_cells = 5.;
   geometry.inside = centre;
-  geometry.sides = {{"arc", Curve::arc(centre, radius, -PI, PI, Body::inside)}};
   geometry.make_coarse_mesh = [=, sides = geometry.sides](Triangulation<2> &triangulation) {
     GridGenerator::hyper_ball(triangulation, centre, radius);
     attach_manifolds(sides, centre, triangulation);

@@ -37,13 +37,11 @@ using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
 using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Delaunay>;
 using Mesher = CGAL::Delaunay_mesher_2<Delaunay, Criteria>;
 
-/** Marks the faces that a path from far away reaches by crossing an odd number of segments. */
+/** Marks the faces that a path from far away reaches by crossing an odd number of edges. */
 void mark_body(Delaunay &delaunay)
 {
-  for (auto face = delaunay.all_faces_begin(); face != delaunay.all_faces_end(); ++face)
-    face->set_in_domain(false);
   std::set<Delaunay::Face_handle> seen = {delaunay.infinite_face()};
-  // Faces that are reached across a segment wait behind those of their own region.
+  // Faces that are reached across an edge wait behind those of their own region.
   std::deque<Delaunay::Face_handle> waiting = {delaunay.infinite_face()};
   while (!waiting.empty())
   {
@@ -63,45 +61,24 @@ void mark_body(Delaunay &delaunay)
     }
   }
 }
-
-Triangles to_triangles(Delaunay &delaunay, Triangles result)
-{
-  for (auto vertex = delaunay.finite_vertices_begin(); vertex != delaunay.finite_vertices_end();
-       ++vertex)
-    if (vertex->info().value == unnumbered)
-    {
-      vertex->info().value = result.points.size();
-      result.points.emplace_back(vertex->point().x(), vertex->point().y());
-    }
-  for (auto face = delaunay.finite_faces_begin(); face != delaunay.finite_faces_end(); ++face)
-    if (face->is_in_domain())
-    {
-      const auto number = [&](const int i) { return face->vertex(i)->info().value; };
-      result.triangles.push_back({number(0), number(1), number(2)});
-      for (int i = 0; i < 3; ++i)
-        if (!face->neighbor(i)->is_in_domain())
-          result.boundary.push_back({number(Delaunay::ccw(i)), number(Delaunay::cw(i))});
-    }
-  return result;
-}
 } // namespace
 
-Triangles triangulate(const std::vector<dealii::Point<2>> &points,
-                      const std::vector<std::array<unsigned int, 2>> &segments,
+Triangles triangulate(const std::vector<Point<2>> &points,
+                      const std::vector<CoarseMesh::Edge> &edges,
                       const double mesh_size,
-                      const std::size_t max_triangles)
+                      const std::size_t max_points)
 {
   Delaunay delaunay;
   std::vector<Delaunay::Vertex_handle> vertices;
-  for (const dealii::Point<2> &x : points)
+  for (const Point<2> &x : points)
   {
     vertices.push_back(delaunay.insert(Kernel::Point_2(x[0], x[1])));
     vertices.back()->info().value = vertices.size() - 1;
   }
   try
   {
-    for (const auto &segment : segments)
-      delaunay.insert_constraint(vertices[segment[0]], vertices[segment[1]]);
+    for (const CoarseMesh::Edge &edge : edges)
+      delaunay.insert_constraint(vertices[edge.start], vertices[edge.end]);
   }
   catch (const Delaunay::Intersection_of_constraints_exception &)
   {
@@ -111,10 +88,28 @@ Triangles triangulate(const std::vector<dealii::Point<2>> &points,
   Mesher mesher(delaunay, Criteria(0.125, mesh_size));
   mark_body(delaunay);
   mesher.init(/*domain_specified=*/true);
-  // A mesh of n vertices has fewer than 2 n triangles.
+  Triangles result = {points, {}, {}, false};
   while (mesher.try_one_step_refine_mesh())
-    if (delaunay.number_of_vertices() > max_triangles / 2)
-      return {{}, {}, {}, true};
-  return to_triangles(delaunay, {points, {}, {}, false});
+    if (delaunay.number_of_vertices() > max_points)
+    {
+      result.too_many = true;
+      return result;
+    }
+  for (const Delaunay::Vertex_handle vertex : delaunay.finite_vertex_handles())
+    if (vertex->info().value == unnumbered)
+    {
+      vertex->info().value = result.points.size();
+      result.points.emplace_back(vertex->point().x(), vertex->point().y());
+    }
+  for (const Delaunay::Face_handle face : delaunay.finite_face_handles())
+  {
+    const auto number = [&](const int i) { return face->vertex(i)->info().value; };
+    if (face->is_in_domain())
+      result.triangles.push_back({number(0), number(1), number(2)});
+    for (int i = 0; i < 3 && face->is_in_domain(); ++i)
+      if (!face->neighbor(i)->is_in_domain())
+        result.boundary.push_back({{number(Delaunay::ccw(i)), number(Delaunay::cw(i))}});
+  }
+  return result;
 }
 } // namespace Signorini

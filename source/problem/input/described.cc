@@ -6,6 +6,8 @@
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/scene/functions.h>
 
+#include <algorithm>
+
 #include "input.h"
 
 namespace Signorini
@@ -103,11 +105,10 @@ std::vector<Expression<2>> read_moduli_across(const MaterialParameters &given,
 }
 
 template <int dim>
-std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &given,
-                                                   const SceneReader<dim> &reader,
-                                                   const Geometry<dim> &geometry)
+std::shared_ptr<const Material<dim>> read_one_material(const MaterialParameters &given,
+                                                       const SceneReader<dim> &reader,
+                                                       const Geometry<dim> &geometry)
 {
-  refuse_foreign_moduli(given);
   const Point<dim> reference = geometry.inner_point();
   if constexpr (dim == 2)
   {
@@ -129,6 +130,46 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
   return make_isotropic<dim>(youngs_modulus, poissons_ratio, given.plane_state, reference);
 }
 
+/** Reads the material; where the body has regions, an entry may have a text for each of them:
+ * "steel: 210000 | rubber: 5". */
+template <int dim>
+std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &given,
+                                                   const SceneReader<dim> &reader,
+                                                   const Geometry<dim> &geometry)
+{
+  refuse_foreign_moduli(given);
+  const std::vector<std::string> &regions = geometry.regions;
+  std::vector<MaterialParameters> parts(regions.size(), given);
+  bool differ = false;
+  for (const auto entry : {&MaterialParameters::youngs_modulus,
+                           &MaterialParameters::poissons_ratio,
+                           &MaterialParameters::hooke_tensor,
+                           &MaterialParameters::orthotropic_moduli,
+                           &MaterialParameters::moduli_across})
+    if (!regions.empty() && begins_with_a_name((given.*entry).value))
+    {
+      differ = true;
+      const std::string where = (given.*entry).where(),
+                        allowed = "a region (" + join(regions) + ")";
+      const SideTexts texts = read_side_list((given.*entry).value, where, regions, allowed);
+      for (std::size_t r = 0; r < regions.size(); ++r)
+      {
+        const auto text = std::find_if(
+          texts.begin(), texts.end(), [&](const auto &pair) { return pair.first == regions[r]; });
+        if (text == texts.end())
+          throw InputError(where + ": found no entry for the region '" + regions[r] +
+                           "', allowed: one for each region (" + join(regions) + ").");
+        (parts[r].*entry).value = text->second;
+      }
+    }
+  if (!differ)
+    return read_one_material(given, reader, geometry);
+  std::vector<std::shared_ptr<const Material<dim>>> materials;
+  for (const MaterialParameters &part : parts)
+    materials.push_back(read_one_material(part, reader, geometry));
+  return make_piecewise(materials, geometry.region_at, geometry.inner_point());
+}
+
 /** Gives sides their roles; a side has one role only. */
 template <int dim>
 class RoleReader
@@ -147,7 +188,7 @@ public:
     const std::size_t side = scene_.geometry.find_side(name);
     if (side == scene_.geometry.sides.size())
       throw InputError(entry.where() + ": found the side " + quote(name) +
-                       ", allowed: " + join(scene_.geometry.side_names()) + ".");
+                       ", allowed: " + join(scene_.geometry.described_sides()) + ".");
     if (entries_[side] != nullptr)
       throw InputError(entry.where() + ": the side '" + name + "' is listed in " +
                        entries_[side]->name + " already; every side has exactly one role.");
@@ -169,6 +210,7 @@ void read_boundary(const BoundaryParameters &given,
                    Scene<dim> &scene)
 {
   const std::vector<std::string> sides = scene.geometry.side_names();
+  const std::string allowed = "a side (" + join(scene.geometry.described_sides()) + ")";
   RoleReader<dim> roles(scene);
   const auto assign = [&](const Given<std::string> &names, const Role role) {
     for (const std::string &name : split_words(names))
@@ -182,7 +224,7 @@ void read_boundary(const BoundaryParameters &given,
   assign(given.rollers, Role::roller);
   assign(given.contact, Role::contact);
   const auto assign_data = [&](const Given<std::string> &list, const Role role) {
-    for (const auto &[name, text] : read_side_list(list.value, list.where(), sides))
+    for (const auto &[name, text] : read_side_list(list.value, list.where(), sides, allowed))
       roles.assign(name, role, list).data = reader.function(text, dim, list);
   };
   assign_data(given.displacement, Role::displacement);
@@ -196,7 +238,8 @@ void read_boundary(const BoundaryParameters &given,
   }
   if (scene.contact_sides().empty())
     throw InputError(given.contact.where() +
-                     ": no contact side is given, allowed: one or more of " + join(sides) + ".");
+                     ": no contact side is given, allowed: one or more of " +
+                     join(scene.geometry.described_sides()) + ".");
 }
 
 template <int dim>

@@ -4,12 +4,14 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/mesh_file/file_geometry.h>
 #include <signorini/problem/parameters/parameter_text.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/scene.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -19,38 +21,6 @@
 
 namespace Signorini
 {
-/** Reads the body of Geometry/File. @throws InputError */
-Geometry<2> read_mesh_file(const GeometryParameters &given);
-
-namespace
-{
-/** Returns the distance of the body from the origin. */
-double distance_from_origin(const Geometry<2> &geometry)
-{
-  double distance = 0.;
-  for (const Side<2> &side : geometry.sides)
-    distance = std::max(distance, side.start().norm());
-  return distance;
-}
-double distance_from_origin(const Geometry<3> &geometry)
-{
-  return std::max(geometry.lower.norm(), geometry.upper.norm());
-}
-
-/** Returns the length of the shortest side, in 3-D of the shortest edge. */
-double shortest_side(const Geometry<2> &geometry)
-{
-  double shortest = geometry.diameter();
-  for (const Side<2> &side : geometry.sides)
-    shortest = std::min(shortest, side.length());
-  return shortest;
-}
-double shortest_side(const Geometry<3> &geometry)
-{
-  return geometry.shortest_extent();
-}
-} // namespace
-
 std::vector<double> read_coordinates(const std::string &text,
                                      const unsigned int n,
                                      const Entry &entry)
@@ -78,7 +48,11 @@ template <int dim>
 void check_size(const Geometry<dim> &geometry, const std::string &where)
 {
   const double size = geometry.diameter();
-  const double distance = distance_from_origin(geometry), shortest = shortest_side(geometry);
+  const double distance = std::min(geometry.lower.norm(), geometry.upper.norm());
+  double shortest = dim == 2 ? size : geometry.shortest_extent();
+  if constexpr (dim == 2)
+    for (const Side<2> &side : geometry.sides)
+      shortest = std::min(shortest, side.length());
   if (!(size >= min_magnitude && size <= max_magnitude))
     throw InputError(where + ": found a body of the size " + number_text(size) +
                      ", allowed: sizes from " + number_text(min_magnitude) + " to " +
@@ -161,25 +135,32 @@ namespace
 constexpr std::size_t max_mesh_file_size = 500000000;
 } // namespace
 
-Geometry<2> read_mesh_file(const GeometryParameters &given)
+std::string read_mesh_file(const GeometryParameters &given)
 {
-  if (given.distortion.changed)
-    throw InputError(given.distortion.where() +
-                     ": meshes from files are not distorted, found Shape = file.");
   const std::filesystem::path path(given.file.value);
-  std::error_code error;
+  const std::string allowed =
+    ", allowed: a file that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...).";
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](const unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  ending.erase(0, 1);
   if (given.file.value.empty())
-    throw InputError(given.file.where() + ": found '', allowed: a mesh file of Gmsh (.msh).");
+    throw InputError(given.file.where() + ": found ''" + allowed);
+  std::error_code error;
   if (!std::filesystem::exists(path, error))
     throw InputError(given.file.where() + ": found " + quote(given.file) +
                      ", which is neither in the folder of the parameter file" +
                      (given.folder.empty() ? "" : " (" + shorten_path(given.folder) + ")") +
-                     " nor in the working folder, allowed: a mesh file of Gmsh (.msh).");
-  const std::string text =
+                     " nor in the working folder" + allowed);
+  const std::string content =
     read_whole_file(path.string(), given.file.where() + ": ", "mesh file", max_mesh_file_size);
-  const std::string name = given.file.where() + ": " + shorten_path(path.filename().string());
-  return make_geometry(
-    make_file_mesh(read_gmsh(text, name)), split_words(given.arcs), given.arcs.where());
+  if (is_gmsh_text(content))
+    return content;
+  if (content.empty() || !is_gmsh_ending(ending))
+    throw InputError(given.file.where() + ": found " + quote(given.file) +
+                     (content.empty() ? ", which is empty" : "") + allowed);
+  return convert_with_gmsh(content, ending, given.mesh_size, given.file.where() + ": ");
 }
 
 // The subsection Geometry: bodies from parameters, checked before they are made.
@@ -199,12 +180,12 @@ void refuse_foreign_entries(const GeometryParameters &given)
   for (const Entry *entry :
        std::initializer_list<const Entry *>{&given.lower_left, &given.upper_right, &given.cells})
     refuse(*entry, shape == Shape::rectangle || shape == Shape::box, "rectangle or box");
-  for (const Entry *entry :
-       std::initializer_list<const Entry *>{&given.vertices, &given.holes, &given.mesh_size})
+  for (const Entry *entry : std::initializer_list<const Entry *>{&given.vertices, &given.holes})
     refuse(*entry, shape == Shape::polygon, "polygon");
   refuse(given.centre, is_round, "half disc, disc or ring");
   refuse(given.radius, is_round, "half disc, disc or ring");
   refuse(given.inner_radius, shape == Shape::ring, "ring");
+  refuse(given.mesh_size, shape == Shape::polygon || shape == Shape::file, "polygon or file");
   refuse(given.file, shape == Shape::file, "file");
   refuse(given.arcs, shape == Shape::file, "file");
 }
@@ -315,7 +296,15 @@ Geometry<2> make_geometry(const GeometryParameters &given)
     check_size(geometry, given.radius.where());
     break;
   case Shape::file:
-    geometry = read_mesh_file(given);
+    if (given.distortion.changed)
+      throw InputError(given.distortion.where() +
+                       ": meshes from files are not distorted, found Shape = file.");
+    geometry = make_geometry(
+      read_gmsh(given.mesh.empty() ? read_mesh_file(given) : given.mesh,
+                given.file.where() + ": " +
+                  shorten_path(std::filesystem::path(given.file.value).filename().string())),
+      split_words(given.arcs),
+      given.arcs.where());
     check_size(geometry, given.file.where());
     break;
   }

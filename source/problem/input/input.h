@@ -21,10 +21,12 @@ using SideTexts = std::vector<std::pair<std::string, std::string>>;
 std::vector<std::string> sides_called(const std::string &name,
                                       const std::vector<std::string> &sides);
 
-/** Reads "left: tx; ty | right: tx; ty". @throws InputError if an entry names no side. */
+/** Reads "left: tx; ty | right: tx; ty". @throws InputError if an entry names no side; @p allowed
+ * says which there are, "a side (left, right)" by default. */
 SideTexts read_side_list(const std::string &text,
                          const std::string &where,
-                         const std::vector<std::string> &sides);
+                         const std::vector<std::string> &sides,
+                         const std::string &allowed = "");
 
 /** Returns whether a text begins with a word and ':', so that it is for one side. */
 bool begins_with_a_name(const std::string &text);

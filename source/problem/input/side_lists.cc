@@ -58,7 +58,8 @@ std::vector<std::string> sides_called(const std::string &name,
 
 SideTexts read_side_list(const std::string &text,
                          const std::string &where,
-                         const std::vector<std::string> &sides)
+                         const std::vector<std::string> &sides,
+                         const std::string &allowed)
 {
   SideTexts entries;
   for (const std::string &part : split_list(text, '|'))
@@ -67,8 +68,9 @@ SideTexts read_side_list(const std::string &text,
     const std::string name = trim(part.substr(0, colon));
     const std::vector<std::string> called = sides_called(name, sides);
     if (colon == std::string::npos || called.empty())
-      throw InputError(where + ": found " + quote(part) + ", allowed: a side (" + join(sides) +
-                       "), ':' and its value.");
+      throw InputError(where + ": found " + quote(part) + ", allowed: " +
+                       (allowed.empty() ? "a side (" + join(sides) + ")" : allowed) +
+                       ", ':' and its value.");
     for (const std::string &side : called)
       entries.emplace_back(side, trim(part.substr(colon + 1)));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// From the nodes and elements of a file to a checked 2-D mesh.
+// From the nodes and elements of a file to a checked 2-D mesh in order, with its boundary.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
@@ -8,228 +8,320 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <numeric>
-
-#include "file_sides.h"
+#include <sstream>
 
 namespace Signorini
 {
 namespace
 {
-using dealii::Point;
-
 /** The smallest sine of the angle in a corner of a cell. */
 constexpr double min_sine = 1e-6;
 
 /** The share of the body's size below which two nodes are one. */
 constexpr double min_node_distance = 1e-9;
 
-constexpr unsigned int unused = std::numeric_limits<unsigned int>::max();
+/** The name of edges that have none in the file. */
+const std::string unnamed = "rest";
 
-std::string place_of(const GmshMesh &gmsh, const std::size_t line)
-{
-  return gmsh.name + ":" + std::to_string(line);
-}
+using Node = FileMesh::Node;
+using FileElement = FileMesh::Element;
 
-std::string point_text(const Point<2> &x)
+/** Checks that the corners of cells, the first nodes, have the same z, and that no two are at one
+ * place, which would be a crack. */
+void check_nodes(const FileMesh &mesh, const unsigned int n_corners)
 {
-  return "(" + number_text(x[0]) + ", " + number_text(x[1]) + ")";
-}
-
-Point<2> position_of(const GmshMesh &gmsh, const unsigned int node)
-{
-  return {gmsh.nodes[node].x[0], gmsh.nodes[node].x[1]};
-}
-
-double cross_product(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
-
-/** Checks that the nodes of elements have the same z. @return the size of the box around them. */
-double check_nodes(const GmshMesh &gmsh, const std::vector<bool> &is_used)
-{
-  Point<2> lower, upper;
-  const GmshMesh::Node *first = nullptr, *lowest = nullptr, *highest = nullptr;
-  for (std::size_t i = 0; i < gmsh.nodes.size(); ++i)
-    if (is_used[i])
-    {
-      const GmshMesh::Node &node = gmsh.nodes[i];
-      if (first == nullptr)
-      {
-        first = lowest = highest = &node;
-        lower = upper = position_of(gmsh, i);
-      }
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        lower[d] = std::min(lower[d], node.x[d]);
-        upper[d] = std::max(upper[d], node.x[d]);
-      }
-      lowest = node.x[2] < lowest->x[2] ? &node : lowest;
-      highest = node.x[2] > highest->x[2] ? &node : highest;
-    }
-  const double size = lower.distance(upper);
-  if (highest->x[2] - lowest->x[2] > min_node_distance * size)
-    throw InputError(place_of(gmsh, highest->line) + ": node " + std::to_string(highest->tag) +
-                     " has z = " + number_text(highest->x[2]) + ", node " +
-                     std::to_string(lowest->tag) + " z = " + number_text(lowest->x[2]) +
-                     ", allowed: a plane body in x and y, with the same z everywhere.");
-  return size;
-}
-
-/** Refuses two nodes at one place, which would be a crack. */
-void check_distances(const GmshMesh &gmsh, const std::vector<bool> &is_used, const double size)
-{
+  std::vector<const Node *> nodes;
+  for (unsigned int i = 0; i < n_corners; ++i)
+    nodes.push_back(&mesh.nodes[i]);
   // In an oblique direction few nodes of a mesh lie beside one another.
-  const auto along = [&](const unsigned int i) {
-    return 0.8191520442889918 * gmsh.nodes[i].x[0] + 0.5735764363510461 * gmsh.nodes[i].x[1];
-  };
-  std::vector<std::pair<double, unsigned int>> sorted;
-  for (unsigned int i = 0; i < gmsh.nodes.size(); ++i)
-    if (is_used[i])
-      sorted.emplace_back(along(i), i);
-  std::sort(sorted.begin(), sorted.end());
+  const Tensor<1, 2> oblique({0.8191520442889918, 0.5735764363510461});
+  std::stable_sort(nodes.begin(), nodes.end(), [&](const Node *a, const Node *b) {
+    return a->x * oblique < b->x * oblique;
+  });
+  const auto [lowest, highest] = std::minmax_element(
+    nodes.begin(), nodes.end(), [](const Node *a, const Node *b) { return a->z < b->z; });
+  double size = 0.;
+  for (const Node *node : nodes)
+    size = std::max(size, node->x.distance(nodes[0]->x));
   const double tolerance = min_node_distance * size;
-  for (std::size_t a = 0; a < sorted.size(); ++a)
-    for (std::size_t b = a + 1; b < sorted.size() && sorted[b].first - sorted[a].first < tolerance;
-         ++b)
-    {
-      const unsigned int i = std::min(sorted[a].second, sorted[b].second);
-      const unsigned int j = std::max(sorted[a].second, sorted[b].second);
-      if (position_of(gmsh, i).distance(position_of(gmsh, j)) < tolerance)
-        throw InputError(place_of(gmsh, gmsh.nodes[j].line) + ": nodes " +
-                         std::to_string(gmsh.nodes[i].tag) + " and " +
-                         std::to_string(gmsh.nodes[j].tag) + " lie both at " +
-                         point_text(position_of(gmsh, i)) +
-                         ", which is a crack, allowed: one node for every place (Gmsh: Coherence "
-                         "Mesh).");
-    }
+  if ((*highest)->z - (*lowest)->z > tolerance)
+    throw InputError(mesh.place((*highest)->line) + "node " + std::to_string((*highest)->tag) +
+                     " has z = " + number_text((*highest)->z) + ", node " +
+                     std::to_string((*lowest)->tag) + " z = " + number_text((*lowest)->z) +
+                     ", allowed: a plane body in x and y, with the same z everywhere.");
+  for (auto a = nodes.begin(); a != nodes.end(); ++a)
+    for (auto b = a + 1; b != nodes.end() && ((*b)->x - (*a)->x) * oblique < tolerance; ++b)
+      if ((*a)->x.distance((*b)->x) < tolerance)
+      {
+        const auto [first, second] = std::minmax((*a)->tag, (*b)->tag);
+        std::ostringstream message;
+        message << mesh.place(std::max((*a)->line, (*b)->line)) << "nodes " << first << " and "
+                << second << " lie both at (" << (*a)->x[0] << ", " << (*a)->x[1]
+                << "), which is a crack, allowed: one node for every place (Gmsh: Coherence Mesh).";
+        throw InputError(message.str());
+      }
 }
 
 /** Turns a clockwise cell round. @throws InputError if it is not convex. */
-void make_counter_clockwise(const GmshMesh &gmsh, GmshMesh::Element &cell)
+void make_counter_clockwise(const FileMesh &mesh, FileElement &cell)
 {
+  const unsigned int n = cell.n_corners;
+  const auto corner = [&](const unsigned int i) { return mesh.nodes[cell.nodes[i % n]].x; };
+  std::array<double, 4> sines;
   unsigned int n_left = 0, n_right = 0, wrong = 0;
-  double sines[4];
-  for (unsigned int i = 0; i < 4; ++i)
+  for (unsigned int i = 0; i < n; ++i)
   {
-    const Point<2> x = position_of(gmsh, cell.nodes[i]);
-    const Tensor<1, 2> next = position_of(gmsh, cell.nodes[(i + 1) % 4]) - x;
-    const Tensor<1, 2> last = position_of(gmsh, cell.nodes[(i + 3) % 4]) - x;
-    sines[i] = cross_product(next, last) / (next.norm() * last.norm());
+    const Tensor<1, 2> next = corner(i + 1) - corner(i), last = corner(i + n - 1) - corner(i);
+    sines[i] = next * cross_product_2d(last) / (next.norm() * last.norm());
     n_left += sines[i] > min_sine ? 1 : 0;
     n_right += sines[i] < -min_sine ? 1 : 0;
   }
-  if (n_right == 4)
+  if (n_right == n)
   {
-    std::swap(cell.nodes[1], cell.nodes[3]);
-    if (cell.n_nodes > 4)
-    {
-      std::swap(cell.nodes[4], cell.nodes[7]);
-      std::swap(cell.nodes[5], cell.nodes[6]);
-    }
-    return;
+    std::reverse(cell.nodes.begin() + 1, cell.nodes.begin() + n);
+    if (cell.is_quadratic)
+      std::reverse(cell.nodes.begin() + n, cell.nodes.begin() + 2 * n);
   }
-  if (n_left == 4)
+  if (std::max(n_left, n_right) == n)
     return;
-  for (unsigned int i = 0; i < 4; ++i)
-    if (!(n_left >= n_right ? sines[i] > min_sine : sines[i] < -min_sine))
+  for (unsigned int i = 0; i < n; ++i)
+    if (!((n_left >= n_right ? sines[i] : -sines[i]) > min_sine))
       wrong = i;
-  throw InputError(place_of(gmsh, cell.line) + ": the quadrilateral " + std::to_string(cell.tag) +
-                   " is not convex at node " + std::to_string(gmsh.nodes[cell.nodes[wrong]].tag) +
-                   ", allowed: convex quadrilaterals, all angles below 180 degrees.");
+  throw InputError(mesh.place(cell.line) + "the element " + std::to_string(cell.tag) +
+                   " is not convex at node " + std::to_string(mesh.nodes[cell.nodes[wrong]].tag) +
+                   ", allowed: convex elements, all angles below 180 degrees.");
+}
+
+/** Lets a cell begin with the corner whose edge to the next one points most to the right (of two
+ * the one that points upwards): then cells of a regular mesh are translations of one another. */
+void turn_to_first_corner(const FileMesh &mesh, FileElement &cell)
+{
+  const unsigned int n = cell.n_corners;
+  unsigned int first = 0;
+  Tensor<1, 2> best({-2., 0.});
+  for (unsigned int i = 0; i < n; ++i)
+  {
+    Tensor<1, 2> d = mesh.nodes[cell.nodes[(i + 1) % n]].x - mesh.nodes[cell.nodes[i]].x;
+    d /= d.norm();
+    if (d[0] > best[0] + 1e-6 || (d[0] > best[0] - 1e-6 && d[1] > best[1]))
+    {
+      first = i;
+      best = d;
+    }
+  }
+  const auto turn = [&](const auto begin) { std::rotate(begin, begin + first, begin + n); };
+  turn(cell.nodes.begin());
+  if (cell.is_quadratic)
+    turn(cell.nodes.begin() + n);
 }
 
 /** Sorts the cells in the order of Hilbert's curve through their centres: neighbours in the body
  * are neighbours in memory. */
-void sort_along_hilbert_curve(const GmshMesh &gmsh, std::vector<GmshMesh::Element> &cells)
+void sort_cells(FileMesh &mesh)
 {
   std::vector<Point<2>> centres;
-  centres.reserve(cells.size());
-  for (const GmshMesh::Element &cell : cells)
+  for (FileElement &cell : mesh.cells)
   {
-    Point<2> centre;
-    for (unsigned int i = 0; i < 4; ++i)
-      centre += 0.25 * position_of(gmsh, cell.nodes[i]);
-    centres.push_back(centre);
+    centres.emplace_back();
+    for (unsigned int i = 0; i < cell.n_corners; ++i)
+      centres.back() += mesh.nodes[cell.nodes[i]].x / static_cast<double>(cell.n_corners);
   }
   const auto keys = Utilities::inverse_Hilbert_space_filling_curve<2>(centres, 24);
-  std::vector<unsigned int> order(cells.size());
+  std::vector<unsigned int> order(mesh.cells.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) {
     return keys[a] < keys[b];
   });
-  std::vector<GmshMesh::Element> sorted;
-  sorted.reserve(cells.size());
+  std::vector<FileElement> sorted;
   for (const unsigned int i : order)
-    sorted.push_back(cells[i]);
-  cells = std::move(sorted);
+    sorted.push_back(mesh.cells[i]);
+  mesh.cells = std::move(sorted);
 }
 
-/** Returns the corner whose edge to the next one points most to the right (of two the one that
- * points upwards). If it comes first, cells of a regular mesh are translations of one another. */
-unsigned int first_corner(const GmshMesh &gmsh, const GmshMesh::Element &cell)
+/** Gives the nodes new indices, the corners of cells first, in the order of the cells. @return the
+ * number of corners. */
+unsigned int number_nodes(FileMesh &mesh)
 {
-  Tensor<1, 2> directions[4];
-  double most = -2.;
-  for (unsigned int i = 0; i < 4; ++i)
-  {
-    directions[i] = position_of(gmsh, cell.nodes[(i + 1) % 4]) - position_of(gmsh, cell.nodes[i]);
-    directions[i] /= directions[i].norm();
-    most = std::max(most, directions[i][0]);
-  }
-  unsigned int first = 4;
-  for (unsigned int i = 0; i < 4; ++i)
-    if (directions[i][0] > most - 1e-6 && (first == 4 || directions[i][1] > directions[first][1]))
-      first = i;
-  return first;
-}
-
-/** Returns the cells with their vertices, which are numbered in the order of their first cells. */
-FileMesh number_vertices(const GmshMesh &gmsh, std::vector<GmshMesh::Element> &cells)
-{
-  FileMesh mesh;
-  mesh.file = gmsh.name;
-  std::vector<unsigned int> vertex_of_node(gmsh.nodes.size(), unused);
-  for (GmshMesh::Element &cell : cells)
-  {
-    const unsigned int first = first_corner(gmsh, cell);
-    std::rotate(cell.nodes.begin(), cell.nodes.begin() + first, cell.nodes.begin() + 4);
-    if (cell.n_nodes > 4)
-      std::rotate(cell.nodes.begin() + 4, cell.nodes.begin() + 4 + first, cell.nodes.begin() + 8);
-    FileMesh::Cell numbered = {{}, cell.tag};
-    for (unsigned int i = 0; i < 4; ++i)
+  constexpr unsigned int unused = std::numeric_limits<unsigned int>::max();
+  std::vector<unsigned int> number(mesh.nodes.size(), unused);
+  std::vector<Node> nodes;
+  const auto take = [&](const unsigned int i) {
+    if (number[i] == unused)
     {
-      unsigned int &vertex = vertex_of_node[cell.nodes[i]];
-      if (vertex == unused)
-      {
-        vertex = mesh.vertices.size();
-        mesh.vertices.push_back({position_of(gmsh, cell.nodes[i]), gmsh.nodes[cell.nodes[i]].tag});
-      }
-      numbered.corners[i] = vertex;
+      number[i] = nodes.size();
+      nodes.push_back(mesh.nodes[i]);
     }
-    mesh.cells.push_back(numbered);
+  };
+  for (const FileElement &cell : mesh.cells)
+    std::for_each(cell.nodes.begin(), cell.nodes.begin() + cell.n_corners, take);
+  const auto n_corners = static_cast<unsigned int>(nodes.size());
+  for (unsigned int i = 0; i < mesh.nodes.size(); ++i)
+    take(i);
+  mesh.nodes = std::move(nodes);
+  for (std::vector<FileElement> *const elements : {&mesh.lines, &mesh.cells})
+    for (FileElement &element : *elements)
+      for (unsigned int &node : element.nodes)
+        node = number[node];
+  return n_corners;
+}
+
+/** An edge of a cell in the direction that is counter-clockwise there. */
+struct HalfEdge
+{
+  unsigned int start, end, middle;
+  const FileElement *cell;
+
+  bool operator<(const HalfEdge &other) const
+  {
+    return std::tie(start, end) < std::tie(other.start, other.end);
   }
-  return mesh;
+};
+
+std::string edge_text(const FileMesh &mesh, const unsigned int start, const unsigned int end)
+{
+  return " between nodes " + std::to_string(mesh.nodes[start].tag) + " and " +
+         std::to_string(mesh.nodes[end].tag);
+}
+
+/** Returns the edges of all cells, sorted. @throws InputError if two cells have one edge on the
+ * same side. */
+std::vector<HalfEdge> find_edges(const FileMesh &mesh)
+{
+  std::vector<HalfEdge> edges;
+  for (const FileElement &cell : mesh.cells)
+    for (unsigned int i = 0, n = cell.n_corners; i < n; ++i)
+      edges.push_back(
+        {cell.nodes[i], cell.nodes[(i + 1) % n], cell.nodes[cell.is_quadratic ? n + i : i], &cell});
+  std::stable_sort(edges.begin(), edges.end());
+  const auto twin = std::adjacent_find(
+    edges.begin(), edges.end(), [](const HalfEdge &a, const HalfEdge &b) { return !(a < b); });
+  if (twin == edges.end())
+    return edges;
+  const auto [first, second] = std::minmax(twin->cell->tag, (twin + 1)->cell->tag);
+  throw InputError(mesh.place(std::max(twin->cell->line, (twin + 1)->cell->line)) + "the edge" +
+                   edge_text(mesh, twin->start, twin->end) + " has the elements " +
+                   std::to_string(first) + " and " + std::to_string(second) +
+                   " on the same side, allowed: elements that do not lie on one another.");
+}
+
+using Ends = std::pair<unsigned int, unsigned int>;
+
+/** Returns the lines of the file by their ends, the smaller one first. */
+std::map<Ends, const FileElement *> find_lines(const FileMesh &mesh,
+                                               const std::vector<HalfEdge> &edges)
+{
+  std::map<Ends, const FileElement *> lines;
+  for (const FileElement &line : mesh.lines)
+  {
+    const unsigned int a = line.nodes[0], b = line.nodes[1];
+    const auto has = [&](const unsigned int start, const unsigned int end) {
+      return std::binary_search(edges.begin(), edges.end(), HalfEdge{start, end, 0, nullptr});
+    };
+    const auto refuse = [&](const std::string &what) {
+      throw InputError(mesh.place(line.line) + "the line " + std::to_string(line.tag) +
+                       edge_text(mesh, a, b) + what);
+    };
+    if (!has(a, b) && !has(b, a))
+    {
+      // Curves that helped to construct a body have no names.
+      if (line.group != 0)
+        refuse(" is not an edge of an element, allowed: lines along edges.");
+      continue;
+    }
+    const FileElement *&known = lines[std::minmax(a, b)];
+    if (known == nullptr || known->group == 0)
+      known = &line;
+    const std::string name = mesh.name_of(*known, 1), other = mesh.name_of(line, 1);
+    if (line.group != 0 && name != other)
+      refuse(" has the physical names " + quote(name) + " and " + quote(other) + ", allowed: one.");
+  }
+  return lines;
+}
+
+/** Joins the edges with one cell to loops. */
+void find_loops(FileMesh &mesh)
+{
+  const std::vector<HalfEdge> edges = find_edges(mesh);
+  const auto lines = find_lines(mesh, edges);
+  std::map<unsigned int, FileMesh::Edge> edge_from;
+  for (const HalfEdge &edge : edges)
+  {
+    if (std::binary_search(edges.begin(), edges.end(), HalfEdge{edge.end, edge.start, 0, nullptr}))
+      continue;
+    const auto line = lines.find(std::minmax(edge.start, edge.end));
+    FileMesh::Edge found = {edge.start, edge.end, edge.middle, unnamed};
+    if (line != lines.end())
+    {
+      found.name = mesh.name_of(*line->second, 1);
+      if (line->second->is_quadratic)
+        found.middle = line->second->nodes[2];
+    }
+    if (!edge_from.emplace(edge.start, found).second)
+      throw InputError(mesh.name + ": the body touches itself at node " +
+                       std::to_string(mesh.nodes[edge.start].tag) +
+                       ", allowed: a body whose parts share edges.");
+  }
+  std::vector<unsigned int> outer;
+  while (!edge_from.empty())
+  {
+    mesh.loops.emplace_back();
+    double area = 0.;
+    const Point<2> &first = mesh.nodes[edge_from.begin()->first].x;
+    for (auto edge = edge_from.begin(); edge != edge_from.end();
+         edge = edge_from.find(mesh.loops.back().back().end))
+    {
+      const Tensor<1, 2> a = mesh.nodes[edge->second.start].x - first,
+                         b = mesh.nodes[edge->second.end].x - first;
+      area += a * cross_product_2d(b);
+      mesh.loops.back().push_back(edge->second);
+      edge_from.erase(edge);
+    }
+    if (area > 0.)
+      outer.push_back(mesh.loops.back()[0].start);
+  }
+  if (outer.size() > 1)
+    throw InputError(mesh.name + ": nodes " + std::to_string(mesh.nodes[outer[0]].tag) + " and " +
+                     std::to_string(mesh.nodes[outer[1]].tag) +
+                     " belong to parts that no edges connect, allowed: one body.");
 }
 } // namespace
 
-FileMesh make_file_mesh(const GmshMesh &gmsh)
+std::string FileMesh::name_of(const Element &element, const unsigned int dim) const
 {
-  std::vector<bool> is_used(gmsh.nodes.size(), false);
-  for (const GmshMesh::Element &cell : gmsh.quadrilaterals)
-    for (unsigned int i = 0; i < cell.n_nodes; ++i)
-      is_used[cell.nodes[i]] = true;
-  const double size = check_nodes(gmsh, is_used);
-  check_distances(gmsh, is_used, size);
-  std::vector<GmshMesh::Element> cells = gmsh.quadrilaterals;
-  for (GmshMesh::Element &cell : cells)
-    make_counter_clockwise(gmsh, cell);
-  sort_along_hilbert_curve(gmsh, cells);
-  FileMesh mesh = number_vertices(gmsh, cells);
-  add_boundary(gmsh, cells, mesh);
-  return mesh;
+  if (element.group == 0)
+    return has_groups[dim] ? unnamed : std::to_string(element.entity);
+  const auto found = group_names.find({dim, element.group});
+  if (found == group_names.end())
+    return std::to_string(element.group);
+  const std::string &group = found->second;
+  const bool is_word = !group.empty() && std::all_of(group.begin(), group.end(), [](const char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+  });
+  if (!is_word)
+    throw InputError(name + ": found the physical name " + quote(group) +
+                     ", allowed: names of letters, digits, '_', '-' and '.', because the parameter "
+                     "file separates names by blanks.");
+  if (group == unnamed)
+    throw InputError(name + ": found the physical name " + quote(group) +
+                     ", allowed: another one, because this is the name of all that have none.");
+  return group;
+}
+
+unsigned int check_and_sort(FileMesh &mesh)
+{
+  check_nodes(mesh, number_nodes(mesh));
+  for (FileElement &cell : mesh.cells)
+  {
+    make_counter_clockwise(mesh, cell);
+    turn_to_first_corner(mesh, cell);
+  }
+  sort_cells(mesh);
+  const unsigned int n_vertices = number_nodes(mesh);
+  find_loops(mesh);
+  return n_vertices;
 }
 } // namespace Signorini

@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -66,9 +67,9 @@ public:
   {
     const auto n = number<std::size_t>(what);
     if (n > text_.size() - position_)
-      throw InputError(place() + ": found the number " + std::to_string(n) + " as " + what +
-                       ", but the rest of the file has " +
-                       std::to_string(text_.size() - position_) + " characters.");
+      refuse("found the number " + std::to_string(n) + " as " + what +
+             ", but the rest of the file has " + std::to_string(text_.size() - position_) +
+             " characters.");
     return n;
   }
 
@@ -96,27 +97,23 @@ public:
   /** Skips the text up to the next @p mark, and the mark. */
   void skip_behind(const std::string &mark)
   {
-    const std::string opened = place();
-    while (!is_at_end())
-      if (word("a word") == mark)
-        return;
-    throw InputError(opened + ": this section is not closed by " + mark + ".");
+    while (word(mark.c_str()) != mark)
+    {
+    }
   }
 
   std::size_t line() const
   {
     return line_;
   }
-  /** Returns "part.msh:12", with the line of the last word. */
-  std::string place() const
+  /** Throws an error at the line of the last word. */
+  [[noreturn]] void refuse(const std::string &message) const
   {
-    return name_ + ":" + std::to_string(line_);
+    throw InputError(name_ + ":" + std::to_string(line_) + ": " + message);
   }
-
   [[noreturn]] void refuse(const std::string_view found, const std::string &allowed) const
   {
-    throw InputError(place() + ": found " + quote(std::string(found)) + ", allowed: " + allowed +
-                     ".");
+    refuse("found " + quote(std::string(found)) + ", allowed: " + allowed + ".");
   }
 
 private:
@@ -139,27 +136,16 @@ private:
 
 namespace
 {
-/** The number of nodes of the elements that are read, by Gmsh's number of their type. */
-const std::map<unsigned int, unsigned int> nodes_of_types =
-  {{15, 1}, {1, 2}, {8, 3}, {3, 4}, {16, 8}, {10, 9}};
-constexpr unsigned int type_of_points = 15;
-
-/** Returns the name of another type of element for messages. */
-std::string name_of_type(const unsigned int type)
-{
-  static const std::map<unsigned int, std::string> names = {{2, "a triangle"},
-                                                            {4, "a tetrahedron"},
-                                                            {5, "a hexahedron"},
-                                                            {6, "a prism"},
-                                                            {7, "a pyramid"},
-                                                            {9, "a triangle with 6 nodes"},
-                                                            {21, "a triangle with 10 nodes"},
-                                                            {26, "a line with 4 nodes"},
-                                                            {36, "a quadrilateral with 16 nodes"}};
-  const auto found = names.find(type);
-  return (found == names.end() ? "of another kind" : found->second) + " (type " +
-         std::to_string(type) + ")";
-}
+/** The numbers of nodes and of corners of the elements that are read, by Gmsh's number of their
+ * type: points, lines, triangles and quadrilaterals. */
+const std::map<unsigned int, std::pair<unsigned int, unsigned int>> element_types = {{15, {1, 1}},
+                                                                                     {1, {2, 2}},
+                                                                                     {8, {3, 2}},
+                                                                                     {2, {3, 3}},
+                                                                                     {9, {6, 3}},
+                                                                                     {3, {4, 4}},
+                                                                                     {16, {8, 4}},
+                                                                                     {10, {9, 4}}};
 
 /** Reads the sections of one file. */
 class GmshReader
@@ -171,7 +157,7 @@ public:
     mesh_.name = name;
   }
 
-  GmshMesh read()
+  FileMesh read()
   {
     read_format();
     while (!scanner_.is_at_end())
@@ -185,9 +171,9 @@ public:
       else if (section == "$Entities" && !is_old_)
         read_entities();
       else if (section == "$Nodes")
-        is_old_ ? read_old_nodes() : read_nodes();
+        read_nodes();
       else if (section == "$Elements")
-        is_old_ ? read_old_elements() : read_elements();
+        read_elements();
       else
       {
         scanner_.skip_behind(end);
@@ -195,15 +181,20 @@ public:
       }
       scanner_.expect(end);
     }
-    if (mesh_.nodes.empty())
-      throw InputError(mesh_.name + ": found no section $Nodes, allowed: a mesh.");
-    if (mesh_.quadrilaterals.empty())
+    if (mesh_.cells.empty())
       throw InputError(mesh_.name +
-                       ": found no quadrilaterals, allowed: a mesh of quadrilaterals.");
+                       ": found no cells, allowed: a mesh of quadrilaterals or triangles.");
     return std::move(mesh_);
   }
 
 private:
+  template <typename Number>
+  void skip(const unsigned int n, const char *what)
+  {
+    for (unsigned int i = 0; i < n; ++i)
+      scanner_.number<Number>(what);
+  }
+
   void read_format()
   {
     scanner_.expect("$MeshFormat");
@@ -211,10 +202,9 @@ private:
     is_old_ = version == "2.2";
     if (!is_old_ && version != "4.1")
       scanner_.refuse(version, "the version 2.2 or 4.1 of the format (gmsh -format msh41)");
-    if (scanner_.number<int>("0 for a file of text") != 0)
-      throw InputError(scanner_.place() +
-                       ": found a binary mesh file, allowed: a file of text (gmsh without -bin).");
-    scanner_.number<unsigned int>("the size of a number");
+    if (scanner_.word("0 for a file of text") != "0")
+      scanner_.refuse("found a binary mesh file, allowed: a file of text (gmsh without -bin).");
+    skip<unsigned int>(1, "the size of a number");
     scanner_.expect("$EndMeshFormat");
   }
 
@@ -224,13 +214,11 @@ private:
     {
       const auto dim = scanner_.number<unsigned int>("the dimension of a physical group");
       const int group = scanner_.number<int>("the number of a physical group");
-      const std::string name = scanner_.quoted("a name between quotation marks");
-      if (dim == 1)
-        mesh_.curve_names[group] = name;
+      mesh_.group_names[{dim, group}] = scanner_.quoted("a name between quotation marks");
     }
   }
 
-  /** Reads the entities, and keeps the physical groups of the curves. */
+  /** Reads the entities, and keeps the physical groups of curves and surfaces. */
   void read_entities()
   {
     std::array<std::size_t, 4> n = {};
@@ -240,148 +228,144 @@ private:
       for (std::size_t i = n[dim]; i > 0; --i)
       {
         const int tag = scanner_.number<int>("the number of an entity");
-        for (unsigned int c = 0; c < (dim == 0 ? 3 : 6); ++c)
-          scanner_.number<double>("a coordinate of an entity");
+        skip<double>(dim == 0 ? 3 : 6, "a coordinate of an entity");
         const std::size_t n_groups = scanner_.count("the number of physical groups");
         if (dim == 1 && n_groups > 1)
-          throw InputError(scanner_.place() + ": found curve " + std::to_string(tag) + " in " +
-                           std::to_string(n_groups) +
-                           " physical groups, allowed: one, because a side has one name.");
+          scanner_.refuse("found curve " + std::to_string(tag) + " in " + std::to_string(n_groups) +
+                          " physical groups, allowed: one, because a side has one name.");
         for (std::size_t g = 0; g < n_groups; ++g)
-        {
-          const int group = scanner_.number<int>("the number of a physical group");
-          if (dim == 1)
-            groups_of_curves_[tag] = std::abs(group);
-        }
+          groups_[{dim, tag}] = std::abs(scanner_.number<int>("the number of a physical group"));
         if (dim > 0)
-          for (std::size_t b = scanner_.count("the number of bounding entities"); b > 0; --b)
-            scanner_.number<int>("the number of a bounding entity");
+          skip<int>(scanner_.count("the number of bounding entities"),
+                    "the number of a bounding entity");
       }
   }
 
-  void add_node(const std::size_t tag)
+  void read_node(const std::size_t tag)
   {
-    GmshMesh::Node node = {tag, 0, {}};
-    for (double &x : node.x)
+    std::array<double, 3> x = {};
+    for (double &coordinate : x)
     {
-      x = scanner_.number<double>("a coordinate of a node");
-      if (!(std::abs(x) <= max_magnitude))
-        throw InputError(scanner_.place() + ": found the coordinate " + number_text(x) +
-                         " of node " + std::to_string(tag) + ", allowed: coordinates up to " +
-                         number_text(max_magnitude) + "; take other units.");
+      coordinate = scanner_.number<double>("a coordinate of a node");
+      if (!(std::abs(coordinate) <= max_magnitude))
+        scanner_.refuse("found the coordinate " + number_text(coordinate) + " of node " +
+                        std::to_string(tag) + ", allowed: coordinates up to " +
+                        number_text(max_magnitude) + "; take other units.");
     }
-    node.line = scanner_.line();
     if (!index_of_tag_.emplace(tag, mesh_.nodes.size()).second)
-      throw InputError(scanner_.place() + ": found node " + std::to_string(tag) +
-                       " a second time, allowed: one node for each number.");
-    mesh_.nodes.push_back(node);
+      scanner_.refuse("found node " + std::to_string(tag) +
+                      " a second time, allowed: one node for each number.");
+    mesh_.nodes.push_back({tag, scanner_.line(), {x[0], x[1]}, x[2]});
   }
 
-  void read_old_nodes()
-  {
-    for (std::size_t i = scanner_.count("the number of nodes"); i > 0; --i)
-      add_node(scanner_.number<std::size_t>("the number of a node"));
-  }
-
+  /** Reads the nodes, in version 2.2 like one block of version 4.1 with numbers beside nodes. */
   void read_nodes()
   {
-    const std::size_t n_blocks = scanner_.count("the number of blocks");
-    for (unsigned int i = 0; i < 3; ++i)
-      scanner_.number<std::size_t>("a number of nodes");
+    const std::size_t n_blocks = is_old_ ? 1 : scanner_.count("the number of blocks");
+    skip<std::size_t>(is_old_ ? 0 : 3, "a number of nodes");
     for (std::size_t block = 0; block < n_blocks; ++block)
     {
-      const auto dim = scanner_.number<unsigned int>("the dimension of an entity");
-      scanner_.number<int>("the number of an entity");
-      const bool is_parametric = scanner_.number<int>("0 or 1") != 0;
+      unsigned int n_parameters = 0;
+      if (!is_old_)
+      {
+        n_parameters = scanner_.number<unsigned int>("the dimension of an entity");
+        skip<int>(1, "the number of an entity");
+        n_parameters *= scanner_.number<int>("0 or 1") != 0 ? 1 : 0;
+      }
       std::vector<std::size_t> tags(scanner_.count("the number of nodes"));
       for (std::size_t &tag : tags)
+      {
         tag = scanner_.number<std::size_t>("the number of a node");
-      for (const std::size_t tag : tags)
-      {
-        add_node(tag);
-        for (unsigned int c = 0; is_parametric && c < dim; ++c)
-          scanner_.number<double>("a parameter of a node");
+        if (is_old_)
+          read_node(tag);
       }
-    }
-  }
-
-  /** Returns the number of nodes of a type. @throws InputError if it is neither a line nor a
-   * quadrilateral. */
-  unsigned int n_nodes_of(const unsigned int type, const std::size_t tag) const
-  {
-    const auto found = nodes_of_types.find(type);
-    if (found == nodes_of_types.end())
-      throw InputError(scanner_.place() + ": element " + std::to_string(tag) + " is " +
-                       name_of_type(type) +
-                       ", allowed: quadrilaterals with 4, 8 or 9 nodes and lines with 2 or 3 "
-                       "(Gmsh: Mesh.RecombineAll = 1 and Mesh.SubdivisionAlgorithm = 1).");
-    return found->second;
-  }
-
-  void add_element(const unsigned int type, const std::size_t tag, const int group)
-  {
-    GmshMesh::Element element = {tag, scanner_.line(), group, n_nodes_of(type, tag), {}};
-    for (unsigned int i = 0; i < element.n_nodes; ++i)
-    {
-      const auto node = scanner_.number<std::size_t>("the number of a node");
-      const auto found = index_of_tag_.find(node);
-      if (found == index_of_tag_.end())
-        throw InputError(scanner_.place() + ": element " + std::to_string(tag) + " has the node " +
-                         std::to_string(node) + ", which the section $Nodes before it lacks.");
-      element.nodes[i] = found->second;
-    }
-    if (type != type_of_points)
-      (element.n_nodes < 4 ? mesh_.lines : mesh_.quadrilaterals).push_back(element);
-  }
-
-  void read_old_elements()
-  {
-    for (std::size_t i = scanner_.count("the number of elements"); i > 0; --i)
-    {
-      const auto tag = scanner_.number<std::size_t>("the number of an element");
-      const auto type = scanner_.number<unsigned int>("the type of an element");
-      n_nodes_of(type, tag);
-      int group = 0;
-      const std::size_t n_tags = scanner_.count("a number of tags");
-      for (std::size_t t = 0; t < n_tags; ++t)
+      for (std::size_t i = 0; i < tags.size() && !is_old_; ++i)
       {
-        const int value = scanner_.number<int>("a tag of an element");
-        if (t == 0)
-          group = std::abs(value);
+        read_node(tags[i]);
+        skip<double>(n_parameters, "a parameter of a node");
       }
-      add_element(type, tag, group);
     }
   }
 
   void read_elements()
   {
-    const std::size_t n_blocks = scanner_.count("the number of blocks");
-    for (unsigned int i = 0; i < 3; ++i)
-      scanner_.number<std::size_t>("a number of elements");
+    const std::size_t n_blocks = is_old_ ? 1 : scanner_.count("the number of blocks");
+    skip<std::size_t>(is_old_ ? 0 : 3, "a number of elements");
     for (std::size_t block = 0; block < n_blocks; ++block)
     {
-      const auto dim = scanner_.number<unsigned int>("the dimension of an entity");
-      const int entity = scanner_.number<int>("the number of an entity");
-      const auto type = scanner_.number<unsigned int>("the type of an element");
-      const auto group = groups_of_curves_.find(entity);
-      const bool has_group = dim == 1 && group != groups_of_curves_.end();
+      unsigned int dim = 0, type = 0;
+      FileMesh::Element element = {};
+      if (!is_old_)
+      {
+        dim = scanner_.number<unsigned int>("the dimension of an entity");
+        element.entity = scanner_.number<int>("the number of an entity");
+        type = scanner_.number<unsigned int>("the type of an element");
+        const auto group = groups_.find({dim, element.entity});
+        element.group = group == groups_.end() ? 0 : group->second;
+      }
       for (std::size_t i = scanner_.count("the number of elements"); i > 0; --i)
-        add_element(type,
-                    scanner_.number<std::size_t>("the number of an element"),
-                    has_group ? group->second : 0);
+      {
+        element.tag = scanner_.number<std::size_t>("the number of an element");
+        if (is_old_)
+        {
+          type = scanner_.number<unsigned int>("the type of an element");
+          const std::size_t n_tags = scanner_.count("a number of tags");
+          for (std::size_t t = 0; t < n_tags; ++t)
+          {
+            const int value = std::abs(scanner_.number<int>("a tag of an element"));
+            if (t < 2)
+              (t == 0 ? element.group : element.entity) = value;
+          }
+        }
+        read_element(type, element);
+      }
     }
   }
 
+  void read_element(const unsigned int type, FileMesh::Element element)
+  {
+    element.line = scanner_.line();
+    const auto found = element_types.find(type);
+    if (found == element_types.end())
+      scanner_.refuse("element " + std::to_string(element.tag) + " has the type " +
+                      std::to_string(type) +
+                      ", allowed: quadrilaterals, triangles and lines of first or second order.");
+    const auto [n_nodes, n_corners] = found->second;
+    element.n_corners = n_corners;
+    element.is_quadratic = n_nodes > n_corners;
+    for (unsigned int i = 0; i < n_nodes; ++i)
+    {
+      const auto node = scanner_.number<std::size_t>("the number of a node");
+      const auto index = index_of_tag_.find(node);
+      if (index == index_of_tag_.end())
+        scanner_.refuse("element " + std::to_string(element.tag) + " has the node " +
+                        std::to_string(node) + ", which the section $Nodes before it lacks.");
+      element.nodes[i] = index->second;
+    }
+    if (n_corners > 1)
+      (n_corners == 2 ? mesh_.lines : mesh_.cells).push_back(element);
+    mesh_.has_groups[std::min(n_corners - 1, 2U)] |= element.group != 0;
+  }
+
   GmshScanner scanner_;
-  GmshMesh mesh_;
+  FileMesh mesh_;
   /** Whether the version is 2.2. */
   bool is_old_ = false;
-  std::map<int, int> groups_of_curves_;
+  /** The physical groups of entities, by dimension and number. */
+  std::map<std::pair<unsigned int, int>, int> groups_;
   std::unordered_map<std::size_t, unsigned int> index_of_tag_;
 };
 } // namespace
 
-GmshMesh read_gmsh(const std::string &text, const std::string &name)
+bool is_gmsh_text(const std::string &text)
+{
+  std::istringstream beginning(text.substr(0, 100));
+  std::string section, version, type;
+  beginning >> section >> version >> type;
+  return section == "$MeshFormat" && (version == "2.2" || version == "4.1") && type == "0";
+}
+
+FileMesh read_gmsh(const std::string &text, const std::string &name)
 {
   return GmshReader(text, name).read();
 }

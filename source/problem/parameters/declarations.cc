@@ -76,7 +76,8 @@ void Declarations::declare_material(MaterialParameters &material)
   add("Law", material.law, "Hooke's law.");
   add("Young's modulus",
       material.youngs_modulus,
-      "Expression in x, y (in space x, y, z) (force/area), positive everywhere.");
+      "Expression in x, y (in space x, y, z) (force/area), positive everywhere; for regions of a "
+      "mesh file 'steel: 210000 | rubber: 5', as for all moduli.");
   add("Poisson's ratio",
       material.poissons_ratio,
       "Expression in x, y (in space x, y, z), between -1 and 0.5 (both excluded) everywhere.");
@@ -401,8 +402,9 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
       "sides are hole0, hole1, ...");
   add("Mesh size",
       geometry.mesh_size,
-      "Polygon: longest edge of the triangles that level 0 is made from (length); 0: as coarse as "
-      "the shape allows.",
+      "Polygon, and shapes from files (.step, .geo, ...): longest edge of the elements that level 0 "
+      "is made from (length); 0: as coarse as the shape allows, or a tenth of the diagonal of a "
+      "file's shape.",
       Patterns::Double(0., 1e30),
       "a number from 0 to 1e+30");
   add("Centre", geometry.centre, "Of a half disc, a disc or a ring: x, y (length).");
@@ -418,9 +420,10 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
       "a number from 1e-30 to 1e+30");
   add("File",
       geometry.file,
-      "Mesh of quadrilaterals, written by Gmsh (.msh, version 2.2 or 4.1, ASCII): the coarse mesh. "
-      "Looked for in the folder of the parameter file, then in the working folder. Sides are the "
-      "physical names of its curves; edges without a name are the side rest.");
+      "Coarse mesh or shape that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...); all but text of "
+      ".msh, version 2.2 or 4.1, goes through the program gmsh. Looked for in the folder of the "
+      "parameter file, then in the working folder. Sides are the physical names of curves, or their "
+      "numbers where no curve has a name; other edges are the side rest.");
   add(
     "Arcs",
     geometry.arcs,

@@ -200,7 +200,49 @@ private:
   std::vector<Expression<2>> entries_, across_;
   double angle_;
 };
+template <int dim>
+class Piecewise : public Material<dim>
+{
+public:
+  Piecewise(const std::vector<std::shared_ptr<const Material<dim>>> &materials,
+            const std::function<unsigned int(const Point<dim> &)> &index_at,
+            const Point<dim> &reference)
+    : Material<dim>(materials[index_at(reference)]->modulus())
+    , materials_(materials)
+    , index_at_(index_at)
+  {
+  }
+
+  SymmetricTensor<4, dim> relative_hooke(const Point<dim> &x) const override
+  {
+    return materials_[index_at_(x)]->hooke(x) / this->modulus();
+  }
+
+  bool is_constant() const override
+  {
+    return false;
+  }
+
+  double out_of_plane_stress(const Point<dim> &x,
+                             const SymmetricTensor<2, dim> &strain) const override
+  {
+    return materials_[index_at_(x)]->out_of_plane_stress(x, strain);
+  }
+
+private:
+  std::vector<std::shared_ptr<const Material<dim>>> materials_;
+  std::function<unsigned int(const Point<dim> &)> index_at_;
+};
 } // namespace
+
+template <int dim>
+std::shared_ptr<const Material<dim>>
+make_piecewise(const std::vector<std::shared_ptr<const Material<dim>>> &materials,
+               const std::function<unsigned int(const Point<dim> &)> &index_at,
+               const Point<dim> &reference)
+{
+  return std::make_shared<Piecewise<dim>>(materials, index_at, reference);
+}
 
 template <int dim>
 std::shared_ptr<const Material<dim>> make_isotropic(const Expression<dim> &youngs_modulus,
@@ -232,6 +274,14 @@ template std::shared_ptr<const Material<2>>
 make_isotropic(const Expression<2> &, const Expression<2> &, PlaneState, const Point<2> &);
 template std::shared_ptr<const Material<3>>
 make_isotropic(const Expression<3> &, const Expression<3> &, PlaneState, const Point<3> &);
+template std::shared_ptr<const Material<2>>
+make_piecewise(const std::vector<std::shared_ptr<const Material<2>>> &,
+               const std::function<unsigned int(const Point<2> &)> &,
+               const Point<2> &);
+template std::shared_ptr<const Material<3>>
+make_piecewise(const std::vector<std::shared_ptr<const Material<3>>> &,
+               const std::function<unsigned int(const Point<3> &)> &,
+               const Point<3> &);
 
 // E_ijkl in 3-D by the 21 entries of its matrix.
 

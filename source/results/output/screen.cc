@@ -85,6 +85,7 @@ void print_scene(const Parameters &parameters,
   const SolverParameters &solver = parameters.solver;
   screen << "Scene     " << scene.name << ": " << scene.title << "\n"
          << "Body      from (" << scene.geometry.lower << ") to (" << scene.geometry.upper << ")\n"
+         << (scene.geometry.note.empty() ? "" : "Mesh      " + scene.geometry.note + "\n")
          << "Boundary  " << describe_boundary(scene) << "\n"
          << describe_meshes(parameters, judge) << "Solver    " << to_text(solvers.contact)
          << ", tolerance " << solver.tolerance << ", linear solver " << to_text(solvers.linear)

@@ -45,8 +45,7 @@ bool is_judged(const std::string &text)
 {
   try
   {
-    const Geometry<2> geometry =
-      make_geometry(make_file_mesh(read_gmsh(text, "a.msh")), {}, "arcs");
+    const Geometry<2> geometry = make_geometry(read_gmsh(text, "a.msh"), {}, "arcs");
     return !geometry.sides.empty();
   }
   catch (const InputError &error)

@@ -30,7 +30,7 @@ Geometry<2> read(const std::string &file, const std::vector<std::string> &arcs =
   const std::ifstream stream(file);
   std::ostringstream text;
   text << stream.rdbuf();
-  return make_geometry(make_file_mesh(read_gmsh(text.str(), file)), arcs, "arcs");
+  return make_geometry(read_gmsh(text.str(), file), arcs, "arcs");
 }
 
 /** Area, length of the boundary, and int n ds, with the parabolas of the cells. */

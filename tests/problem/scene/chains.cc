@@ -6,7 +6,6 @@
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/grid/grid_generator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,11 +20,9 @@ namespace
 using Point = dealii::Point<2>;
 using Vector = dealii::Tensor<1, 2>;
 
-/** With the body on the left. */
 Curve segment(const Point &start, const Point &end)
 {
-  const Vector t = (end - start) / start.distance(end);
-  return Curve(start, end, Vector({t[1], -t[0]}));
+  return {start, end};
 }
 
 Curve polyline(const std::vector<Point> &points)
@@ -197,26 +194,6 @@ void test_many_pieces(Checks &checks)
               0);
 }
 
-/** Faces between the ends of a side belong to the side between them. */
-void test_faces(Checks &checks)
-{
-  const std::vector<Side<2>> sides = {
-    {"cup", polyline({Point(0., 1.), Point(0., 0.), Point(1., 0.), Point(1., 1.)})},
-    {"top", segment(Point(1., 1.), Point(0., 1.))}};
-  for (const unsigned int level : {0, 2})
-  {
-    dealii::Triangulation<2> mesh;
-    dealii::GridGenerator::hyper_cube(mesh);
-    mesh.refine_global(level);
-    number_boundary(sides, mesh);
-    double top = 0., cup = 0.;
-    for (const auto &face : mesh.active_face_iterators())
-      if (face->at_boundary())
-        (face->boundary_id() == 1 ? top : cup) += face->measure();
-    checks.that("faces on level " + std::to_string(level), top == 1. && cup == 3.);
-  }
-}
-
 void test_rigid_motions(Checks &checks)
 {
   Scene<2> scene;
@@ -244,7 +221,6 @@ int main()
   test_corners(checks);
   test_open_chain(checks);
   test_many_pieces(checks);
-  test_faces(checks);
   test_rigid_motions(checks);
   return checks.exit_code();
 }

@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/grid/manifold.h>
@@ -31,12 +32,21 @@ class Curve
 public:
   /** Makes a segment with the outward unit @p normal. */
   Curve(const Point<2> &start, const Point<2> &end, const Tensor<1, 2> &normal);
+  /** Makes a segment with the body on its left. */
+  Curve(const Point<2> &start, const Point<2> &end);
 
   /**
    * Returns the arc about @p centre from the angle @p first to the angle @p last (radians, counted
    * from the x-axis), clockwise if last < first; a whole circle where they differ by 2 pi.
    */
   static Curve arc(const Point<2> &centre, double radius, double first, double last, Body body);
+
+  /** Returns the arc between two points, which are equally far from the centre, with the body on
+   * its left; a whole circle where they are the same. */
+  static Curve arc_between(const Point<2> &start,
+                           const Point<2> &end,
+                           const Point<2> &centre,
+                           bool counter_clockwise);
 
   /**
    * Returns the chain of segments and arcs, each of which begins where the one before it ends, all
@@ -94,6 +104,8 @@ public:
   bool has_corner(double s) const;
   /** Returns the numbers of the pieces that are not farther than @p distance from a point. */
   std::vector<unsigned int> pieces_near(const Point<2> &x, double distance) const;
+  /** Returns the box around the curve. */
+  BoundingBox<2> box() const;
 
   /** Returns x(s); segments and circles go on beyond their ends, and so do the outer pieces of a
    * chain. */
@@ -144,8 +156,22 @@ private:
     double orientation;
     /** 1 if the angle grows with s, -1 if it falls. */
     double turn;
+
+    /** Returns the unit vector from the centre to the point at s. */
+    Tensor<1, 2> direction(double s) const;
   };
-  class Chain;
+  struct Chain;
+  /** A piece and an arc length on it. */
+  struct Place
+  {
+    const Curve &piece;
+    double s;
+  };
+
+  /** Returns the place of s; between two pieces on the one behind. */
+  Place place(double s) const;
+  /** Returns the place of s; between two pieces on the one in the direction of @p towards. */
+  Place place(double s, double towards) const;
 
   Point<2> start_;
   Point<2> end_;
@@ -159,7 +185,7 @@ private:
 /**
  * A quadrilateral with edges that are straight or circular arcs, as a chart over the unit square.
  * Inside it is Gordon's transfinite interpolation of its edges (Gordon and Hall, Numerische
- * Mathematik 21, 1973): S(a, b) = (1-b) e_0(a) + b e_2(1-a) + a e_1(b) + (1-a) e_3(1-b) minus the
+ * Mathematik 21, 1973): S(a, b) = (1-b) e_0(a) + b e_1(a) + (1-a) e_2(b) + a e_3(b) minus the
  * bilinear map of the corners. deal.II's TransfiniteInterpolationManifold looks through all coarse
  * cells for every point, which takes too long on meshes of many cells.
  */
@@ -177,23 +203,12 @@ public:
   Point<2> push_forward(const Point<2> &chart_point) const override;
   DerivativeForm<1, 2, 2> push_forward_gradient(const Point<2> &chart_point) const override;
 
-  /** Returns whether at (n + 1) x (n + 1) points the determinant of the map is positive, and larger
-   * than @p min_ratio times the largest one. */
-  bool is_valid(unsigned int n, double min_ratio) const;
+  /** Returns whether at 9 x 9 points the determinant of the map is positive, and larger than
+   * @p min_ratio times the largest one. */
+  bool is_valid(double min_ratio) const;
 
 private:
-  struct Edge
-  {
-    Point<2> start, end;
-    /** The centre of an arc, the angle of its start and how far it turns (radians); empty for a
-     * straight edge. */
-    std::optional<Point<2>> centre;
-    double angle = 0., turn = 0.;
-
-    Point<2> point(double t) const;
-    Tensor<1, 2> derivative(double t) const;
-  };
-
-  std::array<Edge, 4> edges_;
+  /** The edges from corner 0 to 1, 3 to 2, 0 to 3 and 1 to 2: b = 0, b = 1, a = 0, a = 1. */
+  std::array<Curve, 4> edges_;
 };
 } // namespace Signorini

@@ -124,6 +124,12 @@ struct Geometry
   /** Numbers the boundary faces of a refined mesh, where sides end inside coarse faces; otherwise
    * empty. */
   std::function<void(Triangulation<dim> &)> number_after_refinement;
+  /** The names of the parts with moduli of their own; empty if the body has none. */
+  std::vector<std::string> regions;
+  /** Returns the index of the region at a point; empty without regions. */
+  std::function<unsigned int(const Point<dim> &)> region_at;
+  /** What the user should know about the mesh; mostly empty. */
+  std::string note;
   /** The lower corner of the bounding box, and the opposite one. */
   Point<dim> lower;
   Point<dim> upper;
@@ -145,8 +151,11 @@ struct Geometry
   double longest_extent() const;
   /** @return the number of the side, or sides.size() if there is none of this name. */
   std::size_t find_side(const std::string &name) const;
-  /** Returns the names of all sides, for messages. */
+  /** Returns the names of all sides. */
   std::vector<std::string> side_names() const;
+  /** Returns the names of all sides for messages; those of sides that have numbers for names with
+   * the points in their middles. */
+  std::vector<std::string> described_sides() const;
 };
 
 /** Returns whether a side ends inside a boundary face, so that faces cannot be numbered. */
@@ -155,6 +164,9 @@ bool ends_inside_a_face(const std::vector<Side<2>> &sides, const Triangulation<2
 /** Gives every boundary face the number of the side on which it lies. @throws InputError if a side
  * ends inside a face. */
 void number_boundary(const std::vector<Side<2>> &sides, Triangulation<2> &triangulation);
+
+/** Returns the body between these sides without a mesh: its box, and whether sides are curved. */
+Geometry<2> bounded_by(std::vector<Side<2>> sides);
 
 /** Returns a rectangle with @p cells coarse cells per direction; sides left, right, bottom, top. */
 Geometry<2> make_rectangle(const Point<2> &lower_left,

@@ -9,6 +9,10 @@ namespace Signorini
 /** Returns the dimension, 2 or 3, that the parameters give or that a scene of the catalogue has. */
 unsigned int dimension_of(const Parameters &parameters);
 
+/** Returns the text of the mesh file that Geometry/File names, or of what Gmsh makes of it.
+ * @throws InputError */
+std::string read_mesh_file(const GeometryParameters &given);
+
 /** Returns the scene that the parameters name or describe. @throws InputError */
 template <int dim>
 Scene<dim> make_scene(const Parameters &parameters);

@@ -1,114 +1,96 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
+
 #include <deal.II/base/point.h>
 
 #include <array>
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Signorini
 {
-/** The content of a mesh file of Gmsh for a 2-D body, before anything of it is checked. */
-struct GmshMesh
+/** The content of a mesh file of Gmsh for a 2-D body. */
+struct FileMesh
 {
   struct Node
   {
-    /** The number of the node in the file. */
-    std::size_t tag;
-    /** The line of the file, for messages. */
-    std::size_t line;
-    std::array<double, 3> x;
+    /** The number of the node in the file, and the line of the file, for messages. */
+    std::size_t tag, line;
+    Point<2> x;
+    double z;
   };
 
-  /** A line or a quadrilateral. */
+  /** A line, a triangle or a quadrilateral. */
   struct Element
   {
-    std::size_t tag;
-    std::size_t line;
-    /** The number of the element's physical group, 0 if it has none. */
-    int group;
-    /** The number of nodes: 2 or 3 for lines, 4, 8 or 9 for quadrilaterals. */
-    unsigned int n_nodes;
+    std::size_t tag, line;
+    /** The number of the curve or the surface, and of its physical group; 0 if it has none. */
+    int entity, group;
+    unsigned int n_corners;
+    /** Whether the middles of the edges are nodes. */
+    bool is_quadratic;
     /** The indices of the nodes: first the corners in order around the element, then the middles of
      * the edges in the same order, then the one inside. */
     std::array<unsigned int, 9> nodes;
-  };
-
-  /** The name of the file in messages. */
-  std::string name;
-  std::vector<Node> nodes;
-  std::vector<Element> lines;
-  std::vector<Element> quadrilaterals;
-  /** The names of the physical groups of curves, by number. */
-  std::map<int, std::string> curve_names;
-};
-
-/**
- * Reads a text in Gmsh's format MSH, version 2.2 or 4.1 (Gmsh reference manual, section "MSH file
- * format"). Sections that do not concern the mesh are skipped, and so are points.
- * @param name the name of the file in messages: "part.msh".
- * @throws InputError with the line for everything else: other versions and binary files, elements
- * that are neither lines nor quadrilaterals, texts that should be numbers.
- */
-GmshMesh read_gmsh(const std::string &text, const std::string &name);
-
-/**
- * A 2-D mesh of convex quadrilaterals that are connected by their edges, and its boundary in loops.
- * The order of cells and vertices depends on their positions, not on the file.
- */
-struct FileMesh
-{
-  struct Vertex
-  {
-    Point<2> position;
-    /** The number of the node in the file. */
-    std::size_t tag;
-  };
-
-  struct Cell
-  {
-    /** The indices of the vertices, counter-clockwise. */
-    std::array<unsigned int, 4> corners;
-    /** The number of the element in the file. */
-    std::size_t tag;
   };
 
   /** An edge of the boundary; the body lies on its left. */
   struct Edge
   {
     unsigned int start, end;
-    /** The node in the middle of an edge of second order. */
-    std::optional<Vertex> middle;
-    /** The index of the edge's name in names. */
-    unsigned int name;
-    /** The cell to which the edge belongs, as the edge from corner @p edge_of_cell. */
-    unsigned int cell, edge_of_cell;
+    /** The node in the middle of an edge of second order, or the start. */
+    unsigned int middle;
+    std::string name;
   };
 
   /** The name of the file in messages. */
-  std::string file;
-  std::vector<Vertex> vertices;
-  std::vector<Cell> cells;
-  /** The physical names of the boundary, sorted. */
-  std::vector<std::string> names;
+  std::string name;
+  std::vector<Node> nodes;
+  std::vector<Element> lines, cells;
+  /** The names of physical groups by dimension and number. */
+  std::map<std::pair<unsigned int, int>, std::string> group_names;
+  /** Whether elements of a dimension are in physical groups. */
+  std::array<bool, 4> has_groups = {};
   /** The closed curves that the boundary consists of: every edge begins where the one before it
-   * ends. */
+   * ends. check_and_sort() finds them. */
   std::vector<std::vector<Edge>> loops;
+
+  /** Returns "name:line: ". */
+  std::string place(const std::size_t line) const
+  {
+    return name + ":" + std::to_string(line) + ": ";
+  }
+  /** Returns the physical name of an element of this dimension. A group without a name is called by
+   * its number, and where no element of the dimension is in a group, all are called by their curve
+   * or surface; "rest" if others have names. @throws InputError if the name is no word. */
+  std::string name_of(const Element &element, unsigned int dim) const;
 };
 
-/** The name of edges that have none in the file. */
-extern const std::string unnamed_side_name;
+/** Returns whether a text begins like those that read_gmsh() reads. */
+bool is_gmsh_text(const std::string &text);
 
 /**
- * Checks the nodes and elements of a file and returns them in order. Cells that are clockwise are
- * turned round. Nodes without elements do not count, named lines between cells neither.
- * @throws InputError with the number of the first element or node that is wrong: cells that are not
- * convex or lie on one another, lines that are not edges, two nodes at one place, nodes with
- * different z, edges with more than two cells or with two names, parts that are not connected.
+ * Reads a text in Gmsh's format MSH, version 2.2 or 4.1 (Gmsh reference manual, section "MSH file
+ * format"). Sections that do not concern the mesh are skipped, and so are points.
+ * @param name the name of the file in messages: "part.msh".
+ * @throws InputError with the line for everything else: other versions and binary files, other
+ * elements, texts that should be numbers.
  */
-FileMesh make_file_mesh(const GmshMesh &gmsh);
+FileMesh read_gmsh(const std::string &text, const std::string &name);
+
+/**
+ * Checks nodes and elements, and finds the boundary. Clockwise cells are turned round; cells and
+ * nodes are sorted by their positions: the order does not depend on the file, and the vertices of
+ * cells come first.
+ * @return the number of vertices.
+ * @throws InputError with the number of the first element or node that is wrong: cells that are not
+ * convex or lie on one another, named lines that are not edges, two nodes at one place, nodes with
+ * different z, edges with two names, parts that are not connected.
+ */
+unsigned int check_and_sort(FileMesh &mesh);
 } // namespace Signorini

@@ -70,6 +70,8 @@ struct GeometryParameters
   Given<double> radius{1.};
   Given<double> inner_radius{0.5};
   Given<std::string> file;
+  /** The mesh of the file as text of Gmsh, where it has been read already. */
+  std::string mesh;
   Given<std::string> arcs;
   /** The folder of the parameter file, in which files are looked for first; empty if the parameters
    * come from no file. */

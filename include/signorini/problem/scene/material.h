@@ -7,6 +7,7 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -57,6 +58,14 @@ std::shared_ptr<const Material<dim>> make_isotropic(const Expression<dim> &young
                                                     const Expression<dim> &poissons_ratio,
                                                     PlaneState plane_state,
                                                     const Point<dim> &reference = Point<dim>());
+
+/** Returns the material that is one of several at every point: that of the index @p index_at. E_0
+ * is that of the material at the point @p reference. */
+template <int dim>
+std::shared_ptr<const Material<dim>>
+make_piecewise(const std::vector<std::shared_ptr<const Material<dim>>> &materials,
+               const std::function<unsigned int(const Point<dim> &)> &index_at,
+               const Point<dim> &reference);
 
 /** Returns the material (s11,s22,s12) = C (e11,e22,2 e12) with the entries C11, C12, C13, C22, C23,
  * C33; C must be positive definite at every point. s33 = Z (e11,e22,2 e12) with the three entries Z

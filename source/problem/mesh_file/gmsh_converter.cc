@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Gmsh's program as a converter, in a process of its own: what it does cannot harm this one.
+
+#include <signorini/base/errors.h>
+#include <signorini/base/text.h>
+#include <signorini/problem/mesh_file/file_geometry.h>
+#include <signorini/problem/parameters/parameter_text.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace Signorini
+{
+namespace
+{
+constexpr rlim_t max_seconds = 30, max_memory = 4ULL << 30, max_file_size = 500000000;
+
+/** Shapes, which Gmsh has to mesh, and meshes. */
+const std::set<std::string> shapes = {"geo", "step", "stp", "iges", "igs", "brep"};
+const std::set<std::string> meshes =
+  {"msh", "unv", "bdf", "nas", "inp", "mesh", "vtk", "su2", "med"};
+
+/** A folder that is removed with all that it contains. */
+struct TemporaryFolder
+{
+  explicit TemporaryFolder(const std::string &where)
+  {
+    std::string name = (std::filesystem::temp_directory_path() / "signorini-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw InputError(where + "no temporary folder can be made in " +
+                       std::filesystem::temp_directory_path().string() + ".");
+    path = name;
+  }
+  TemporaryFolder(const TemporaryFolder &) = delete;
+  TemporaryFolder &operator=(const TemporaryFolder &) = delete;
+  ~TemporaryFolder()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+
+  std::filesystem::path path;
+};
+
+/** A script is a program: refuses words by which it runs others, or reads and writes files. */
+void check_script(const std::string &text, const std::string &where)
+{
+  static const std::set<std::string> refused = {"SystemCall",
+                                                "System",
+                                                "NonBlockingSystemCall",
+                                                "OnelabRun",
+                                                "ExternalProcess",
+                                                "Include",
+                                                "Merge",
+                                                "MergeWithBoundingBox",
+                                                "ShapeFromFile",
+                                                "Save",
+                                                "Print",
+                                                "Printf",
+                                                "Plugin",
+                                                "General",
+                                                "Solver",
+                                                "CreateDir",
+                                                "Error",
+                                                "Structured"};
+  std::size_t line = 1;
+  std::string word;
+  for (const char c : text + "\n")
+  {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0)
+    {
+      word += c;
+      continue;
+    }
+    if (refused.count(word) > 0)
+      throw InputError(where + "found " + quote(word) + " in line " + std::to_string(line) +
+                       ", allowed: shapes, sizes and physical groups; statements that run programs "
+                       "or read or write other files are not run.");
+    word.clear();
+    line += c == '\n' ? 1 : 0;
+  }
+}
+
+/** Becomes Gmsh, with limits that it inherits. Only calls that are safe behind fork(). */
+[[noreturn]] void become_gmsh(const char *folder, char *const *arguments, char *const *environment)
+{
+  const auto limit = [](const auto resource, const rlim_t most) {
+    const rlimit both = {most, most};
+    setrlimit(resource, &both);
+  };
+  limit(RLIMIT_CPU, max_seconds);
+  limit(RLIMIT_AS, max_memory);
+  limit(RLIMIT_FSIZE, max_file_size);
+  limit(RLIMIT_CORE, 0);
+  alarm(4 * max_seconds);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const int output = chdir(folder) == 0 ? open("log", O_WRONLY | O_CREAT, 0600) : -1;
+  const int input = open("/dev/null", O_RDONLY);
+  if (output >= 0 && input >= 0 && dup2(input, 0) == 0 && dup2(output, 1) == 1 &&
+      dup2(output, 2) == 2)
+    execvpe("gmsh", arguments, environment);
+  _exit(127);
+}
+
+/** Runs Gmsh in a folder. @return its status, as of waitpid(). */
+int run_gmsh(const std::string &folder, std::vector<std::string> arguments)
+{
+  const char *const path = std::getenv("PATH");
+  std::vector<std::string> environment = {
+    "HOME=" + folder, "LC_ALL=C", std::string("PATH=") + (path == nullptr ? "" : path)};
+  const auto pointers = [](std::vector<std::string> &texts) {
+    std::vector<char *> found;
+    for (std::string &text : texts)
+      found.push_back(text.data());
+    found.push_back(nullptr);
+    return found;
+  };
+  const std::vector<char *> argv = pointers(arguments), envp = pointers(environment);
+  const pid_t child = fork();
+  if (child == 0)
+    become_gmsh(folder.c_str(), argv.data(), envp.data());
+  int status = -1;
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
+  {
+  }
+  return status;
+}
+
+/** Returns what became of Gmsh, with its first complaint. */
+std::string describe_failure(const int status, const std::filesystem::path &log)
+{
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM)
+    return "Gmsh did not end within " + std::to_string(max_seconds) + " seconds";
+  std::ifstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("Error", 0) == 0)
+    {
+      std::replace_if(
+        line.begin(), line.end(), [](const unsigned char c) { return std::isprint(c) == 0; }, '?');
+      return "Gmsh says " + quote(trim(line.substr(std::min(line.size(), line.find(':') + 1))));
+    }
+  return signal != 0 ? "Gmsh ended with the signal " + std::to_string(signal)
+                     : "Gmsh made no mesh of it";
+}
+} // namespace
+
+bool is_gmsh_ending(const std::string &ending)
+{
+  return shapes.count(ending) + meshes.count(ending) > 0;
+}
+
+std::string convert_with_gmsh(const std::string &content,
+                              const std::string &ending,
+                              const double mesh_size,
+                              const std::string &where)
+{
+  // Gmsh runs what it does not know as a script.
+  if (ending == "geo")
+    check_script(content, where);
+  if (ending == "msh" && content.rfind("$MeshFormat", 0) != 0 && content.rfind("$NOD", 0) != 0)
+    throw InputError(where +
+                     "found no $MeshFormat at its beginning, allowed: a mesh file of Gmsh.");
+  const TemporaryFolder folder(where);
+  const std::string input = "part." + ending;
+  std::ofstream(folder.path / input, std::ios::binary) << content;
+  std::vector<std::string> arguments = {"gmsh", input};
+  if (shapes.count(ending) > 0)
+    arguments.insert(arguments.end(), {"-2", "-order", "2"});
+  else
+    arguments.emplace_back("-save");
+  // Algorithm 6, blossom and a division of all cells give quadrilaterals for every outline that was
+  // tried; algorithm 8 crashes in Gmsh 4.8.4, and sizes by curvature may not end.
+  for (const char *const option : {"Mesh.Algorithm 6",
+                                   "Mesh.RecombineAll 1",
+                                   "Mesh.SubdivisionAlgorithm 1",
+                                   "Mesh.SaveAll 1",
+                                   "Mesh.Binary 0"})
+  {
+    arguments.emplace_back("-setnumber");
+    for (const std::string &word : split_words(option))
+      arguments.push_back(word);
+  }
+  if (mesh_size > 0.)
+    arguments.insert(arguments.end(), {"-clmax", number_text(mesh_size)});
+  arguments.insert(arguments.end(),
+                   {"-nopopup", "-nt", "1", "-v", "2", "-format", "msh41", "-o", "result.msh"});
+  const int status = run_gmsh(folder.path.string(), arguments);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+    throw InputError(where + "files of this kind are read by Gmsh, and no program gmsh is found, "
+                             "allowed: to install it (Debian: apt install gmsh), or a mesh file of "
+                             "text of Gmsh, version 2.2 or 4.1.");
+  // After an error Gmsh writes an empty mesh, without elements.
+  const std::string result = (folder.path / "result.msh").string();
+  std::error_code error;
+  std::string text;
+  if (status == 0 && std::filesystem::exists(result, error))
+    text = read_whole_file(result, where, "mesh file", max_file_size);
+  if (text.find("$Elements") == std::string::npos)
+    throw InputError(where + describe_failure(status, folder.path / "log") +
+                     ", allowed: a file from which Gmsh makes a mesh (gmsh -2).");
+  return text;
+}
+} // namespace Signorini
