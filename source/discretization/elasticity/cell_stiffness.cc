@@ -12,15 +12,21 @@ namespace
 {
 const UpdateFlags stiffness_flags = update_gradients | update_quadrature_points | update_JxW_values;
 
-/** Returns the edges from the first vertex. They are equal for congruent cells, up to translation.
- */
+/** Returns whether every vertex is the sum of the edges along its coordinates: a parallelogram, in
+ * 3-D a parallelepiped. */
 template <int dim>
-std::vector<Tensor<1, dim>> shape_of(const typename Triangulation<dim>::active_cell_iterator &cell)
+bool is_affine(const typename Triangulation<dim>::active_cell_iterator &cell)
 {
-  std::vector<Tensor<1, dim>> shape;
   for (const unsigned int v : cell->vertex_indices())
-    shape.push_back(cell->vertex(v) - cell->vertex(0));
-  return shape;
+  {
+    Tensor<1, dim> difference = cell->vertex(v) - cell->vertex(0);
+    for (unsigned int d = 0; d < dim; ++d)
+      if (((v >> d) & 1U) != 0)
+        difference -= cell->vertex(1U << d) - cell->vertex(0);
+    if (!(difference.norm() < 1e-12 * cell->diameter()))
+      return false;
+  }
+  return true;
 }
 
 /** Returns ∫_K div φ_i / |K| for all i. */
@@ -40,42 +46,6 @@ std::vector<double> mean_divergences(const FEValues<dim> &values)
     mean /= volume;
   return means;
 }
-
-/** Returns whether every vertex is the sum of the edges along its coordinates: a parallelogram, in
- * 3-D a parallelepiped. */
-template <int dim>
-bool is_affine(const std::vector<Tensor<1, dim>> &shape, const double tolerance)
-{
-  for (unsigned int v = 0; v < shape.size(); ++v)
-  {
-    Tensor<1, dim> difference = shape[v];
-    for (unsigned int d = 0; d < dim; ++d)
-      if (((v >> d) & 1U) != 0)
-        difference -= shape[1U << d];
-    if (!(difference.norm() < tolerance * shape.back().norm()))
-      return false;
-  }
-  return true;
-}
-
-/** Returns the tolerance relative to the size of a cell: the coordinates of small cells far from
- * the origin determine their shape less accurately. */
-double tolerance_of_shapes(const double distance_from_origin, const double size)
-{
-  return std::max(1e-12,
-                  16. * std::numeric_limits<double>::epsilon() * distance_from_origin / size);
-}
-
-/** Computes magnitudes_i = Σ_j |K_ij x_j|. */
-void multiply_magnitudes(const FullMatrix<double> &K,
-                         const dealii::Vector<double> &x,
-                         dealii::Vector<double> &magnitudes)
-{
-  magnitudes = 0.;
-  for (unsigned int i = 0; i < x.size(); ++i)
-    for (unsigned int j = 0; j < x.size(); ++j)
-      magnitudes[i] += std::abs(K(i, j) * x[j]);
-}
 } // namespace
 
 template <int dim>
@@ -85,35 +55,18 @@ CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Sce
   , material_(*scene.material)
   , strain_operator_(space.strain_operator())
   , constant_(material_.is_constant())
-  , curved_(mesh_.is_curved())
   , kinks_(constant_ ? Kinks<dim>() : scene.kinks)
   , affine_values_(mesh_.unit_mapping(), space, kinks_, 2, stiffness_flags)
-  , general_values_(mesh_.unit_mapping(), space, kinks_, 4, stiffness_flags)
+  , values_(mesh_.unit_mapping(), space, kinks_, 4, stiffness_flags)
 {
 }
 
 template <int dim>
-const typename CellStiffness<dim>::Sample *
-CellStiffness<dim>::find_sample(const unsigned int element_number,
-                                const std::vector<Tensor<1, dim>> &shape,
-                                const double tolerance) const
+typename CellStiffness<dim>::Matrix CellStiffness<dim>::integrate(const CellIterator &cell)
 {
-  const double size = shape.back().norm();
-  const auto fits = [&](const Sample &sample) {
-    if (sample.element_number != element_number)
-      return false;
-    for (unsigned int v = 0; v < shape.size(); ++v)
-      if ((shape[v] / size - sample.shape[v]).norm() > tolerance)
-        return false;
-    return true;
-  };
-  const auto found = std::find_if(samples_.begin(), samples_.end(), fits);
-  return found == samples_.end() ? nullptr : &*found;
-}
-
-template <int dim>
-typename CellStiffness<dim>::Matrix CellStiffness<dim>::integrate(const FEValues<dim> &values)
-{
+  // Fewer points are exact for a constant tensor where edges are parallel.
+  const bool is_exact = constant_ && !mesh_.is_curved() && is_affine<dim>(cell);
+  const FEValues<dim> &values = (is_exact ? affine_values_ : values_).reinit(cell);
   const FEValuesExtractors::Vector displacement(0);
   constexpr unsigned int n_strains = SymmetricTensor<2, dim>::n_independent_components;
   const unsigned int n = values.dofs_per_cell;
@@ -153,63 +106,31 @@ typename CellStiffness<dim>::Matrix CellStiffness<dim>::integrate(const FEValues
 template <int dim>
 typename CellStiffness<dim>::Matrix CellStiffness<dim>::share(const CellIterator &cell)
 {
-  std::vector<Tensor<1, dim>> shape = shape_of<dim>(cell);
-  const double size = shape.back().norm();
-  const double tolerance = tolerance_of_shapes(cell->vertex(0).norm(), size);
-  if (!constant_ || curved_ || !is_affine<dim>(shape, tolerance))
-    return integrate(general_values_.reinit(cell));
-  const unsigned int element_number = space_.element_number(cell);
-  const Sample *const sample = find_sample(element_number, shape, tolerance);
-  if (sample != nullptr && (dim == 2 || std::abs(sample->size - size) < 1e-12 * size))
-    return sample->matrix;
-  Matrix matrix = integrate(affine_values_.reinit(cell));
+  // Vertices do not determine the shape of a curved cell.
+  if (!constant_ || mesh_.is_curved())
+    return integrate(cell);
+  Sample sample = {space_.element_number(cell), {}, nullptr};
+  const double size = cell->vertex(cell->n_vertices() - 1).distance(cell->vertex(0));
+  for (const unsigned int v : cell->vertex_indices())
+    sample.shape.push_back((cell->vertex(v) - cell->vertex(0)) / (dim == 2 ? size : mesh_.size()));
+  // The coordinates of small cells far from the origin determine their shape less accurately.
+  const double tolerance =
+    std::max(1e-12, 16. * std::numeric_limits<double>::epsilon() * cell->vertex(0).norm() / size) *
+    sample.shape.back().norm();
+  for (const Sample &known : samples_)
+    if (known.element_number == sample.element_number &&
+        std::equal(known.shape.begin(),
+                   known.shape.end(),
+                   sample.shape.begin(),
+                   [&](const auto &a, const auto &b) { return (a - b).norm() <= tolerance; }))
+      return known.matrix;
+  sample.matrix = integrate(cell);
   constexpr std::size_t max_samples = 64;
-  if (sample != nullptr || samples_.size() == max_samples)
-    return matrix;
-  for (Tensor<1, dim> &edge : shape)
-    edge /= size;
-  samples_.push_back({element_number, size, shape, matrix});
-  return matrix;
-}
-
-template <int dim>
-InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
-                                    const Scene<dim> &scene,
-                                    const Displacement &U)
-{
-  CellStiffness<dim> stiffness(space, scene);
-  InternalForces<dim> result = {space.make_vector(), space.make_vector()};
-  dealii::Vector<double> cell_U, forces, magnitudes;
-  std::vector<types::global_dof_index> indices;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-    if (cell->is_locally_owned())
-    {
-      const unsigned int n = cell->get_fe().n_dofs_per_cell();
-      for (dealii::Vector<double> *const vector : {&cell_U, &forces, &magnitudes})
-        vector->reinit(n);
-      indices.resize(n);
-      cell->get_dof_indices(indices);
-      cell->get_dof_values(U, cell_U);
-      const FullMatrix<double> &K = stiffness(cell);
-      K.vmult(forces, cell_U);
-      multiply_magnitudes(K, cell_U, magnitudes);
-      result.forces.add(indices, forces);
-      result.magnitudes.add(indices, magnitudes);
-    }
-  for (DistributedVector *const vector : {&result.forces, &result.magnitudes})
-  {
-    vector->compress(VectorOperation::add);
-    *vector *= stiffness_unit(space, *scene.material);
-  }
-  return result;
+  if (samples_.size() < max_samples)
+    samples_.push_back(sample);
+  return sample.matrix;
 }
 
 template class CellStiffness<2>;
 template class CellStiffness<3>;
-template InternalForces<2> internal_forces(const DisplacementSpace<2> &,
-                                           const Scene<2> &,
-                                           const Displacement &);
-template InternalForces<3> internal_forces(const DisplacementSpace<3> &,
-                                           const Scene<3> &,
-                                           const Displacement &);
 } // namespace Signorini

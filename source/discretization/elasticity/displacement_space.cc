@@ -45,66 +45,72 @@ AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh,
   return conditions;
 }
 
-/** Returns vertices of the coarse mesh that do not hang: off the contact sides, as far as there are
- * any. */
-std::vector<DisplacementSpace<2>::Pin> pin_candidates(const DoFHandler<2> &dofs,
-                                                      const Scene<2> &scene,
-                                                      const AffineConstraints<double> &essential)
+using Pin = DisplacementSpace<2>::Pin;
+
+/** A place for a pin, and the share at which its speed counts where pins are chosen. */
+struct PinCandidate
 {
-  std::set<unsigned int> coarse, touching;
+  Pin pin;
+  double weight;
+};
+
+/** Returns the free components of vertices of the coarse mesh, which do not hang. Those on contact
+ * sides count little: a pin there takes part of the load. */
+std::vector<PinCandidate> pin_candidates(const DoFHandler<2> &dofs,
+                                         const Scene<2> &scene,
+                                         const AffineConstraints<double> &essential)
+{
+  std::map<unsigned int, double> weights;
   for (const auto &cell : dofs.get_triangulation().cell_iterators_on_level(0))
     for (const unsigned int v : cell->vertex_indices())
-      coarse.insert(cell->vertex_index(v));
+      weights[cell->vertex_index(v)] = 1.;
   for (const auto &face : dofs.get_triangulation().active_face_iterators())
     if (face->at_boundary() && scene.boundary[face->boundary_id()].role == Role::contact)
-      touching.insert({face->vertex_index(0), face->vertex_index(1)});
-  std::vector<DisplacementSpace<2>::Pin> candidates, on_contact;
-  std::set<unsigned int> seen;
+      for (const unsigned int v : {0, 1})
+        if (const auto vertex = weights.find(face->vertex_index(v)); vertex != weights.end())
+          vertex->second = 1e-3;
+  std::vector<PinCandidate> candidates;
   for (const auto &cell : dofs.active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
-    {
-      const unsigned int vertex = cell->vertex_index(v);
-      if (coarse.count(vertex) > 0 && seen.insert(vertex).second)
+      if (const auto vertex = weights.find(cell->vertex_index(v)); vertex != weights.end())
+      {
         for (unsigned int c = 0; c < 2; ++c)
         {
           const auto dof = cell->vertex_dof_index(v, c, cell->active_fe_index());
           if (!essential.is_constrained(dof))
-            (touching.count(vertex) > 0 ? on_contact : candidates)
-              .push_back({dof, cell->vertex(v), c});
+            candidates.push_back({{dof, cell->vertex(v), c}, vertex->second});
         }
-    }
-  // Three components at two vertices hold a body; more let them lie far from each other.
-  constexpr std::size_t enough = 6;
-  if (candidates.size() < enough)
-    candidates.insert(candidates.end(), on_contact.begin(), on_contact.end());
+        weights.erase(vertex);
+      }
   return candidates;
 }
 
 /** Returns as many pins as there are motions, chosen one after the other where the motions that are
- * left are largest. */
-std::vector<DisplacementSpace<2>::Pin> choose_pins(const DoFHandler<2> &dofs,
-                                                   const Scene<2> &scene,
-                                                   const AffineConstraints<double> &essential)
+ * left are fastest: elimination with complete pivoting. */
+std::vector<Pin> choose_pins(const DoFHandler<2> &dofs,
+                             const Scene<2> &scene,
+                             const AffineConstraints<double> &essential)
 {
   std::vector<RigidMotion> motions = free_rigid_motions(scene);
   const auto candidates = pin_candidates(dofs, scene, essential);
-  const auto speed = [](const RigidMotion &motion, const DisplacementSpace<2>::Pin &pin) {
+  const auto speed = [](const RigidMotion &motion, const Pin &pin) {
     return motion.velocity(pin.node)[pin.component];
   };
-  std::vector<DisplacementSpace<2>::Pin> pins;
+  std::vector<Pin> pins;
   while (!motions.empty())
   {
-    std::size_t best = 0, fastest = 0;
+    Pin pin = {};
+    std::size_t fastest = 0;
     double largest = 0.;
-    for (std::size_t i = 0; i < candidates.size(); ++i)
+    for (const PinCandidate &candidate : candidates)
       for (std::size_t k = 0; k < motions.size(); ++k)
-        if (std::abs(speed(motions[k], candidates[i])) > largest)
+        if (const double size = candidate.weight * std::abs(speed(motions[k], candidate.pin));
+            size > largest)
         {
-          largest = std::abs(speed(motions[k], candidates[i]));
-          best = i;
+          largest = size;
+          pin = candidate.pin;
           fastest = k;
         }
-    const DisplacementSpace<2>::Pin &pin = candidates[best];
     const RigidMotion stopped = motions[fastest];
     motions.erase(motions.begin() + fastest);
     for (RigidMotion &motion : motions)

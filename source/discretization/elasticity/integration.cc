@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The energy norm |||u_h||| without the rounding errors of a rigid translation, and whether the
-// body only moves as a whole.
+// A U cell by cell, and the energy norm |||u_h||| without the rounding errors of a rigid
+// translation.
 
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/elasticity/integration.h>
+
+#include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,27 +13,73 @@
 
 namespace Signorini
 {
+namespace
+{
+/** Calls work(cell, K, U) with the matrix of every cell of this rank and the values of U there, as
+ * long as it returns true. */
+template <int dim, typename Work>
+void for_each_cell(const DisplacementSpace<dim> &space,
+                   const Scene<dim> &scene,
+                   const Displacement &U,
+                   const Work &work)
+{
+  CellStiffness<dim> stiffness(space, scene);
+  dealii::Vector<double> on_cell;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      on_cell.reinit(cell->get_fe().n_dofs_per_cell());
+      cell->get_dof_values(U, on_cell);
+      if (!work(cell, stiffness(cell), on_cell))
+        return;
+    }
+}
+} // namespace
+
+template <int dim>
+InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
+                                    const Scene<dim> &scene,
+                                    const Displacement &U)
+{
+  InternalForces<dim> result = {space.make_vector(), space.make_vector()};
+  dealii::Vector<double> forces, magnitudes;
+  for_each_cell(
+    space, scene, U, [&](const auto &cell, const FullMatrix<double> &K, const auto &on_cell) {
+      forces.reinit(on_cell.size());
+      magnitudes.reinit(on_cell.size());
+      K.vmult(forces, on_cell);
+      for (unsigned int i = 0; i < on_cell.size(); ++i)
+        for (unsigned int j = 0; j < on_cell.size(); ++j)
+          magnitudes[i] += std::abs(K(i, j) * on_cell[j]);
+      const auto indices = space.cell_dofs(cell);
+      result.forces.add(indices, forces);
+      result.magnitudes.add(indices, magnitudes);
+      return true;
+    });
+  for (DistributedVector *const vector : {&result.forces, &result.magnitudes})
+  {
+    vector->compress(VectorOperation::add);
+    *vector *= stiffness_unit(space, *scene.material);
+  }
+  return result;
+}
+
 template <int dim>
 double energy_norm(const DisplacementSpace<dim> &space,
                    const Scene<dim> &scene,
                    const Displacement &U)
 {
-  CellStiffness<dim> stiffness(space, scene);
-  dealii::Vector<double> on_cell;
   double energy = 0.;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-    if (cell->is_locally_owned())
-    {
-      const auto &element = cell->get_fe();
-      on_cell.reinit(element.n_dofs_per_cell());
-      cell->get_dof_values(U, on_cell);
-      Tensor<1, dim> corner;
-      for (unsigned int d = 0; d < dim; ++d)
-        corner[d] = on_cell[element.component_to_system_index(d, 0)];
-      for (unsigned int i = 0; i < on_cell.size(); ++i)
-        on_cell[i] -= corner[element.system_to_component_index(i).first];
-      energy += stiffness(cell).matrix_norm_square(on_cell);
-    }
+  for_each_cell(space, scene, U, [&](const auto &cell, const FullMatrix<double> &K, auto &on_cell) {
+    const FiniteElement<dim> &element = cell->get_fe();
+    Tensor<1, dim> corner;
+    for (unsigned int d = 0; d < dim; ++d)
+      corner[d] = on_cell[element.component_to_system_index(d, 0)];
+    for (unsigned int i = 0; i < on_cell.size(); ++i)
+      on_cell[i] -= corner[element.system_to_component_index(i).first];
+    energy += K.matrix_norm_square(on_cell);
+    return true;
+  });
   energy = Utilities::MPI::sum(energy, space.mesh().communicator());
   return std::sqrt(std::max(0., energy * stiffness_unit(space, *scene.material)));
 }
@@ -49,24 +97,19 @@ std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
   // Rounding, or what V-cycles leave: strains below 1e-10, and below 1e-9 of the motion.
   const double tolerance =
     std::max(1e3 * unit_roundoff, 1e-10 * size / std::max(motion, 0.1 * size));
-  CellStiffness<dim> stiffness(space, scene);
-  dealii::Vector<double> on_cell, forces;
+  dealii::Vector<double> forces;
   bool rigid = true;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-    if (rigid && cell->is_locally_owned())
-    {
-      on_cell.reinit(cell->get_fe().n_dofs_per_cell());
+  for_each_cell(
+    space, scene, U, [&](const auto &, const FullMatrix<double> &K, const auto &on_cell) {
       forces.reinit(on_cell.size());
-      cell->get_dof_values(U, on_cell);
-      const FullMatrix<double> &K = stiffness(cell);
       K.vmult(forces, on_cell);
       rigid = forces.linfty_norm() <= tolerance * K.linfty_norm() * motion;
-    }
+      return rigid;
+    });
   if (Utilities::MPI::min(rigid ? 1 : 0, space.mesh().communicator()) == 0)
     return {};
   // A body at rest, too, has a size that rounding is compared with.
-  constexpr double min_motion = 1e-10;
-  return std::max(motion, min_motion * size) * std::sqrt(stiffness_unit(space, *scene.material));
+  return std::max(motion, 1e-10 * size) * std::sqrt(stiffness_unit(space, *scene.material));
 }
 
 template <int dim>
@@ -82,19 +125,6 @@ double energy_scale(const double norm,
     return norm;
   return error <= rounding * *rigid ? *rigid : error;
 }
-
-template double energy_norm(const DisplacementSpace<2> &, const Scene<2> &, const Displacement &);
-template double energy_norm(const DisplacementSpace<3> &, const Scene<3> &, const Displacement &);
-template std::optional<double> norm_of_rigid_motion(const DisplacementSpace<2> &,
-                                                    const Scene<2> &,
-                                                    const Displacement &);
-template std::optional<double> norm_of_rigid_motion(const DisplacementSpace<3> &,
-                                                    const Scene<3> &,
-                                                    const Displacement &);
-template double
-energy_scale(double, double, const DisplacementSpace<2> &, const Scene<2> &, const Displacement &);
-template double
-energy_scale(double, double, const DisplacementSpace<3> &, const Scene<3> &, const Displacement &);
 
 // B: the normal trace of V^h on Γ_c.
 
@@ -145,42 +175,28 @@ std::vector<double> TraceValues<dim>::normal_displacement(const ContactFace<dim>
   return u_n;
 }
 
-template class TraceValues<2>;
-template class TraceValues<3>;
-
-// I^h. (VectorTools::interpolate fills in the locally owned cells only.)
-
 template <int dim>
 Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Function<dim> &u)
 {
-  NodePositions<dim> positions(space);
   Displacement values = space.zero();
-  std::vector<bool> visited(values.size(), false);
-  std::vector<types::global_dof_index> indices;
-  dealii::Vector<double> u_at_node(dim);
-  for (const auto &cell : space.dofs().active_cell_iterators())
-  {
-    const FiniteElement<dim> &element = cell->get_fe();
-    const std::vector<Point<dim>> &nodes = positions(cell);
-    indices.resize(element.n_dofs_per_cell());
-    cell->get_dof_indices(indices);
-    for (unsigned int node = 0; node < nodes.size(); ++node)
-    {
-      if (visited[indices[element.component_to_system_index(0, node)]])
-        continue;
-      u.vector_value(nodes[node], u_at_node);
-      for (unsigned int d = 0; d < dim; ++d)
-      {
-        const auto index = indices[element.component_to_system_index(d, node)];
-        values[index] = u_at_node[d];
-        visited[index] = true;
-      }
-    }
-  }
+  values.zero_out_ghost_values();
+  VectorTools::interpolate(space.mesh().mapping(), space.dofs(), u, values.entries());
   values.update_ghost_values();
   return values;
 }
 
-template Displacement interpolate_at_nodes(const DisplacementSpace<2> &, const Function<2> &);
-template Displacement interpolate_at_nodes(const DisplacementSpace<3> &, const Function<3> &);
+#define INSTANTIATE(dim)                                                                           \
+  template InternalForces<dim> internal_forces(                                                    \
+    const DisplacementSpace<dim> &, const Scene<dim> &, const Displacement &);                     \
+  template double energy_norm(                                                                     \
+    const DisplacementSpace<dim> &, const Scene<dim> &, const Displacement &);                     \
+  template std::optional<double> norm_of_rigid_motion(                                             \
+    const DisplacementSpace<dim> &, const Scene<dim> &, const Displacement &);                     \
+  template double energy_scale(                                                                    \
+    double, double, const DisplacementSpace<dim> &, const Scene<dim> &, const Displacement &);     \
+  template class TraceValues<dim>;                                                                 \
+  template Displacement interpolate_at_nodes(const DisplacementSpace<dim> &, const Function<dim> &);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Rows and columns of the patches of a rectangle.
+// Rows and columns of patches.
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/mesh/contact_surface.h>
@@ -19,7 +19,8 @@ namespace
 constexpr unsigned int no_patch = numbers::invalid_unsigned_int;
 
 /** Returns the ends of the intervals that the patches [first, last) cover in one coordinate. */
-std::vector<double> ends_of(const std::vector<Patch<3>> &patches,
+template <int dim>
+std::vector<double> ends_of(const std::vector<Patch<dim>> &patches,
                             const std::size_t first,
                             const std::size_t last,
                             const unsigned int d)
@@ -50,7 +51,8 @@ unsigned int interval_of(const std::vector<double> &ends, const double s)
 }
 } // namespace
 
-std::vector<PatchGrid> patch_grids(const std::vector<Patch<3>> &patches)
+template <int dim>
+std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches)
 {
   std::vector<PatchGrid> grids;
   for (std::size_t first = 0, last = 0; first < patches.size(); first = last)
@@ -59,14 +61,14 @@ std::vector<PatchGrid> patch_grids(const std::vector<Patch<3>> &patches)
       ++last;
     PatchGrid grid;
     grid.side = patches[first].side;
-    for (unsigned int d = 0; d < 2; ++d)
+    for (unsigned int d = 0; d < dim - 1; ++d)
       grid.ends[d] = ends_of(patches, first, last, d);
     grid.patches.assign(static_cast<std::size_t>(grid.n(0)) * grid.n(1), no_patch);
     for (std::size_t t = first; t < last; ++t)
     {
-      const Point<2> centre = patches[t].centre();
-      grid.patches[interval_of(grid.ends[0], centre[0]) +
-                   grid.n(0) * interval_of(grid.ends[1], centre[1])] = t;
+      const Point<dim - 1> centre = patches[t].centre();
+      const unsigned int row = dim == 2 ? 0 : interval_of(grid.ends[1], centre[dim - 2]);
+      grid.patches[interval_of(grid.ends[0], centre[0]) + grid.n(0) * row] = t;
     }
     if (grid.patches.size() != last - first ||
         std::find(grid.patches.begin(), grid.patches.end(), no_patch) != grid.patches.end())
@@ -74,6 +76,45 @@ std::vector<PatchGrid> patch_grids(const std::vector<Patch<3>> &patches)
     grids.push_back(std::move(grid));
   }
   return grids;
+}
+
+template std::vector<PatchGrid> patch_grids(const std::vector<Patch<2>> &);
+template std::vector<PatchGrid> patch_grids(const std::vector<Patch<3>> &);
+
+template <int dim>
+std::vector<Neighbours<dim>> ContactSurface<dim>::neighbours() const
+{
+  std::vector<Neighbours<dim>> all(patches_.size());
+  for (const PatchGrid &grid : patch_grids(patches_))
+  {
+    const Side<dim> &side = scene_.geometry.sides[grid.side];
+    for (unsigned int k = 0; k < grid.patches.size(); ++k)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        for (const int step : {-1, 1})
+        {
+          const int stride = d == 0 ? 1 : grid.n(0), n = grid.n(d);
+          const int i = static_cast<int>(k) / stride % n;
+          int next = i + step;
+          double shift = 0.;
+          if constexpr (dim == 2)
+          {
+            // Beyond a corner, the pressure is that of another direction.
+            if (side.has_corner(grid.ends[0][step < 0 ? i : i + 1]))
+              continue;
+            if (side.is_closed() && n > 1 && (next < 0 || next == n))
+            {
+              next -= step * n;
+              shift = step * side.length();
+            }
+          }
+          if (next >= 0 && next < n)
+            all[grid.patches[k]][d][step < 0 ? 0 : 1] = {
+              grid.patches[static_cast<int>(k) + (next - i) * stride],
+              grid.ends[d][next] + shift,
+              grid.ends[d][next + 1] + shift};
+        }
+  }
+  return all;
 }
 
 // Γ_c: its faces, and the points of its pieces on the mesh.
@@ -103,24 +144,20 @@ Quadrature<dim> on_box(const Quadrature<dim> &rule,
                        const Point<dim> &corner,
                        const Point<dim> &opposite)
 {
-  Point<dim> lowest;
-  Tensor<1, dim> edges;
-  double volume = 1.;
-  for (unsigned int d = 0; d < dim; ++d)
-  {
-    lowest[d] = std::min(corner[d], opposite[d]);
-    edges[d] = std::abs(opposite[d] - corner[d]);
-    volume *= edges[d];
-  }
   std::vector<Point<dim>> points = rule.get_points();
   std::vector<double> weights = rule.get_weights();
-  for (Point<dim> &point : points)
-    for (unsigned int d = 0; d < dim; ++d)
-      point[d] = lowest[d] + edges[d] * point[d];
-  for (double &weight : weights)
-    weight *= volume;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    const double lowest = std::min(corner[d], opposite[d]);
+    const double edge = std::abs(opposite[d] - corner[d]);
+    for (Point<dim> &point : points)
+      point[d] = lowest + edge * point[d];
+    for (double &weight : weights)
+      weight *= edge;
+  }
   return Quadrature<dim>(points, weights);
 }
+
 /** Returns the coordinates of a point of a patch; around a closed side those next to the patch. */
 template <int dim>
 Point<dim - 1> coordinates_on(const Patch<dim> &patch, const Side<dim> &side, const Point<dim> &x)

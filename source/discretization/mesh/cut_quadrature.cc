@@ -7,6 +7,7 @@
 #include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace Signorini
@@ -33,138 +34,80 @@ Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign)
   return part;
 }
 
-/** The bilinear image of the square; with d = a it is a triangle (Duffy). */
-struct Quadrilateral
-{
-  Point<2> a, b, c, d;
-
-  Point<2> at(const double s, const double t) const
-  {
-    return a + s * (1. - t) * (b - a) + s * t * (c - a) + (1. - s) * t * (d - a);
-  }
-  double jacobian(const double s, const double t) const
-  {
-    const Tensor<1, 2> ds = (1. - t) * (b - a) + t * (c - d);
-    const Tensor<1, 2> dt = (1. - s) * (d - a) + s * (c - b);
-    return std::abs(ds[0] * dt[1] - ds[1] * dt[0]);
-  }
-  double diameter() const
-  {
-    return std::max(a.distance(c), b.distance(d));
-  }
-  /** Returns a lower bound of the distance from a point. */
-  double distance(const Point<2> &x) const
-  {
-    return x.distance(at(0.5, 0.5)) - 0.5 * std::max(diameter(), a.distance(b));
-  }
-  /** Returns the image of [s, s + ds] x [t, t + dt]. */
-  Quadrilateral part(const double s, const double t, const double ds, const double dt) const
-  {
-    return {at(s, t), at(s + ds, t), at(s + ds, t + dt), at(s, t + dt)};
-  }
-  /** length_s() and length_t() return the longer edges in the directions of s and t. */
-  double length_s() const
-  {
-    return std::max(a.distance(b), d.distance(c));
-  }
-  double length_t() const
-  {
-    return std::max(a.distance(d), b.distance(c));
-  }
-};
-
 /** Collects physical points and weights on convex polygons. */
 class PolygonRule
 {
 public:
   /**
-   * Makes the rules of all depths.
+   * Makes the rules of all depths. With p + 3 points per direction, p > 1, that of whole pieces is
+   * exact for products of gradients of functions of degree p per direction; on pieces that are half
+   * as large, one point less has the same effect.
    * @param ends points towards which the pieces shrink.
    */
   PolygonRule(const unsigned int n_points, std::vector<Point<2>> ends)
     : ends_(std::move(ends))
   {
-    for (unsigned int depth = 0; depth <= deepest; ++depth)
-      gauss_.emplace_back(std::min(n_points, std::max(min_points + depth, n_points) - depth));
+    rules_.emplace_back(n_points > 4 ? 2 * n_points - 4 : n_points, 1.);
+    for (unsigned int depth = 1; depth <= deepest; ++depth)
+      rules_.emplace_back(
+        std::max(std::min(n_points, min_points), n_points - std::min(n_points, depth / 2)), 1.);
   }
 
-  /** Adds a polygon: quadrilaterals are mapped from the square, other polygons split into
-   * triangles. */
+  /** Adds a polygon: a fan of triangles. */
   void add(const Polygon &polygon)
   {
-    if (polygon.size() == 4)
-      add(Quadrilateral{polygon[0], polygon[1], polygon[2], polygon[3]}, 0);
-    else
-      for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-        add(Quadrilateral{polygon[0], polygon[i], polygon[i + 1], polygon[0]}, 0);
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+      add({{polygon[0], polygon[i], polygon[i + 1]}}, 0);
   }
 
   std::vector<Point<2>> points;
   std::vector<double> weights;
 
 private:
-  /** The depth of the smallest pieces. A function like r^{1/2} is smooth on pieces that are small
-   * compared with their distance from the end; the smallest pieces hold a share of 2^{-3 deepest}
-   * of the integral of r. */
-  static constexpr unsigned int deepest = 9;
-  /** The number of points on the smallest pieces; where pieces are half as large, one point less
-   * has the same effect. */
+  using Triangle = std::array<Point<2>, 3>;
+
+  /** The number of bisections of the smallest pieces. A function like r^{1/2} is smooth on pieces
+   * that are small compared with their distance from the end; the smallest pieces hold a share of
+   * 2^{-3/2 deepest} of the integral of r. */
+  static constexpr unsigned int deepest = 18;
+  /** The number of points on the smallest pieces. */
   static constexpr unsigned int min_points = 5;
 
-  void add(const Quadrilateral &piece, const unsigned int depth)
+  void add(const Triangle &piece, const unsigned int depth)
   {
-    for (const Point<2> &end : ends_)
-      if (depth < deepest && 0.75 * piece.distance(end) < piece.diameter())
-      {
-        split(piece, depth);
-        return;
-      }
-    const Quadrature<2> &gauss = gauss_[depth];
-    for (unsigned int q = 0; q < gauss.size(); ++q)
+    // The longest edge, opposite to the vertex a.
+    unsigned int a = 0;
+    const auto edge = [&piece](const unsigned int opposite) {
+      return piece[(opposite + 1) % 3].distance(piece[(opposite + 2) % 3]);
+    };
+    for (const unsigned int v : {1, 2})
+      if (edge(v) > edge(a))
+        a = v;
+    const Point<2> &x = piece[a], &y = piece[(a + 1) % 3], &z = piece[(a + 2) % 3];
+    const Point<2> middle = y + 0.5 * (z - y);
+    // No point of the piece is farther from the middle of its longest edge than its vertices.
+    const double radius = std::max(0.5 * edge(a), middle.distance(x));
+    const auto is_near = [&](const Point<2> &end) {
+      return 0.75 * (end.distance(middle) - radius) < edge(a);
+    };
+    if (depth < deepest && std::any_of(ends_.begin(), ends_.end(), is_near))
     {
-      const double s = gauss.point(q)[0], t = gauss.point(q)[1];
-      points.push_back(piece.at(s, t));
-      weights.push_back(gauss.weight(q) * piece.jacobian(s, t));
+      add({{x, y, middle}}, depth + 1);
+      add({{x, middle, z}}, depth + 1);
+      return;
+    }
+    const Tensor<1, 2> s = y - x, t = z - x;
+    const double jacobian = std::abs(s[0] * t[1] - s[1] * t[0]);
+    const Quadrature<2> &rule = rules_[depth];
+    for (unsigned int q = 0; q < rule.size(); ++q)
+    {
+      points.push_back(x + rule.point(q)[0] * s + rule.point(q)[1] * t);
+      weights.push_back(rule.weight(q) * jacobian);
     }
   }
 
-  /** Splits long pieces into halves, others (and slivers, which hold next to nothing) into
-   * quarters. */
-  void split(const Quadrilateral &piece, const unsigned int depth)
-  {
-    constexpr double sliver = 1e-6;
-    const double length_s = piece.length_s(), length_t = piece.length_t();
-    const double longest = std::max(length_s, length_t), shortest = std::min(length_s, length_t);
-    const bool is_long = longest > 2. * shortest && shortest > sliver * longest;
-    if (is_long && length_s == longest)
-      for (const double s : {0., 0.5})
-        add_half(piece.part(s, 0., 0.5, 1.), shortest, depth);
-    else if (is_long)
-      for (const double t : {0., 0.5})
-        add_half(piece.part(0., t, 1., 0.5), shortest, depth);
-    else
-      quarter(piece, depth);
-  }
-  /**
-   * Adds a half of a long piece. The half at the tip of a triangle has its shape: like a quarter,
-   * it is a level deeper.
-   * @param width of the whole.
-   */
-  void add_half(const Quadrilateral &half, const double width, const unsigned int depth)
-  {
-    constexpr double half_of_width = 0.51;
-    const bool is_tip = std::min(half.length_s(), half.length_t()) < half_of_width * width;
-    add(half, is_tip ? depth + 1 : depth);
-  }
-  void quarter(const Quadrilateral &piece, const unsigned int depth)
-  {
-    for (const double s : {0., 0.5})
-      for (const double t : {0., 0.5})
-        add(piece.part(s, t, 0.5, 0.5), depth + 1);
-  }
-
-  /** The rule of every depth. */
-  std::vector<QGauss<2>> gauss_;
+  /** The rule of every depth, by Duffy's map. */
+  std::vector<QDuffy> rules_;
   std::vector<Point<2>> ends_;
 };
 
@@ -212,31 +155,21 @@ std::vector<Polygon> cut_cell(const Kinks<2> &kinks, const Triangulation<2>::cel
 } // namespace
 
 template <int dim>
-bool lines_cross(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell)
+bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell)
 {
   for (const KinkLine<dim> &line : kinks.lines())
   {
-    double lowest = 0., highest = 0.;
+    std::vector<double> distances;
     for (const unsigned int v : cell->vertex_indices())
-    {
-      const double distance = line.signed_distance(cell->vertex(v));
-      lowest = v == 0 ? distance : std::min(lowest, distance);
-      highest = v == 0 ? distance : std::max(highest, distance);
-    }
-    const double margin = Kinks<dim>::tolerance * (highest - lowest);
-    if (lowest < -margin && highest > margin)
+      distances.push_back(line.signed_distance(cell->vertex(v)));
+    const auto [lowest, highest] = std::minmax_element(distances.begin(), distances.end());
+    const double margin = Kinks<dim>::tolerance * (*highest - *lowest);
+    if (*lowest<-margin && * highest> margin)
       return true;
   }
-  return false;
+  return !ends_near(kinks, cell).empty();
 }
 
-template <int dim>
-bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell)
-{
-  return lines_cross(kinks, cell) || !ends_near(kinks, cell).empty();
-}
-
-template <>
 Quadrature<2> cut_quadrature(const Kinks<2> &kinks,
                              const Triangulation<2>::cell_iterator &cell,
                              const unsigned int n_points)
@@ -251,15 +184,6 @@ Quadrature<2> cut_quadrature(const Kinks<2> &kinks,
     rule.weights[q] /= jacobian(cell, rule.points[q]);
   }
   return Quadrature<2>(rule.points, rule.weights);
-}
-
-template <>
-Quadrature<3> cut_quadrature(const Kinks<3> & /*kinks*/,
-                             const Triangulation<3>::cell_iterator & /*cell*/,
-                             const unsigned int /*n_points*/)
-{
-  AssertThrow(false, ExcMessage("planes do not cut hexahedra yet"));
-  return Quadrature<3>();
 }
 
 Quadrature<1> split_quadrature(const Quadrature<1> &rule, const std::vector<double> &cuts)
@@ -284,8 +208,6 @@ std::vector<double> graded_positions(const double s, const double distance)
   return positions;
 }
 
-template bool lines_cross(const Kinks<2> &, const Triangulation<2>::cell_iterator &);
-template bool lines_cross(const Kinks<3> &, const Triangulation<3>::cell_iterator &);
 template bool needs_cuts(const Kinks<2> &, const Triangulation<2>::cell_iterator &);
 template bool needs_cuts(const Kinks<3> &, const Triangulation<3>::cell_iterator &);
 } // namespace Signorini

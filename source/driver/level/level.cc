@@ -15,24 +15,6 @@
 
 namespace Signorini
 {
-/** The record of a level, and the parts of its bound by cell. */
-struct Examination
-{
-  LevelRecord record;
-  /** The parts of the bound; empty if record.bound is empty. */
-  BoundFields bound_fields;
-};
-
-/** Computes what follows from U and P: β, the certificate, the answer, and the estimate and the
- * bound of the error, as far as they are wanted. Collective.
- * @param scene the scene after the motion of its plates. */
-template <int dim>
-Examination examine(const Parameters &parameters,
-                    const Discretization<dim> &discretization,
-                    const Scene<dim> &scene,
-                    const ContactState<dim> &contact,
-                    const Progress &progress);
-
 namespace
 {
 /** Releases factors, C and the system matrix, which take most of the memory, where nothing needs
@@ -50,31 +32,7 @@ void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &soluti
   if (!solves_later && !problem.parameters.output.lemmas)
     solution.system = nullptr;
 }
-} // namespace
 
-template <int dim>
-LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
-                               const Discretization<dim> &discretization,
-                               const ContactStart &start,
-                               const Progress &progress)
-{
-  const auto [parameters, scene, solvers] = problem;
-  const auto method = make_contact_method(parameters, scene, solvers);
-  LevelSolution<dim> solution;
-  ContactState<dim> &contact = solution;
-  contact = method->solve(discretization, start, progress);
-  solution.scene = with_plates_moved(scene, contact.modes.plate_motions(scene.plates, contact.q));
-  Examination found = examine(parameters, discretization, solution.scene, contact, progress);
-  solution.record = std::move(found.record);
-  solution.bound_fields = std::move(found.bound_fields);
-  release_unused(problem, solution);
-  return solution;
-}
-
-// The examination of the solution of one level.
-
-namespace
-{
 /** Returns the limit of Inf-sup constant = automatic. The constant needs a factorisation of its
  * own, which in 3-D costs more than the rest of the level from some thousand unknowns on. */
 constexpr unsigned int max_unknowns_of_automatic_inf_sup(const unsigned int dim)
@@ -234,24 +192,6 @@ LocatedBound bound_of(const Discretization<2> &discretization,
                                 energy});
 }
 
-/** Returns a record with the sizes of the level and the summary of the contact solver. */
-template <int dim>
-LevelRecord begin_record(const Discretization<dim> &discretization,
-                         const ContactState<dim> &contact,
-                         const Strategy strategy)
-{
-  LevelRecord record;
-  record.sizes = sizes_of(discretization, strategy);
-  record.times = contact.times;
-  record.times.mesh = discretization.times.mesh;
-  record.times.setup = discretization.times.setup;
-  record.linear = contact.linear;
-  record.dual = contact.report;
-  record.motions.undetermined = contact.undetermined;
-  record.contact = summarise_contact(discretization.multipliers, contact.P);
-  return record;
-}
-
 /** Adds the certificate, and the answer, which needs the same nodal forces. */
 template <int dim>
 void add_certificate_and_answer(const Discretization<dim> &discretization,
@@ -271,18 +211,25 @@ void add_certificate_and_answer(const Discretization<dim> &discretization,
   record.answer =
     compute_answer(space, scene, discretization.multipliers, forces, contact.U, contact.P);
 }
-} // namespace
 
+/** Computes what follows from U and P: β, the certificate, the answer, and the estimate and the
+ * bound of the error, as far as they are wanted. Collective. */
 template <int dim>
-Examination examine(const Parameters &parameters,
-                    const Discretization<dim> &discretization,
-                    const Scene<dim> &scene,
-                    const ContactState<dim> &contact,
-                    const Progress &progress)
+void examine(const Parameters &parameters,
+             const Discretization<dim> &discretization,
+             const Progress &progress,
+             LevelSolution<dim> &solution)
 {
-  Examination found = {begin_record(discretization, contact, parameters.discretization.strategy),
-                       {}};
-  LevelRecord &record = found.record;
+  const ContactState<dim> &contact = solution;
+  LevelRecord &record = solution.record;
+  record.sizes = sizes_of(discretization, parameters.discretization.strategy);
+  record.times = contact.times;
+  record.times.mesh = discretization.times.mesh;
+  record.times.setup = discretization.times.setup;
+  record.linear = contact.linear;
+  record.dual = contact.report;
+  record.motions.undetermined = contact.undetermined;
+  record.contact = summarise_contact(discretization.multipliers, contact.P);
   const StageTimer timer(record.times.postprocess);
   if (wants_inf_sup<dim>(parameters, contact))
   {
@@ -293,32 +240,38 @@ Examination examine(const Parameters &parameters,
                                      parameters.solver.linear_solver);
   }
   progress("certificate");
-  add_certificate_and_answer(discretization, scene, contact, record);
+  add_certificate_and_answer(discretization, solution.scene, contact, record);
   if (discretization.mesh.has_parents())
-    record.estimate = estimate_of(discretization, scene, contact);
+    record.estimate = estimate_of(discretization, solution.scene, contact);
   if constexpr (dim == 2)
     if (wants_bound(parameters.discretization, record.sizes.level))
     {
       progress("bound of the error");
       const StageTimer bound_timer(record.times.bound);
-      LocatedBound located = bound_of(discretization, scene, contact, record.certificate.energy);
+      LocatedBound located =
+        bound_of(discretization, solution.scene, contact, record.certificate.energy);
       record.bound = located.bound;
-      found.bound_fields = std::move(located.fields);
+      solution.bound_fields = std::move(located.fields);
     }
   subtract_work_of_plates(record);
-  return found;
 }
+} // namespace
 
-template Examination examine(const Parameters &,
-                             const Discretization<2> &,
-                             const Scene<2> &,
-                             const ContactState<2> &,
-                             const Progress &);
-template Examination examine(const Parameters &,
-                             const Discretization<3> &,
-                             const Scene<3> &,
-                             const ContactState<3> &,
-                             const Progress &);
+template <int dim>
+LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
+                               const Discretization<dim> &discretization,
+                               const ContactStart &start,
+                               const Progress &progress)
+{
+  const auto [parameters, scene, solvers] = problem;
+  const auto method = make_contact_method(parameters, scene, solvers);
+  LevelSolution<dim> solution;
+  static_cast<ContactState<dim> &>(solution) = method->solve(discretization, start, progress);
+  solution.scene = with_plates_moved(scene, solution.modes.plate_motions(scene.plates, solution.q));
+  examine(parameters, discretization, progress, solution);
+  release_unused(problem, solution);
+  return solution;
+}
 
 // The errors against the exact solution.
 
@@ -358,23 +311,17 @@ void add_errors(const Parameters &parameters,
                                             n_points);
 }
 
-template void add_errors(const Parameters &,
-                         const Scene<2> &,
-                         const Discretization<2> &,
-                         const ExactPressure<2> *,
-                         LevelSolution<2> &);
-template void add_errors(const Parameters &,
-                         const Scene<3> &,
-                         const Discretization<3> &,
-                         const ExactPressure<3> *,
-                         LevelSolution<3> &);
-
-template LevelSolution<2> solve_level(const LevelProblem<2> &,
-                                      const Discretization<2> &,
-                                      const ContactStart &,
-                                      const Progress &);
-template LevelSolution<3> solve_level(const LevelProblem<3> &,
-                                      const Discretization<3> &,
-                                      const ContactStart &,
-                                      const Progress &);
+#define INSTANTIATE(dim)                                                                           \
+  template void add_errors(const Parameters &,                                                     \
+                           const Scene<dim> &,                                                     \
+                           const Discretization<dim> &,                                            \
+                           const ExactPressure<dim> *,                                             \
+                           LevelSolution<dim> &);                                                  \
+  template LevelSolution<dim> solve_level(const LevelProblem<dim> &,                               \
+                                          const Discretization<dim> &,                             \
+                                          const ContactStart &,                                    \
+                                          const Progress &);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

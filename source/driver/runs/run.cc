@@ -14,17 +14,18 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <limits>
+#include <iterator>
 #include <set>
+#include <sstream>
 #include <unistd.h>
-#include <variant>
 
 namespace Signorini
 {
 Screen::Screen(MPI_Comm communicator)
-  : speaks_(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+  : speaks_(Utilities::MPI::this_mpi_process(communicator) == 0)
   , silence_(nullptr)
 {
 }
@@ -66,17 +67,15 @@ std::string name_file(const std::string &message, const std::string &file_name)
   return named ? message : file_name + ": " + message;
 }
 
-/** Returns whether a file can be read here, and has another content than on the first rank. */
-bool differs(const std::string &file_name, const std::string &text)
+/** Returns the names of the ranks that read another text from a file than the first rank, on
+ * several machines. Ranks that cannot read it are left out. Collective. */
+std::string ranks_with_another(const std::string &file_name, MPI_Comm communicator)
 {
-  try
-  {
-    return read_text_file(file_name) != text;
-  }
-  catch (const InputError &)
-  {
-    return false;
-  }
+  std::ifstream file(file_name, std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::size_t digest = file.is_open() ? std::hash<std::string>()(text) : 0;
+  const std::size_t of_first = Utilities::MPI::broadcast(communicator, digest);
+  return list_ranks(communicator, digest != of_first && digest != 0 && of_first != 0);
 }
 
 /** Returns the text without the comments in front, in which a run describes its scene. */
@@ -101,62 +100,47 @@ std::vector<std::filesystem::path> inputs_of(const RunInput &input, const Parame
   return inputs;
 }
 
-template <int dim>
-RunSummary study_scene(const Parameters &parameters,
-                       const Scene<dim> &scene,
-                       const RunInput &input,
-                       MPI_Comm communicator,
-                       Screen &screen)
+bool is_first_rank(MPI_Comm communicator)
 {
-  const StudyResult<dim> result =
-    run_study(parameters, scene, communicator, {screen.out(), input.directory, screen.progress()});
-  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    describe_interruption("after the last level; the results are complete.");
-  if (!result.verdict.reason.empty())
-    screen.complain(result.verdict.reason);
-  RunSummary summary = {
-    result.verdict.is_certified() ? 0 : 2, word_for(result.verdict.outcome), {}};
-  if (!result.levels.empty())
-    summary.finest = result.levels.back();
-  return summary;
+  return Utilities::MPI::this_mpi_process(communicator) == 0;
 }
 
-/** Runs a scene. @throws InputError for wrong input. */
-RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &screen)
+/** Returns the parameters of a run. @throws InputError */
+Parameters parameters_of(const RunInput &input)
 {
-  const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-  Parameters parameters;
-  std::variant<Scene<2>, Scene<3>> scene;
-  agree(communicator, [&]() {
-    parameters = parse_parameters(input.text,
-                                  input.name,
-                                  input.overrides,
-                                  std::filesystem::path(input.file_name).parent_path().string());
-  });
-  GeometryParameters &geometry = parameters.geometry;
-  agree(communicator, [&]() {
-    if (first_rank && geometry.shape == Shape::file)
-      geometry.mesh = read_mesh_file(geometry);
-  });
-  geometry.mesh = dealii::Utilities::MPI::broadcast(communicator, geometry.mesh);
-  agree(communicator, [&]() {
-    if (dimension_of(parameters) == 2)
-      scene = make_scene<2>(parameters);
-    else
-      scene = make_scene<3>(parameters);
-  });
+  return parse_parameters(input.text,
+                          input.name,
+                          input.overrides,
+                          std::filesystem::path(input.file_name).parent_path().string());
+}
+
+/** Runs the scene of some parameters. @throws InputError for wrong input. */
+template <int dim>
+RunSummary run_parameters(const Parameters &parameters,
+                          const RunInput &input,
+                          MPI_Comm communicator,
+                          Screen &screen)
+{
+  Scene<dim> scene;
+  agree(communicator, [&]() { scene = make_scene<dim>(parameters); });
   std::optional<ResultsDirectory> results;
   agree(communicator, [&]() {
-    if (first_rank)
+    if (is_first_rank(communicator))
       results.emplace(input.directory, inputs_of(input, parameters));
   });
   try
   {
-    return std::visit(
-      [&](const auto &dim_constant) {
-        return study_scene(parameters, dim_constant, input, communicator, screen);
-      },
-      scene);
+    const StudyResult<dim> result = run_study(
+      parameters, scene, communicator, {screen.out(), input.directory, screen.progress()});
+    if (is_first_rank(communicator))
+      describe_interruption("after the last level; the results are complete.");
+    if (!result.verdict.reason.empty())
+      screen.complain(result.verdict.reason);
+    RunSummary summary = {
+      result.verdict.is_certified() ? 0 : 2, word_for(result.verdict.outcome), {}};
+    if (!result.levels.empty())
+      summary.finest = result.levels.back();
+    return summary;
   }
   catch (const InputError &error)
   {
@@ -166,6 +150,21 @@ RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &scre
     throw InputError(name_file(error.what(), parameters.file_name));
   }
 }
+
+/** Runs a scene. @throws InputError for wrong input. */
+RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &screen)
+{
+  Parameters parameters;
+  agree(communicator, [&]() { parameters = parameters_of(input); });
+  GeometryParameters &geometry = parameters.geometry;
+  agree(communicator, [&]() {
+    if (is_first_rank(communicator) && geometry.shape == Shape::file)
+      geometry.mesh = read_mesh_file(geometry);
+  });
+  geometry.mesh = Utilities::MPI::broadcast(communicator, geometry.mesh);
+  return dimension_of(parameters) == 2 ? run_parameters<2>(parameters, input, communicator, screen)
+                                       : run_parameters<3>(parameters, input, communicator, screen);
+}
 } // namespace
 
 RunInput read_input(const std::string &file_name,
@@ -174,15 +173,13 @@ RunInput read_input(const std::string &file_name,
                     MPI_Comm communicator,
                     const Screen &screen)
 {
-  const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
   RunInput input = {file_name, shorten_path(file_name), "", overrides, directory, {}};
   agree(communicator, [&]() {
-    if (first_rank)
+    if (is_first_rank(communicator))
       input.text = read_text_file(file_name);
   });
-  input.text = dealii::Utilities::MPI::broadcast(communicator, input.text);
-  const std::string others =
-    list_ranks(communicator, !first_rank && differs(file_name, input.text));
+  input.text = Utilities::MPI::broadcast(communicator, input.text);
+  const std::string others = ranks_with_another(file_name, communicator);
   if (!others.empty())
     screen.complain(input.name + ": another text is found on " + others +
                     " than on the first rank, whose text all of them use.");
@@ -214,7 +211,7 @@ RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &
 
 RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen)
 {
-  if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+  if (is_first_rank(communicator))
     describe_interruption("before the first level.");
   // Every rank has the same input and throws the same errors; agree() ensures the rest.
   return tell_errors(screen, [&]() { return try_to_run(input, communicator, screen); });
@@ -263,10 +260,14 @@ constexpr SweepColumn sweep_columns[] = {{"level", "level", "level"},
                                          {"bound", "bound", "bound_relative"},
                                          {"seconds", "seconds", "t_total"}};
 
-std::optional<double> number(const RunSummary &run, const SweepColumn &column)
+/** The form of numbers and texts in a table. */
+struct TableStyle
 {
-  return run.finest ? value(*run.finest, column.level_column) : std::nullopt;
-}
+  const char *SweepColumn::*title;
+  int precision;
+  const char *missing;
+  std::string (*text)(const std::string &);
+};
 
 /** Returns a field of a CSV file: in quotation marks if it contains a comma. */
 std::string csv_field(const std::string &text)
@@ -274,64 +275,57 @@ std::string csv_field(const std::string &text)
   return text.find(',') == std::string::npos ? text : '"' + text + '"';
 }
 
-void write_sweep_csv(std::ostream &stream,
-                     const std::vector<Sweep> &sweeps,
-                     const std::vector<SweepPoint> &points,
-                     const std::vector<RunSummary> &runs)
+constexpr TableStyle csv_style = {&SweepColumn::name, 16, "", csv_field};
+constexpr TableStyle screen_style = {&SweepColumn::title, 5, "-", shorten};
+
+/** Returns a row of titles, and a row for each run. */
+std::vector<std::vector<std::string>> sweep_table(const std::vector<Sweep> &sweeps,
+                                                  const std::vector<SweepPoint> &points,
+                                                  const std::vector<RunSummary> &runs,
+                                                  const TableStyle &style)
 {
+  std::vector<std::vector<std::string>> rows(1 + runs.size());
   for (const Sweep &sweep : sweeps)
-    stream << csv_field(sweep.parameter) << ",";
+    rows[0].push_back(sweep.parameter);
   for (const SweepColumn &column : sweep_columns)
-    stream << column.name << ",";
-  stream << "verdict\n" << std::setprecision(16);
+    rows[0].emplace_back(column.*style.title);
+  rows[0].emplace_back("verdict");
   for (std::size_t i = 0; i < runs.size(); ++i)
   {
+    std::vector<std::string> &row = rows[1 + i];
     for (const std::string &value : points[i].values)
-      stream << csv_field(value) << ",";
+      row.push_back(style.text(value));
     for (const SweepColumn &column : sweep_columns)
     {
-      if (const std::optional<double> x = number(runs[i], column))
-        stream << *x;
-      stream << ",";
+      std::ostringstream number;
+      const auto x = runs[i].finest ? value(*runs[i].finest, column.level_column) : std::nullopt;
+      if (x)
+        number << std::setprecision(style.precision) << *x;
+      row.push_back(x ? number.str() : style.missing);
     }
-    stream << runs[i].verdict << "\n";
+    row.push_back(runs[i].verdict);
   }
+  return rows;
 }
 
-void print_sweep(std::ostream &screen,
-                 const std::vector<Sweep> &sweeps,
-                 const std::vector<SweepPoint> &points,
-                 const std::vector<RunSummary> &runs)
+/** Prints aligned columns, @p n_left of them on the left. */
+void print_table(std::ostream &screen,
+                 const std::vector<std::vector<std::string>> &rows,
+                 const std::size_t n_left)
 {
-  std::vector<int> widths;
-  for (std::size_t k = 0; k < sweeps.size(); ++k)
-  {
-    std::size_t width = sweeps[k].parameter.size();
-    for (const SweepPoint &point : points)
-      width = std::max(width, shorten(point.values[k]).size());
-    widths.push_back(static_cast<int>(width));
-  }
+  std::vector<std::size_t> widths(n_left);
+  for (const std::vector<std::string> &row : rows)
+    for (std::size_t k = 0; k < n_left; ++k)
+      widths[k] = std::max(widths[k], row[k].size());
   screen << "\n";
-  for (std::size_t k = 0; k < sweeps.size(); ++k)
-    screen << std::left << std::setw(widths[k]) << sweeps[k].parameter << "  ";
-  screen << std::right;
-  for (const SweepColumn &column : sweep_columns)
-    screen << std::setw(11) << column.title;
-  screen << "  verdict\n";
-  for (std::size_t i = 0; i < runs.size(); ++i)
+  for (const std::vector<std::string> &row : rows)
   {
-    for (std::size_t k = 0; k < sweeps.size(); ++k)
-      screen << std::left << std::setw(widths[k]) << shorten(points[i].values[k]) << "  ";
-    screen << std::right;
-    for (const SweepColumn &column : sweep_columns)
-    {
-      screen << std::setw(11);
-      if (const std::optional<double> x = number(runs[i], column))
-        screen << std::setprecision(5) << *x;
+    for (std::size_t k = 0; k + 1 < row.size(); ++k)
+      if (k < n_left)
+        screen << std::left << std::setw(static_cast<int>(widths[k])) << row[k] << "  ";
       else
-        screen << "-";
-    }
-    screen << "  " << runs[i].verdict << "\n";
+        screen << std::right << std::setw(11) << row[k];
+    screen << "  " << row.back() << "\n";
   }
   screen << std::flush;
 }
@@ -403,16 +397,8 @@ RunSummary run_sweep(const RunInput &input,
   std::vector<std::filesystem::path> inputs = input.others;
   inputs.emplace_back(input.file_name);
   for (const SweepPoint &point : points)
-  {
-    const RunInput one = input_at(input, sweeps, point);
-    const Parameters parameters =
-      parse_parameters(one.text,
-                       one.name,
-                       one.overrides,
-                       std::filesystem::path(one.file_name).parent_path().string());
-    inputs.emplace_back(parameters.geometry.file.value);
-  }
-  const bool first_rank = dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
+    inputs.emplace_back(parameters_of(input_at(input, sweeps, point)).geometry.file.value);
+  const bool first_rank = is_first_rank(communicator);
   std::optional<ResultsDirectory> results;
   agree(communicator, [&]() {
     if (first_rank)
@@ -434,13 +420,15 @@ RunSummary run_sweep(const RunInput &input,
       runs.begin(), runs.end(), [](const RunSummary &run) { return run.finest.has_value(); });
     agree(communicator, [&]() {
       if (first_rank && solved)
-        write_file(input.directory / table_name,
-                   [&](std::ostream &stream) { write_sweep_csv(stream, sweeps, points, runs); });
+        write_file(input.directory / table_name, [&](std::ostream &stream) {
+          for (const auto &row : sweep_table(sweeps, points, runs, csv_style))
+            stream << join(row, ",") << "\n";
+        });
     });
   }
   if (results)
     results->remove_if_empty();
-  print_sweep(screen.out(), sweeps, points, runs);
+  print_table(screen.out(), sweep_table(sweeps, points, runs, screen_style), sweeps.size());
   return worst;
 }
 } // namespace Signorini

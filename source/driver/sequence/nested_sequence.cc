@@ -112,24 +112,26 @@ private:
     start.P = transfer_pressure<dim>(pressure_, discretization.surface.patches());
     start.scale = scale_;
     start.relative_error = relative_error_;
-    if (displacement_)
-      start.U = displacement_->at_nodes_of(discretization.space);
-    displacement_.reset();
+    if (coarse_ != nullptr)
+      start.U = carry_over(coarse_->space, coarse_U_, discretization.space);
+    coarse_.reset();
+    coarse_U_ = Displacement();
     return start;
   }
 
   void keep_for_next(const LevelResult<dim> &result)
   {
-    const Discretization<dim> &discretization = *result.discretization;
     const LevelSolution<dim> &solution = result.solution;
     pressure_ = result.pressure();
     scale_ = solution.cycles ? solution.cycles->scale : 0.;
     relative_error_ = {};
     if (solution.record.estimate)
       relative_error_ = solution.record.estimate->relative;
-    if (solvers_of(discretization.mesh.level() + 1).is_by_cycles())
-      displacement_ =
-        std::make_unique<const CoarseDisplacement<dim>>(discretization.space, solution.U);
+    if (solvers_of(result.discretization->mesh.level() + 1).is_by_cycles())
+    {
+      coarse_ = result.discretization;
+      coarse_U_ = solution.U;
+    }
   }
 
   StudyContext<dim> context_;
@@ -140,8 +142,9 @@ private:
   std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
   unsigned int next_level_;
   PatchPressure<dim> pressure_;
-  /** The displacement of the last level, if V-cycles find contact; else null. */
-  std::unique_ptr<const CoarseDisplacement<dim>> displacement_;
+  /** The last level and its displacement, if V-cycles find contact on the next one; else null. */
+  std::shared_ptr<const Discretization<dim>> coarse_;
+  Displacement coarse_U_;
   /** The scale and the estimated error of the last level, see ContactStart. */
   double scale_ = 0.;
   std::optional<double> relative_error_;

@@ -3,6 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/parallel.h>
+#include <signorini/base/text.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/driver/study/study.h>
 #include <signorini/problem/parameters/parameters.h>
@@ -21,13 +22,6 @@
 
 namespace Signorini
 {
-/** Returns whether Strategy = hp solves such scenes: 2-D bodies, serial runs. */
-template <int dim>
-bool can_be_graded(const unsigned int n_ranks)
-{
-  return dim == 2 && n_ranks == 1;
-}
-
 /**
  * Refuses settings that contradict the scene or the number of ranks: a linear solver that needs a
  * serial run, and a coarsest level with sides that end inside faces.
@@ -73,7 +67,7 @@ public:
               parameters.solver.tolerated_error,
               target_error(parameters.discretization),
               parameters.discretization.target_error > 0.,
-              can_be_graded<dim>(n_ranks_),
+              dim == 2 && n_ranks_ == 1,
               dim == 2})
     , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_}))
     , writer_(parameters, judge_, scene.description, report.directory, communicator)
@@ -130,10 +124,10 @@ private:
     if (level.is_last)
       solve_cases(level, progress);
     progress("output");
-    timed(record.times.output, [&]() {
+    {
+      const StageTimer timer(record.times.output);
       writer_.write_fields(scene_, level);
-      return true;
-    });
+    }
     record.resources = measure_resources();
     report_.progress("");
     std::vector<LevelRecord> &levels = result_.levels;
@@ -201,32 +195,36 @@ run_study(const Parameters &, const Scene<3> &, MPI_Comm, const StudyReport &);
 
 namespace
 {
-/** Refuses serial options of a solver on several ranks. @throws InputError */
+/** @throws InputError which states the option that was found and the others that are allowed. */
 template <typename Option>
-void require_one_rank(const Given<Option> &solver,
+void refuse(const Given<Option> &found, const std::string &context, const std::string &allowed)
+{
+  throw InputError(found.where() + ": found '" + to_text(found.value) + "' " + context +
+                   ", allowed " + allowed + ".");
+}
+
+/** Refuses serial options on several ranks. @throws InputError */
+template <typename Option>
+void require_one_rank(const Given<Option> &given,
                       const std::vector<Option> &serial_options,
                       const unsigned int n_ranks)
 {
-  const auto needs_one_rank = [&](const Option value) {
+  const auto is_serial = [&](const Option value) {
     return std::find(serial_options.begin(), serial_options.end(), value) != serial_options.end();
   };
-  if (!needs_one_rank(solver) || n_ranks == 1)
-    return;
-  std::string allowed;
+  std::vector<std::string> allowed;
   for (const auto &[other, name] : option_names<Option>())
-    if (!needs_one_rank(other))
-      allowed += (allowed.empty() ? "" : ", ") + name;
-  throw InputError(solver.where() + ": found '" + to_text(solver.value) + "' on " +
-                   std::to_string(n_ranks) + " processes, allowed on several: " + allowed + ".");
+    if (!is_serial(other))
+      allowed.push_back(name);
+  if (n_ranks > 1 && is_serial(given))
+    refuse(given, "on " + std::to_string(n_ranks) + " processes", "on several: " + join(allowed));
 }
 
-template <int dim>
-void check_strategy(const Given<Strategy> &strategy, const unsigned int n_ranks)
+/** Returns "with NAME 'option'". */
+template <typename Option>
+std::string with(const std::string &name, const Given<Option> &option)
 {
-  if (strategy == Strategy::hp && !can_be_graded<dim>(n_ranks))
-    throw InputError(strategy.where() + ": found '" + to_text(strategy.value) + "' on " +
-                     std::to_string(n_ranks) +
-                     " processes, allowed on several: " + to_text(Strategy::nested) + ".");
+  return "with " + name + " '" + to_text(option.value) + "'";
 }
 
 /** Refuses V-cycles for contact with another linear solver, or with several loads.
@@ -239,12 +237,9 @@ void check_contact_solver(const Parameters &parameters, const Scene<dim> &scene)
   if (solver != ContactSolver::multigrid)
     return;
   if (linear != LinearSolver::multigrid && linear != LinearSolver::automatic)
-    throw InputError(linear.where() + ": found '" + to_text(linear.value) +
-                     "' with Contact solver '" + to_text(solver.value) +
-                     "', allowed with it: automatic, multigrid.");
+    refuse(linear, with("Contact solver", solver), "with it: automatic, multigrid");
   if (!scene.load_cases.empty())
-    throw InputError(solver.where() + ": found '" + to_text(solver.value) +
-                     "' with load cases, allowed with them: psor, active set.");
+    refuse(solver, "with load cases", "with them: psor, active set");
 }
 
 /** Refuses multigrid for meshes that are not nested, for Q2, and where a matrix is to be written.
@@ -255,20 +250,16 @@ void check_multigrid(const Given<Option> &solver,
                      const std::string &allowed,
                      const Parameters &parameters)
 {
+  const DiscretizationParameters &given = parameters.discretization;
   if (solver != Option::multigrid)
     return;
-  const Given<Strategy> &strategy = parameters.discretization.strategy;
-  if (strategy == Strategy::hp)
-    throw InputError(solver.where() + ": found '" + to_text(solver.value) + "' with Strategy '" +
-                     to_text(strategy.value) + "', allowed with it: " + allowed + ".");
-  const Given<Element> &element = parameters.discretization.element;
-  if (element == Element::q2)
-    throw InputError(solver.where() + ": found '" + to_text(solver.value) + "' with Element '" +
-                     to_text(element.value) + "', allowed with it: " + allowed + ".");
+  if (given.strategy == Strategy::hp)
+    refuse(solver, with("Strategy", given.strategy), "with it: " + allowed);
+  if (given.element == Element::q2)
+    refuse(solver, with("Element", given.element), "with it: " + allowed);
   if (parameters.output.compliance)
-    throw InputError(parameters.output.compliance.where() + ": found 'true' with " + name + " '" +
-                     to_text(solver.value) +
-                     "', which assembles no matrix, allowed with it: false.");
+    throw InputError(parameters.output.compliance.where() + ": found 'true' " + with(name, solver) +
+                     ", which assembles no matrix, allowed with it: false.");
 }
 
 /** Refuses a coarsest level on which sides end inside faces. Most scenes number their boundary on
@@ -296,9 +287,8 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_C
   require_one_rank(parameters.solver.contact_solver, {ContactSolver::multigrid}, n_ranks);
   if (const auto &linear = parameters.solver.linear_solver;
       dim == 3 && linear == LinearSolver::amesos_klu)
-    throw InputError(linear.where() + ": found '" + to_text(linear.value) +
-                     "' in 3-D, allowed there: automatic, condensed, amesos_mumps, multigrid.");
-  check_strategy<dim>(parameters.discretization.strategy, n_ranks);
+    refuse(linear, "in 3-D", "there: automatic, condensed, amesos_mumps, multigrid");
+  require_one_rank(parameters.discretization.strategy, {Strategy::hp}, n_ranks);
   check_contact_solver(parameters, scene);
   check_multigrid(
     parameters.solver.linear_solver, "Linear solver", "automatic, condensed", parameters);

@@ -9,22 +9,36 @@
 
 namespace Signorini
 {
-namespace
+std::vector<std::vector<SideNode>> alternations(const SideNodes &side)
 {
-/** Returns the nodes around a closed side, the first one again at the end; they begin where two
- * neighbours are of the same kind, if there are such. */
-std::vector<SideNode> once_around(const SideNodes &side)
-{
-  const std::size_t n = side.nodes.size();
-  std::size_t first = 0;
-  while (first + 1 < n && side.nodes[first].presses != side.nodes[(first + n - 1) % n].presses)
-    ++first;
-  std::vector<SideNode> nodes;
-  for (std::size_t i = first; i <= first + n; ++i)
-    nodes.push_back({side.nodes[i % n].s + (i < n ? 0. : side.length), side.nodes[i % n].presses});
-  return nodes;
+  const auto same_kind = [](const SideNode &a, const SideNode &b) {
+    return a.presses == b.presses;
+  };
+  std::vector<SideNode> nodes = side.nodes;
+  if (side.closed)
+  {
+    const auto same = std::adjacent_find(nodes.begin(), nodes.end(), same_kind);
+    if (same != nodes.end())
+    {
+      for (auto node = nodes.begin(); node <= same; ++node)
+        node->s += side.length;
+      std::rotate(nodes.begin(), same + 1, nodes.end());
+    }
+    nodes.push_back({nodes.front().s + side.length, nodes.front().presses});
+  }
+  std::vector<std::vector<SideNode>> runs;
+  for (auto first = nodes.begin(), last = first; first != nodes.end(); first = last)
+  {
+    last = std::adjacent_find(first, nodes.end(), same_kind);
+    last += last == nodes.end() ? 0 : 1;
+    if (last - first > 1)
+      runs.emplace_back(first, last);
+  }
+  return runs;
 }
 
+namespace
+{
 /** An end of contact, and whether contact begins or ends there. */
 struct Change
 {
@@ -32,32 +46,10 @@ struct Change
   bool begins;
 };
 
-/** Returns the change between nodes i and j, the second of which presses if contact begins. */
-Change between(const std::vector<SideNode> &nodes, const std::size_t i, const std::size_t j)
+/** Returns the change between two nodes, the second of which presses if contact begins. */
+Change between(const SideNode &first, const SideNode &second)
 {
-  return {{0.5 * (nodes[i].s + nodes[j].s), 0.5 * (nodes[j].s - nodes[i].s)}, nodes[j].presses};
-}
-
-std::vector<Change> find_changes(const std::vector<SideNode> &nodes)
-{
-  std::vector<Change> changes;
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-  {
-    const std::size_t first = i;
-    while (i + 1 < nodes.size() && nodes[i].presses != nodes[i + 1].presses)
-      ++i;
-    if (i == first)
-      continue;
-    // From here on nodes i and i + 1 are of the same kind.
-    if (nodes[first].presses != nodes[i].presses)
-      changes.push_back(between(nodes, first, i));
-    else
-    {
-      changes.push_back(between(nodes, first, first + 1));
-      changes.push_back(between(nodes, i - 1, i));
-    }
-  }
-  return changes;
+  return {{0.5 * (first.s + second.s), 0.5 * (second.s - first.s)}, second.presses};
 }
 
 std::vector<PressedInterval> intervals_of(const SideNodes &side)
@@ -67,14 +59,20 @@ std::vector<PressedInterval> intervals_of(const SideNodes &side)
     return {};
   if (std::all_of(side.nodes.begin(), side.nodes.end(), presses))
     return {{side.number, {0., 0.}, {side.length, 0.}}};
-  std::vector<Change> changes = find_changes(side.closed ? once_around(side) : side.nodes);
+  std::vector<Change> changes;
+  for (const std::vector<SideNode> &run : alternations(side))
+    if (run.front().presses != run.back().presses)
+      changes.push_back(between(run.front(), run.back()));
+    else
+    {
+      changes.push_back(between(run[0], run[1]));
+      changes.push_back(between(run[run.size() - 2], run.back()));
+    }
   if (side.closed && !changes.front().begins)
   {
     // The interval that contains the first node.
-    Change last = changes.front();
-    last.end.s += side.length;
-    changes.erase(changes.begin());
-    changes.push_back(last);
+    std::rotate(changes.begin(), changes.begin() + 1, changes.end());
+    changes.back().end.s += side.length;
   }
   if (!side.closed && side.nodes.front().presses)
     changes.insert(changes.begin(), {{0., 0.}, true});
@@ -137,81 +135,6 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const Pressu
   return summary;
 }
 
-template <>
-RecoveredPressure<2>::RecoveredPressure(const MultiplierSpace<2> &space, const Pressure &P)
-  : space_(space)
-  , surface_(space.surface())
-  , P_(P)
-{
-  for (unsigned int tau = 0; tau < surface_.patches().size(); ++tau)
-    means_.push_back(space.value(P, tau, surface_.patches()[tau].centre()));
-}
-
-template <>
-RecoveredPressure<2>::Neighbour RecoveredPressure<2>::neighbour(const unsigned int patch,
-                                                                const int step) const
-{
-  const std::vector<Patch<2>> &patches = surface_.patches();
-  const auto on_side = [&](const int t) {
-    return t >= 0 && t < static_cast<int>(patches.size()) && patches[t].side == patches[patch].side;
-  };
-  int next = static_cast<int>(patch) + step;
-  const Side<2> &side = surface_.side(patches[patch]);
-  // Beyond a corner, the pressure is that of another direction.
-  const bool has_corner =
-    side.has_corner(step > 0 ? patches[patch].upper[0] : patches[patch].lower[0]);
-  if (on_side(next) && !has_corner)
-    return {static_cast<unsigned int>(next), patches[next].centre()[0]};
-  if (!side.is_closed() || has_corner)
-    return {patch, patches[patch].centre()[0]};
-  // Around a closed side, this is the patch at the other end of the list.
-  for (next = static_cast<int>(patch); on_side(next - step);)
-    next -= step;
-  return {static_cast<unsigned int>(next), patches[next].centre()[0] + step * side.length()};
-}
-
-template <>
-double RecoveredPressure<2>::operator()(const unsigned int patch, const Point<1> &s) const
-{
-  if (!space_.is_piecewise_constant())
-    return std::min(0., space_.value(P_, patch, s));
-  const double middle = surface_.patches()[patch].centre()[0];
-  const int step = s[0] < middle ? -1 : 1;
-  Neighbour next = neighbour(patch, step);
-  if (next.patch == patch)
-    next = neighbour(patch, -step);
-  if (next.patch == patch)
-    return means_[patch];
-  const double slope = (means_[next.patch] - means_[patch]) / (next.middle - middle);
-  return std::min(0., means_[patch] + slope * (s[0] - middle));
-}
-
-template <>
-Pressure transfer_pressure(const PatchPressure<2> &from, const std::vector<Patch<2>> &to)
-{
-  const std::vector<Patch<2>> &patches = from.patches;
-  Pressure transferred(to.size());
-  std::size_t first = 0;
-  for (std::size_t t = 0; t < to.size(); ++t)
-  {
-    const double start = to[t].lower[0], end = to[t].upper[0];
-    const auto before = [&](const Patch<2> &patch) {
-      return patch.side < to[t].side || (patch.side == to[t].side && patch.upper[0] <= start);
-    };
-    while (first < patches.size() && before(patches[first]))
-      ++first;
-    for (std::size_t k = first;
-         k < patches.size() && patches[k].side == to[t].side && patches[k].lower[0] < end;
-         ++k)
-    {
-      const double overlap =
-        std::min(patches[k].upper[0], end) - std::max(patches[k].lower[0], start);
-      transferred[t] += std::max(overlap, 0.) / to[t].measure * from.P[k];
-    }
-  }
-  return transferred;
-}
-
 Columns<ContactSummary> ContactSummary::columns()
 {
   return {{"active", &ContactSummary::active},
@@ -220,35 +143,45 @@ Columns<ContactSummary> ContactSummary::columns()
           {"contact_length", &ContactSummary::length}};
 }
 
-template ContactSummary summarise_contact(const MultiplierSpace<2> &, const Pressure &);
-template ContactSummary summarise_contact(const MultiplierSpace<3> &, const Pressure &);
+template <int dim>
+RecoveredPressure<dim>::RecoveredPressure(const MultiplierSpace<dim> &space, const Pressure &P)
+  : space_(space)
+  , P_(P)
+  , neighbours_(space.surface().neighbours())
+{
+  const std::vector<Patch<dim>> &patches = space.surface().patches();
+  for (unsigned int tau = 0; tau < patches.size(); ++tau)
+    means_.push_back(space.value(P, tau, patches[tau].centre()));
+}
 
-// p_H on rectangles: bilinear recovery, transfer between partitions.
+template <int dim>
+double RecoveredPressure<dim>::operator()(const unsigned int patch, const Point<dim - 1> &s) const
+{
+  if (!space_.is_piecewise_constant())
+    return std::min(0., space_.value(P_, patch, s));
+  return std::min(0., interpolate(patch, s, dim - 1));
+}
+
+template <int dim>
+double RecoveredPressure<dim>::interpolate(const unsigned int patch,
+                                           const Point<dim - 1> &s,
+                                           const unsigned int n_directions) const
+{
+  if (n_directions == 0)
+    return means_[patch];
+  const unsigned int d = n_directions - 1;
+  const double middle = space_.surface().patches()[patch].centre()[d];
+  const auto &[before, after] = neighbours_[patch][d];
+  const std::optional<Neighbour> &next = (s[d] < middle && before) || !after ? before : after;
+  const double here = interpolate(patch, s, d);
+  if (!next)
+    return here;
+  const double share = (s[d] - middle) / (next->middle() - middle);
+  return here + share * (interpolate(next->patch, s, d) - here);
+}
 
 namespace
 {
-/** A position between the centres of two intervals: the numbers of both, and the share of the
- * second. The share is negative beyond the first one. */
-struct BetweenCentres
-{
-  unsigned int first, second;
-  double share;
-};
-
-/** Returns the position of a point between the centre of interval @p i and that of the next one on
- * its side. */
-BetweenCentres
-between_centres(const PatchGrid &grid, const unsigned int d, const unsigned int i, const double s)
-{
-  const unsigned int n = grid.n(d);
-  if (n == 1)
-    return {i, i, 0.};
-  const double middle = grid.middle(d, i);
-  const bool before = i + 1 == n || (i > 0 && s < middle);
-  const unsigned int next = before ? i - 1 : i + 1;
-  return {i, next, (s - middle) / (grid.middle(d, next) - middle)};
-}
-
 /** The part of an interval that another one covers. */
 struct Overlap
 {
@@ -277,38 +210,8 @@ std::vector<std::vector<Overlap>> overlaps(const std::vector<double> &from,
 }
 } // namespace
 
-template <>
-RecoveredPressure<3>::RecoveredPressure(const MultiplierSpace<3> &space, const Pressure &P)
-  : space_(space)
-  , surface_(space.surface())
-  , P_(P)
-  , grids_(patch_grids(space.surface().patches()))
-  , places_(space.surface().patches().size())
-{
-  for (unsigned int tau = 0; tau < surface_.patches().size(); ++tau)
-    means_.push_back(space.value(P, tau, surface_.patches()[tau].centre()));
-  for (unsigned int g = 0; g < grids_.size(); ++g)
-    for (unsigned int j = 0; j < grids_[g].n(1); ++j)
-      for (unsigned int i = 0; i < grids_[g].n(0); ++i)
-        places_[grids_[g].at(i, j)] = {g, {{i, j}}};
-}
-
-template <>
-double RecoveredPressure<3>::operator()(const unsigned int patch, const Point<2> &s) const
-{
-  const Place &place = places_[patch];
-  const PatchGrid &grid = grids_[place.grid];
-  const BetweenCentres x = between_centres(grid, 0, place.index[0], s[0]);
-  const BetweenCentres y = between_centres(grid, 1, place.index[1], s[1]);
-  const auto along_x = [&](const unsigned int row) {
-    return (1. - x.share) * means_[grid.at(x.first, row)] +
-           x.share * means_[grid.at(x.second, row)];
-  };
-  return std::min(0., (1. - y.share) * along_x(y.first) + y.share * along_x(y.second));
-}
-
-template <>
-Pressure transfer_pressure(const PatchPressure<3> &from, const std::vector<Patch<3>> &to)
+template <int dim>
+Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Patch<dim>> &to)
 {
   const std::vector<PatchGrid> given = patch_grids(from.patches);
   Pressure transferred(to.size());
@@ -396,25 +299,6 @@ Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
   return resultant;
 }
 
-template NodalForces nodal_forces(const DisplacementSpace<2> &,
-                                  const Scene<2> &,
-                                  const DistributedVector &,
-                                  const Coupling &,
-                                  const Displacement &,
-                                  const Pressure &);
-template NodalForces nodal_forces(const DisplacementSpace<3> &,
-                                  const Scene<3> &,
-                                  const DistributedVector &,
-                                  const Coupling &,
-                                  const Displacement &,
-                                  const Pressure &);
-template Resultant<2> contact_resultant(const MultiplierSpace<2> &,
-                                        const Pressure &,
-                                        const Piece<2> &);
-template Resultant<3> contact_resultant(const MultiplierSpace<3> &,
-                                        const Pressure &,
-                                        const Piece<3> &);
-
 // The reactions of plates.
 
 template <int dim>
@@ -435,10 +319,22 @@ std::vector<PlateForce> plate_forces(const DisplacementSpace<dim> &space,
   return result;
 }
 
-template std::vector<PlateForce> plate_forces(const DisplacementSpace<2> &,
-                                              const Scene<2> &,
-                                              const NodalForces &);
-template std::vector<PlateForce> plate_forces(const DisplacementSpace<3> &,
-                                              const Scene<3> &,
-                                              const NodalForces &);
+#define INSTANTIATE(dim)                                                                           \
+  template ContactSummary summarise_contact(const MultiplierSpace<dim> &, const Pressure &);       \
+  template class RecoveredPressure<dim>;                                                           \
+  template Pressure transfer_pressure(const PatchPressure<dim> &,                                  \
+                                      const std::vector<Patch<dim>> &);                            \
+  template NodalForces nodal_forces(const DisplacementSpace<dim> &,                                \
+                                    const Scene<dim> &,                                            \
+                                    const DistributedVector &,                                     \
+                                    const Coupling &,                                              \
+                                    const Displacement &,                                          \
+                                    const Pressure &);                                             \
+  template Resultant<dim> contact_resultant(                                                       \
+    const MultiplierSpace<dim> &, const Pressure &, const Piece<dim> &);                           \
+  template std::vector<PlateForce> plate_forces(                                                   \
+    const DisplacementSpace<dim> &, const Scene<dim> &, const NodalForces &);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -14,38 +14,31 @@ namespace Signorini
 template <int dim>
 std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const Displacement &U)
 {
-  std::vector<double> means;
   const QGauss<dim> gauss(2);
   FEValues<dim> values(
     space.mesh().mapping(), space.element(), gauss, update_gradients | update_JxW_values);
   std::vector<double> divergences(gauss.size());
-  using CellId = std::pair<int, int>;
-  const auto group = [&](const auto &cell) {
-    return space.mesh().has_parents() ? CellId(cell->level() - 1, cell->parent_index())
-                                      : CellId(cell->level(), cell->index());
+  /** The integral and the volume of a parent, or of a cell. */
+  std::map<std::pair<int, int>, std::pair<double, double>> sums;
+  const auto sums_of = [&](const auto &cell) -> std::pair<double, double> & {
+    const bool by_parent = space.mesh().has_parents();
+    return sums[{cell->level(), by_parent ? cell->parent_index() : cell->index()}];
   };
-  std::map<CellId, std::pair<double, double>> integral_and_volume;
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
     values.reinit(cell);
     values[FEValuesExtractors::Vector(0)].get_function_divergences(U.entries(), divergences);
-    auto &sums = integral_and_volume[group(cell)];
     for (const unsigned int q : values.quadrature_point_indices())
     {
-      sums.first += divergences[q] * values.JxW(q);
-      sums.second += values.JxW(q);
+      sums_of(cell).first += divergences[q] * values.JxW(q);
+      sums_of(cell).second += values.JxW(q);
     }
   }
+  std::vector<double> means;
   for (const auto &cell : space.dofs().active_cell_iterators())
-  {
-    const auto &sums = integral_and_volume[group(cell)];
-    means.push_back(sums.first / sums.second);
-  }
+    means.push_back(sums_of(cell).first / sums_of(cell).second);
   return means;
 }
-
-template std::vector<double> mean_dilatations(const DisplacementSpace<2> &, const Displacement &);
-template std::vector<double> mean_dilatations(const DisplacementSpace<3> &, const Displacement &);
 
 // Polynomials at the points of tensor product rules, direction by direction.
 
@@ -57,18 +50,9 @@ Tensor<1, 3> along(const double *const row,
                    const Tensor<1, 3> *const v,
                    const std::size_t stride)
 {
-  double x = 0., y = 0., z = 0.;
-  for (unsigned int k = 0; k < n; ++k)
-  {
-    const Tensor<1, 3> &value = v[k * stride];
-    x += row[k] * value[0];
-    y += row[k] * value[1];
-    z += row[k] * value[2];
-  }
   Tensor<1, 3> sum;
-  sum[0] = x;
-  sum[1] = y;
-  sum[2] = z;
+  for (unsigned int k = 0; k < n; ++k)
+    sum += row[k] * v[k * stride];
   return sum;
 }
 } // namespace
@@ -171,10 +155,12 @@ std::array<double, 3> principal_stresses(const Stress3D &stress)
   return {pairs[0].first, pairs[1].first, pairs[2].first};
 }
 
-template Stress3D stress_in_3d(const Material<2> &,
-                               const Point<2> &,
-                               const SymmetricTensor<2, 2> &);
-template Stress3D stress_in_3d(const Material<3> &,
-                               const Point<3> &,
-                               const SymmetricTensor<2, 3> &);
+#define INSTANTIATE(dim)                                                                           \
+  template std::vector<double> mean_dilatations(const DisplacementSpace<dim> &,                    \
+                                                const Displacement &);                             \
+  template Stress3D stress_in_3d(                                                                  \
+    const Material<dim> &, const Point<dim> &, const SymmetricTensor<2, dim> &);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

@@ -43,12 +43,10 @@ CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const
 {
   const Scene<2> scene = with_only(data_.scene, kind);
   const DisplacementSpace<2> &space = data_.space;
-  const DualVector loads = space.dual(
-    kind == LoadKind::travel ? space.make_vector() : assemble_loads(space, scene, data_.n_points));
+  const DualVector loads = space.dual(assemble_right_hand_side(space, scene, data_.n_points).loads);
   const Displacement k = space.prescribed(scene);
   DualVector r = loads;
-  if (kind == LoadKind::travel)
-    r -= space.dual(internal_forces(space, scene, k).forces);
+  r -= space.dual(internal_forces(space, scene, k).forces);
   LoadResponse response;
   response.kind = kind;
   response.U = solve_prescribed(data_.inverse, space, k, r);

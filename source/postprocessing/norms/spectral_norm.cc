@@ -98,7 +98,6 @@ TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<d
   ValuesByShape<dim> values_by_shape(space);
   FullMatrix<double> cell_matrix;
   std::vector<types::global_dof_index> indices;
-  MatrixScatter<dim> scatter(space, A_1);
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
     if (!cell->is_locally_owned())
@@ -127,7 +126,7 @@ TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<d
         }
       }
     cell->get_dof_indices(indices);
-    scatter.add(cell_matrix, indices);
+    space.constraints().distribute_local_to_global(cell_matrix, indices, A_1);
   }
   A_1.compress(VectorOperation::add);
   return A_1;

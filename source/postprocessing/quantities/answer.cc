@@ -4,21 +4,14 @@
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/postprocessing/quantities/answer.h>
 
-#include <type_traits>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
 
 namespace Signorini
 {
 namespace
 {
-template <int dim>
-Tensor<1, dim> to_tensor(const AnswerVector &x)
-{
-  Tensor<1, dim> tensor;
-  for (unsigned int d = 0; d < dim; ++d)
-    tensor[d] = x[d];
-  return tensor;
-}
-
 /** Sets the place of growth if a maximum lies at a singular place and stands out. */
 template <int dim, typename Maximum>
 void set_growth(const std::vector<SingularPlace<dim>> &places,
@@ -29,34 +22,10 @@ void set_growth(const std::vector<SingularPlace<dim>> &places,
 {
   // A constant stress has no singular part.
   constexpr double rounding = 1e-6;
+  Point<dim> x;
+  std::copy(point.values().begin(), point.values().end(), x.begin_raw());
   if (!largest.away || largest.value > (1. + rounding) * largest.away->value)
-    largest.grows_at = growth_at(Point<dim>(to_tensor<dim>(point)), places, multipliers, P);
-}
-
-/** Returns the sum of the forces. Its line of action is given by the point nearest to the mean of
- * theirs. */
-template <int dim>
-SideForce total_force(const std::vector<SideForce> &parts)
-{
-  Resultant<dim> sum;
-  double sizes = 0.;
-  Tensor<1, dim> centre;
-  for (const SideForce &part : parts)
-  {
-    const Tensor<1, dim> force = to_tensor<dim>(part.resultant.force);
-    sum.force += force;
-    sum.moment += to_tensor<Moment<dim>::dimension>(part.resultant.moment);
-    if (part.through)
-    {
-      const double size = force.norm();
-      sizes += size;
-      centre += size * to_tensor<dim>(*part.through);
-    }
-  }
-  SideForce total = {{}, {sum.force, sum.moment}, {}};
-  if (sizes > 0.)
-    total.through = point_of_action(sum, Point<dim>(centre / sizes), sizes);
-  return total;
+    largest.grows_at = growth_at(x, places, multipliers, P);
 }
 
 /** Returns the largest pressure, and the place where it grows without limit. */
@@ -74,26 +43,6 @@ std::optional<PeakPressure> describe_peak(const MultiplierSpace<dim> &multiplier
   set_growth(places, multipliers, P, largest->place.point, peak);
   return peak;
 }
-
-/** Returns positions between 0 and 1 on a piece. */
-std::vector<Point<1>> sample_positions(std::integral_constant<int, 2> /*dim*/)
-{
-  constexpr unsigned int n_intervals = 16;
-  std::vector<Point<1>> positions;
-  for (unsigned int i = 0; i <= n_intervals; ++i)
-    positions.emplace_back(static_cast<double>(i) / n_intervals);
-  return positions;
-}
-std::vector<Point<2>> sample_positions(std::integral_constant<int, 3> /*dim*/)
-{
-  constexpr unsigned int n_intervals = 4;
-  std::vector<Point<2>> positions;
-  for (unsigned int i = 0; i <= n_intervals; ++i)
-    for (unsigned int j = 0; j <= n_intervals; ++j)
-      positions.emplace_back(static_cast<double>(i) / n_intervals,
-                             static_cast<double>(j) / n_intervals);
-  return positions;
-}
 } // namespace
 
 template <int dim>
@@ -101,13 +50,13 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
                                            const MultiplierSpace<dim> &multipliers,
                                            const Displacement &U)
 {
-  const auto positions = sample_positions(std::integral_constant<int, dim>());
+  const QIterated<dim - 1> positions(QTrapezoid<1>(), dim == 2 ? 16 : 4);
   const ContactSurface<dim> &surface = multipliers.surface();
   TraceValues<dim> traces(space);
   std::optional<Penetration> largest;
   for (const Piece<dim> &piece : surface.pieces())
   {
-    const SurfaceRule<dim> rule = surface.at(piece, positions);
+    const SurfaceRule<dim> rule = surface.at(piece, positions.get_points());
     const std::vector<double> u_n =
       traces.normal_displacement(surface.faces()[piece.face], rule, U);
     for (std::size_t q = 0; q < rule.size(); ++q)
@@ -144,8 +93,10 @@ Answer compute_answer(const DisplacementSpace<dim> &space,
   Answer answer;
   answer.dimension = dim;
   answer.size = scene.geometry.diameter();
-  answer.contact_by_side = contact_forces(multipliers, scene, P);
-  answer.contact_force = total_force<dim>(answer.contact_by_side);
+  for (const unsigned int side : scene.contact_sides())
+    answer.contact_by_side.push_back(contact_force(multipliers, {side}, P));
+  answer.contact_force = contact_force(multipliers, scene.contact_sides(), P);
+  answer.contact_force.side.clear();
   answer.reactions = reactions(space, scene, forces);
   const std::vector<SingularPlace<dim>> places = singular_places(scene);
   answer.peak_pressure = describe_peak(multipliers, P, places);
@@ -157,22 +108,16 @@ Answer compute_answer(const DisplacementSpace<dim> &space,
   return answer;
 }
 
-template std::optional<Penetration> max_penetration(const DisplacementSpace<2> &,
-                                                    const MultiplierSpace<2> &,
-                                                    const Displacement &);
-template Answer compute_answer(const DisplacementSpace<2> &,
-                               const Scene<2> &,
-                               const MultiplierSpace<2> &,
-                               const NodalForces &,
-                               const Displacement &,
-                               const Pressure &);
-template std::optional<Penetration> max_penetration(const DisplacementSpace<3> &,
-                                                    const MultiplierSpace<3> &,
-                                                    const Displacement &);
-template Answer compute_answer(const DisplacementSpace<3> &,
-                               const Scene<3> &,
-                               const MultiplierSpace<3> &,
-                               const NodalForces &,
-                               const Displacement &,
-                               const Pressure &);
+#define INSTANTIATE(dim)                                                                           \
+  template std::optional<Penetration> max_penetration(                                             \
+    const DisplacementSpace<dim> &, const MultiplierSpace<dim> &, const Displacement &);           \
+  template Answer compute_answer(const DisplacementSpace<dim> &,                                   \
+                                 const Scene<dim> &,                                               \
+                                 const MultiplierSpace<dim> &,                                     \
+                                 const NodalForces &,                                              \
+                                 const Displacement &,                                             \
+                                 const Pressure &);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

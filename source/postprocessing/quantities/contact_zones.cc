@@ -6,8 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "peak_pressure_internal.h"
+#include <tuple>
 
 namespace Signorini
 {
@@ -15,29 +14,15 @@ std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multiplie
                                              const Pressure &P)
 {
   std::vector<ContactBracket> brackets;
-  for (SideNodes side : nodes_by_side(multipliers, P))
-  {
-    std::vector<SideNode> &nodes = side.nodes;
-    if (side.closed)
-      nodes.push_back({nodes.front().s + side.length, nodes.front().presses});
-    const std::size_t first = brackets.size();
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+  for (const SideNodes &side : nodes_by_side(multipliers, P))
+    for (const std::vector<SideNode> &run : alternations(side))
     {
-      if (nodes[i].presses == nodes[i + 1].presses)
-        continue;
-      if (brackets.size() > first && brackets.back().to == nodes[i].s)
-        brackets.back().to = nodes[i + 1].s;
-      else
-        brackets.push_back({side.number, nodes[i].s, nodes[i + 1].s});
+      const double turn = side.closed && run.front().s >= side.length ? side.length : 0.;
+      brackets.push_back({side.number, run.front().s - turn, run.back().s - turn});
     }
-    // The first node of a closed side is the last one, too.
-    if (side.closed && brackets.size() > first + 1 && brackets[first].from == nodes.front().s &&
-        brackets.back().to == nodes.back().s)
-    {
-      brackets.back().to += brackets[first].to - brackets[first].from;
-      brackets.erase(brackets.begin() + first);
-    }
-  }
+  std::sort(brackets.begin(), brackets.end(), [](const auto &a, const auto &b) {
+    return std::tie(a.side, a.from) < std::tie(b.side, b.from);
+  });
   return brackets;
 }
 
@@ -75,129 +60,89 @@ double root_end(const EndOfPressure &given)
   return 0.5 * (low + high);
 }
 
-/** The patches first, ..., first + n - 1 of one side; a closed side goes on with the first. */
-class SidePatches
+/** Returns a point of a side; on a closed one the end of the side stays its end. */
+BoundaryPlace place_on(const Side<2> &side, double s)
 {
-public:
-  SidePatches(const MultiplierSpace<2> &multipliers, const Pressure &P, const std::size_t first)
-    : surface_(multipliers.surface())
-    , first_(first)
-  {
-    const auto &patches = surface_.patches();
-    const double threshold = pressing_threshold(P);
-    for (std::size_t tau = first; tau < patches.size() && patches[tau].side == patches[first].side;
-         ++tau)
-    {
-      means_.push_back(multipliers.value(P, tau, patches[tau].centre()));
-      presses_.push_back(means_.back() < threshold);
-    }
-  }
-  int size() const
-  {
-    return means_.size();
-  }
-  const Side<2> &side() const
-  {
-    return surface_.side(surface_.patches()[first_]);
-  }
-  /** Returns whether patch i presses; false beyond the ends of an open side. */
-  bool presses(const int i) const
-  {
-    return exists(i) && presses_[wrapped(i)];
-  }
-  bool presses_everywhere() const
-  {
-    return std::all_of(presses_.begin(), presses_.end(), [](const bool p) { return p; });
-  }
+  if (side.is_closed() && (s < 0. || s > side.length()))
+    s -= side.length() * std::floor(s / side.length());
+  return {side.name(), s, side.point(s)};
+}
 
-  /** Returns the end of a run: patch @p last presses and last + @p step does not. */
-  ZoneEnd end_of_run(const int last, const int step) const
-  {
-    const double edge = step > 0 ? upper(last) : lower(last);
-    if (!exists(last + step))
-      return {place(edge), 0.};
-    const double inner_edge = step > 0 ? lower(last) : upper(last);
-    double s = edge;
-    if (presses(last - step) && std::abs(mean(last)) < std::abs(mean(last - step)) &&
-        !side().has_corner(inner_edge) && !side().has_corner(edge))
-    {
-      const double next_edge = step > 0 ? lower(last - step) : upper(last - step);
-      s = inner_edge + step * root_end({std::abs(inner_edge - next_edge),
-                                        std::abs(edge - inner_edge),
-                                        std::abs(middle(last + step) - inner_edge),
-                                        mean(last) / mean(last - step)});
-    }
-    const bool in_last_patch = (edge - s) * step >= 0.;
-    const int patch = in_last_patch ? last : last + step;
-    return {place(s), upper(patch) - lower(patch)};
-  }
-
-private:
-  bool exists(const int i) const
-  {
-    return side().is_closed() || (i >= 0 && i < size());
-  }
-  std::size_t wrapped(const int i) const
-  {
-    return ((i % size()) + size()) % size();
-  }
-  /** Returns how often the number has gone around a closed side, as a length. */
-  double turns(const int i) const
-  {
-    return (i - static_cast<int>(wrapped(i))) / size() * side().length();
-  }
-  const Patch<2> &patch(const int i) const
-  {
-    return surface_.patches()[first_ + wrapped(i)];
-  }
-  double mean(const int i) const
-  {
-    return means_[wrapped(i)];
-  }
-  double lower(const int i) const
-  {
-    return patch(i).lower[0] + turns(i);
-  }
-  double upper(const int i) const
-  {
-    return patch(i).upper[0] + turns(i);
-  }
-  double middle(const int i) const
-  {
-    return patch(i).centre()[0] + turns(i);
-  }
-  BoundaryPlace place(double s) const
-  {
-    const double length = side().length();
-    if (side().is_closed())
-      s -= length * std::floor(s / length);
-    return {side().name(), s, side().point(s)};
-  }
-
-  const ContactSurface<2> &surface_;
-  std::size_t first_;
-  std::vector<double> means_;
-  std::vector<bool> presses_;
+/** A patch of a side. */
+struct PatchMean
+{
+  double lower, upper, mean;
+  bool presses;
 };
 
-void add_zones(const SidePatches &patches, std::vector<ContactZone> &zones)
+/** Returns the patches of a side in their order, those of a closed side for three turns. */
+std::vector<PatchMean> patches_on(const PatchGrid &grid,
+                                  const MultiplierSpace<2> &multipliers,
+                                  const Pressure &P)
 {
-  const Side<2> &side = patches.side();
-  if (patches.presses_everywhere())
+  const ContactSurface<2> &surface = multipliers.surface();
+  const Side<2> &side = surface.scene().geometry.sides[grid.side];
+  const int n_turns = side.is_closed() ? 1 : 0;
+  std::vector<PatchMean> patches;
+  for (int turn = -n_turns; turn <= n_turns; ++turn)
+    for (const unsigned int tau : grid.patches)
+    {
+      const Patch<2> &patch = surface.patches()[tau];
+      const double mean = multipliers.value(P, tau, patch.centre()), shift = turn * side.length();
+      patches.push_back(
+        {patch.lower[0] + shift, patch.upper[0] + shift, mean, mean < pressing_threshold(P)});
+    }
+  return patches;
+}
+
+/** Returns the end of a run of pressing patches; patch @p last belongs to it, and last + @p step
+ * does not. */
+ZoneEnd end_of_run(const Side<2> &side,
+                   const std::vector<PatchMean> &patches,
+                   const int last,
+                   const int step)
+{
+  const auto exists = [&](const int i) { return i >= 0 && i < static_cast<int>(patches.size()); };
+  const PatchMean &patch = patches[last];
+  const double inner_edge = step > 0 ? patch.lower : patch.upper;
+  const double edge = step > 0 ? patch.upper : patch.lower;
+  if (!exists(last + step))
+    return {place_on(side, edge), 0.};
+  const PatchMean &next = patches[last + step];
+  double s = edge;
+  if (exists(last - step) && patches[last - step].presses &&
+      std::abs(patch.mean) < std::abs(patches[last - step].mean) && !side.has_corner(inner_edge) &&
+      !side.has_corner(edge))
   {
-    const auto at = [&side](const double s) {
-      return ZoneEnd{{side.name(), s, side.point(s)}, 0.};
-    };
-    zones.push_back({at(0.), at(side.length()), side.length()});
+    const PatchMean &before = patches[last - step];
+    s = inner_edge + step * root_end({before.upper - before.lower,
+                                      patch.upper - patch.lower,
+                                      std::abs(0.5 * (next.lower + next.upper) - inner_edge),
+                                      patch.mean / before.mean});
+  }
+  const PatchMean &holder = (edge - s) * step >= 0. ? patch : next;
+  return {place_on(side, s), holder.upper - holder.lower};
+}
+
+/** Adds the zones of a side, where multipliers are constants. */
+void add_zones(const Side<2> &side,
+               const std::vector<PatchMean> &patches,
+               std::vector<ContactZone> &zones)
+{
+  const auto presses = [](const PatchMean &patch) { return patch.presses; };
+  if (std::all_of(patches.begin(), patches.end(), presses))
+  {
+    zones.push_back({{place_on(side, 0.), 0.}, {place_on(side, side.length()), 0.}, side.length()});
     return;
   }
-  for (int i = 0; i < patches.size(); ++i)
-    if (patches.presses(i) && !patches.presses(i - 1))
+  const int n_turns = side.is_closed() ? 3 : 1, n = patches.size() / n_turns;
+  const int begin = n * (n_turns / 2);
+  for (int first = begin; first < begin + n; ++first)
+    if (presses(patches[first]) && (first == 0 || !presses(patches[first - 1])))
     {
-      int last = i;
-      while (patches.presses(last + 1))
-        ++last;
-      ContactZone zone = {patches.end_of_run(i, -1), patches.end_of_run(last, 1)};
+      const auto end = std::find_if_not(patches.begin() + first, patches.end(), presses);
+      const int last = static_cast<int>(end - patches.begin()) - 1;
+      ContactZone zone = {end_of_run(side, patches, first, -1), end_of_run(side, patches, last, 1)};
       zone.length = zone.end.place.arc_length - zone.start.place.arc_length;
       if (zone.length < 0.) // It contains the start of a closed side.
         zone.length += side.length();
@@ -208,16 +153,20 @@ void add_zones(const SidePatches &patches, std::vector<ContactZone> &zones)
 
 std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers, const Pressure &P)
 {
-  if (!multipliers.is_piecewise_constant())
-    return zones_of_polynomial(multipliers, P);
+  const ContactSurface<2> &surface = multipliers.surface();
+  const std::vector<Side<2>> &sides = surface.scene().geometry.sides;
   std::vector<ContactZone> zones;
-  const std::size_t n_patches = multipliers.surface().patches().size();
-  for (std::size_t first = 0; first < n_patches;)
-  {
-    const SidePatches patches(multipliers, P, first);
-    add_zones(patches, zones);
-    first += patches.size();
-  }
+  if (multipliers.is_piecewise_constant())
+    for (const PatchGrid &grid : patch_grids(surface.patches()))
+      add_zones(sides[grid.side], patches_on(grid, multipliers, P), zones);
+  else
+    for (const PressedInterval &interval : pressed_intervals(multipliers, P))
+    {
+      const auto end_at = [&](const PressedInterval::End &end) {
+        return ZoneEnd{place_on(sides[interval.side], end.s), end.uncertainty};
+      };
+      zones.push_back({end_at(interval.start), end_at(interval.end), interval.length()});
+    }
   return zones;
 }
 } // namespace Signorini

@@ -4,8 +4,12 @@
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/postprocessing/quantities/side_forces.h>
 
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace Signorini
 {
@@ -23,126 +27,63 @@ Tensor<1, 3> shift(const Tensor<1, 3> &F, const Moment<3> &moment)
 } // namespace
 
 template <int dim>
-std::vector<SideForce> contact_forces(const MultiplierSpace<dim> &multipliers,
-                                      const Scene<dim> &scene,
-                                      const Pressure &P)
-{
-  std::vector<SideForce> forces;
-  const ContactSurface<dim> &surface = multipliers.surface();
-  for (const unsigned int side : scene.contact_sides())
-  {
-    Resultant<dim> resultant;
-    std::optional<AnswerVector> through;
-    double total = 0.;
-    Tensor<1, dim> centre;
-    for (const Piece<dim> &piece : surface.pieces())
-      if (surface.patches()[piece.patch].side == side)
-      {
-        resultant += contact_resultant(multipliers, P, piece);
-        const SurfaceRule<dim> &rule = piece.on_mesh;
-        for (std::size_t q = 0; q < rule.size(); ++q)
-        {
-          const double share = multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q];
-          total += share;
-          centre += share * rule.points[q];
-        }
-      }
-    if (total != 0.)
-      through = point_of_action(resultant, Point<dim>(centre / total), std::abs(total));
-    forces.push_back(
-      {scene.geometry.sides[side].name(), {resultant.force, resultant.moment}, through});
-  }
-  return forces;
-}
-
-template <int dim>
-std::optional<Point<dim>> point_of_action(const Resultant<dim> &resultant,
-                                          const Point<dim> &centre,
-                                          const double scale)
+SideForce side_force(const std::string &name,
+                     const Resultant<dim> &resultant,
+                     const Point<dim> &centre,
+                     const double scale)
 {
   constexpr double negligible = 1e-10;
   const Tensor<1, dim> &F = resultant.force;
-  if (!(F.norm() > negligible * scale))
-    return {};
+  SideForce force = {name, {F, resultant.moment}, {}};
   // x = centre + t (F2, -F1) has the moment centre × F + t |F|²; in 3-D F × M / |F|².
-  return centre + shift(F, resultant.moment_about(centre));
+  if (F.norm() > negligible * scale)
+    force.through = centre + shift(F, resultant.moment_about(centre));
+  return force;
 }
 
-template std::vector<SideForce> contact_forces(const MultiplierSpace<2> &,
-                                               const Scene<2> &,
-                                               const Pressure &);
-template std::optional<Point<2>> point_of_action(const Resultant<2> &, const Point<2> &, double);
-template std::vector<SideForce> contact_forces(const MultiplierSpace<3> &,
-                                               const Scene<3> &,
-                                               const Pressure &);
-template std::optional<Point<3>> point_of_action(const Resultant<3> &, const Point<3> &, double);
+template <int dim>
+SideForce contact_force(const MultiplierSpace<dim> &multipliers,
+                        const std::vector<unsigned int> &sides,
+                        const Pressure &P)
+{
+  const ContactSurface<dim> &surface = multipliers.surface();
+  Resultant<dim> resultant;
+  double total = 0.;
+  Tensor<1, dim> centre;
+  for (const Piece<dim> &piece : surface.pieces())
+    if (std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0)
+    {
+      resultant += contact_resultant(multipliers, P, piece);
+      const SurfaceRule<dim> &rule = piece.on_mesh;
+      for (std::size_t q = 0; q < rule.size(); ++q)
+      {
+        const double share = multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q];
+        total += share;
+        centre += share * rule.points[q];
+      }
+    }
+  const std::string name =
+    sides.size() == 1 ? surface.scene().geometry.sides[sides[0]].name() : std::string();
+  return side_force(
+    name, resultant, total != 0. ? Point<dim>(centre / total) : Point<dim>(), std::abs(total));
+}
 
 // The division of reactions among the sides that hold the body.
 
 namespace
 {
-/** A side that holds a node. */
-template <int dim>
-struct Holder
-{
-  unsigned int side;
-  /** Whether it is a roller, which acts along its normal only. */
-  bool roller;
-  /** The sum of the unit normals of its faces at the node. */
-  Tensor<1, dim> normal;
-};
-
 /** A node that is held, by one or more sides. */
 template <int dim>
 struct HeldNode
 {
   Point<dim> point;
   Tensor<1, dim> reaction;
-  std::vector<Holder<dim>> holders;
+  std::set<unsigned int> sides;
 };
 
 bool holds(const Role role)
 {
   return role == Role::clamped || role == Role::roller || role == Role::displacement;
-}
-
-/** Returns a vector at right angles to a face, by its vertices. */
-template <int dim, typename Face>
-Tensor<1, dim> across_face(const Face &face)
-{
-  if constexpr (dim == 2)
-  {
-    const Tensor<1, 2> edge = face->vertex(1) - face->vertex(0);
-    return Tensor<1, 2>({edge[1], -edge[0]});
-  }
-  else
-    return cross_product_3d(face->vertex(3) - face->vertex(0), face->vertex(2) - face->vertex(1));
-}
-
-/** Returns the outward unit normal of a boundary face between its vertices. */
-template <int dim>
-Tensor<1, dim> face_normal(const typename Triangulation<dim>::active_cell_iterator &cell,
-                           const unsigned int f)
-{
-  Tensor<1, dim> normal = across_face<dim>(cell->face(f));
-  if (normal * (cell->face(f)->center() - cell->center()) < 0.)
-    normal *= -1.;
-  return normal / normal.norm();
-}
-
-template <int dim>
-void add_holder(const unsigned int side,
-                const Role role,
-                const Tensor<1, dim> &normal,
-                HeldNode<dim> &node)
-{
-  for (Holder<dim> &holder : node.holders)
-    if (holder.side == side)
-    {
-      holder.normal += normal;
-      return;
-    }
-  node.holders.push_back({side, role == Role::roller, normal});
 }
 
 /** Returns the held nodes of this rank by their first degree of freedom. */
@@ -175,65 +116,53 @@ std::map<types::global_dof_index, HeldNode<dim>> held_nodes(const DisplacementSp
           node.point = points[k];
           for (unsigned int c = 0; c < dim; ++c)
             node.reaction[c] = forces.residual(indices[element.component_to_system_index(c, k)]);
-          add_holder(face->boundary_id(),
-                     scene.boundary[face->boundary_id()].role,
-                     face_normal<dim>(cell, f),
-                     node);
+          node.sides.insert(face->boundary_id());
         }
       }
   return nodes;
 }
 
-/** Returns the shares of two holders in the reaction, in 2-D. */
-std::vector<Tensor<1, 2>> shares(const Tensor<1, 2> &reaction,
-                                 const std::vector<Holder<2>> &holders)
+/** Adds the reaction of a node to the sides that hold it: to rollers its projection on their
+ * normals, to others equal shares of the rest. */
+template <int dim>
+void divide(const HeldNode<dim> &node,
+            const Scene<dim> &scene,
+            std::map<unsigned int, Resultant<dim>> &by_side)
 {
-  const Holder<2> &first = holders[0], &second = holders[1];
-  const Tensor<1, 2> n = first.normal / first.normal.norm(),
-                     m = second.normal / second.normal.norm();
-  const double sine = n[0] * m[1] - n[1] * m[0];
-  const bool parallel = std::abs(sine) < 1e-6;
-  Tensor<1, 2> share;
-  if (first.roller && second.roller && !parallel)
-    share = (reaction[0] * m[1] - reaction[1] * m[0]) / sine * n;
-  else if (first.roller == second.roller)
-    share = 0.5 * reaction;
-  else
-    share = first.roller ? (reaction * n) * n : reaction - (reaction * m) * m;
-  return {share, reaction - share};
-}
-
-/** Returns the shares of the holders in the reaction, in 3-D: rollers, whose normals are at right
- * angles on a box, take the components along them; the others share the rest. */
-std::vector<Tensor<1, 3>> shares(const Tensor<1, 3> &reaction,
-                                 const std::vector<Holder<3>> &holders)
-{
-  std::vector<Tensor<1, 3>> parts(holders.size());
-  Tensor<1, 3> rest = reaction;
-  double n_others = 0.;
-  for (std::size_t i = 0; i < holders.size(); ++i)
-    if (holders[i].roller)
+  std::vector<unsigned int> rollers, others;
+  for (const unsigned int side : node.sides)
+    (scene.boundary[side].role == Role::roller ? rollers : others).push_back(side);
+  Tensor<1, dim> rest = node.reaction;
+  if (const unsigned int n = rollers.size())
+  {
+    // Σ λ_i n_i with n_j.Σ λ_i n_i = n_j.R, where normals are parallel in equal shares.
+    std::vector<Tensor<1, dim>> normals;
+    for (const unsigned int number : rollers)
     {
-      const Tensor<1, 3> n = holders[i].normal / holders[i].normal.norm();
-      parts[i] = (rest * n) * n;
-      rest -= parts[i];
+      const Side<dim> &side = scene.geometry.sides[number];
+      normals.push_back(side.normal(side.coordinates(node.point)));
     }
-    else
-      n_others += 1.;
+    LAPACKFullMatrix<double> products(n, n);
+    dealii::Vector<double> components(n), lambda(n);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      components[i] = normals[i] * node.reaction;
+      for (unsigned int j = 0; j < n; ++j)
+        products(i, j) = normals[i] * normals[j];
+    }
+    products.compute_inverse_svd(1e-6);
+    products.vmult(lambda, components);
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      by_side[rollers[i]].add(lambda[i] * normals[i], node.point);
+      rest -= lambda[i] * normals[i];
+    }
+  }
   // Between rollers alone only rounding is left.
-  for (std::size_t i = 0; i < holders.size(); ++i)
-    if (n_others == 0. || !holders[i].roller)
-      parts[i] += rest / (n_others == 0. ? static_cast<double>(holders.size()) : n_others);
-  return parts;
-}
-
-Point<2> middle_of(const Side<2> &side)
-{
-  return side.point(0.5 * side.length());
-}
-Point<3> middle_of(const Side<3> &side)
-{
-  return side.centre();
+  if (others.empty())
+    others.push_back(rollers.back());
+  for (const unsigned int side : others)
+    by_side[side].add(rest / static_cast<double>(others.size()), node.point);
 }
 } // namespace
 
@@ -246,34 +175,27 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space,
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
     if (holds(scene.boundary[i].role))
       by_side[i] = {};
-  for (const auto &[vertex, node] : held_nodes(space, scene, forces))
-  {
-    if (node.holders.size() == 1)
-    {
-      by_side[node.holders[0].side].add(node.reaction, node.point);
-      continue;
-    }
-    const std::vector<Tensor<1, dim>> parts = shares(node.reaction, node.holders);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      by_side[node.holders[i].side].add(parts[i], node.point);
-  }
+  for (const auto &[dof, node] : held_nodes(space, scene, forces))
+    divide(node, scene, by_side);
   const double scale = forces.largest();
   std::vector<SideForce> result;
   for (const auto &[number, part] : by_side)
   {
-    const Resultant<dim> resultant = sum_over_ranks(part, space.mesh().communicator());
     const Side<dim> &side = scene.geometry.sides[number];
-    result.push_back({side.name(),
-                      {resultant.force, resultant.moment},
-                      point_of_action(resultant, middle_of(side), scale)});
+    result.push_back(side_force(
+      side.name(), sum_over_ranks(part, space.mesh().communicator()), side.centre(), scale));
   }
   return result;
 }
 
-template std::vector<SideForce> reactions(const DisplacementSpace<2> &,
-                                          const Scene<2> &,
-                                          const NodalForces &);
-template std::vector<SideForce> reactions(const DisplacementSpace<3> &,
-                                          const Scene<3> &,
-                                          const NodalForces &);
+#define INSTANTIATE(dim)                                                                           \
+  template SideForce side_force(                                                                   \
+    const std::string &, const Resultant<dim> &, const Point<dim> &, double);                      \
+  template SideForce contact_force(                                                                \
+    const MultiplierSpace<dim> &, const std::vector<unsigned int> &, const Pressure &);            \
+  template std::vector<SideForce> reactions(                                                       \
+    const DisplacementSpace<dim> &, const Scene<dim> &, const NodalForces &);
+INSTANTIATE(2)
+INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace Signorini

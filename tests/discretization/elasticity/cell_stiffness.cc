@@ -125,8 +125,6 @@ void rectangles(Checks &checks)
 {
   Body square(rectangle("1, 1", elastic), 0);
   const auto matrix = square.first_matrix();
-  checks.near("square: diagonal (lambda + 3 mu)/3", matrix(0, 0), (lambda + 3. * mu) / 3., 1e-14);
-  checks.near("square: coupling (lambda + mu)/4", matrix(0, 1), (lambda + mu) / 4., 1e-14);
   checks.near("square: all 64 entries", distance_to_exact(square, 1., 1.), 0., 1e-14);
   Body stretched(rectangle("3, 0.5", elastic), 0);
   checks.near("rectangle: all 64 entries", distance_to_exact(stretched, 3., 0.5), 0., 1e-13);

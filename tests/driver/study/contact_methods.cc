@@ -48,10 +48,6 @@ std::vector<SceneText> scenes()
                " set Clamped = top\n set Contact = bottom, right\n set Traction = left: 0.3; 0",
                "0.02"),
      4},
-    {"half disc",
-     described(
-       " set Shape = half disc", " set Displacement = flat: 0; -0.1\n set Contact = arc", "1+y"),
-     3},
     {"polygon",
      described(" set Shape = polygon\n set Vertices = 0,0; 2,0; 2.5,1; 1,2; -0.5,1",
                " set Clamped = side2\n set Contact = side0",

@@ -99,7 +99,7 @@ double largest_spread(const std::vector<std::vector<GradedStep>> &runs)
   }
 }
 
-const double ends_of_contact[] = {0.29, 0.33, 0.38, 0.44, 0.52, 0.57, 0.63, 0.71};
+const double ends_of_contact[] = {0.29, 0.38, 0.52, 0.63};
 
 /** The program has to find the end, which is no node of any mesh. */
 void check_unknown_ends(Checks &checks)

@@ -32,12 +32,10 @@ struct Expectation
 // Singular solutions, which the theory is about. C4 has no singularity; once all its ends of
 // contact are found, the error falls faster than on a line.
 const std::vector<Expectation> expectations = {{"A1", {}},
-                                               {"A1L", {}},
                                                {"A2", {}},
                                                {"A3", Convergence{0.97, 11000.}},
                                                {"B1", Convergence{0.97, 10000.}},
                                                {"B1q", {}},
-                                               {"B1t", {}},
                                                {"B2", Convergence{0.97, 17000.}},
                                                {"B3", Convergence{0.97, 25000.}},
                                                {"B4", Convergence{0.97, 10000.}},
@@ -114,10 +112,7 @@ int main(int argc, char **argv)
   Checks checks;
   for (const Expectation &expected : expectations)
     check_scene(checks, expected);
-  for (const char *name : {"nearly_incompressible",
-                           "patch_test_distorted",
-                           "smooth_contact_two_ends",
-                           "two_contact_sides"})
+  for (const char *name : {"nearly_incompressible", "two_contact_sides"})
     check_file(checks, name);
   return checks.exit_code();
 }

@@ -55,7 +55,9 @@ void patch_test(Checks &checks)
   check_zero(
     checks,
     "patch test",
-    numbers(level, assemble_loads(level.space(), level.scene, level.discretization.n_points)));
+    numbers(
+      level,
+      assemble_right_hand_side(level.space(), level.scene, level.discretization.n_points).loads));
 }
 
 /**

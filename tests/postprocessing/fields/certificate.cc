@@ -96,7 +96,6 @@ const std::string oblique = "subsection Geometry\nset Shape = polygon\n"
 void correct_answers(Checks &checks)
 {
   const std::pair<const char *, std::string> scenes[] = {{"block on parabola", block},
-                                                         {"A1", entry("Scene", "Name", "A1")},
                                                          {"D1", entry("Scene", "Name", "D1")},
                                                          {"loads", loaded},
                                                          {"oblique sides", oblique}};

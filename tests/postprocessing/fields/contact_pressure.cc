@@ -170,7 +170,7 @@ void transfer(Checks &checks)
     transfer_pressure({patches_between(bottom, {0., 0.2, 1.}), pressure({-1., -2.})},
                       patches_between(bottom, {0., 0.5, 1.}));
   checks.near("weighted mean", uneven[0], -(0.2 * 1. + 0.3 * 2.) / 0.5, 1e-15);
-  for (const unsigned int n : {1U, 3U, 5U, 9U, 100U})
+  for (const unsigned int n : {1U, 5U, 100U})
     for (const unsigned int side : {left, bottom})
       checks.near("force on side " + std::to_string(side) + " from 7 to " + std::to_string(n) +
                     " patches",

@@ -109,13 +109,6 @@ void reproduces(Checks &checks,
 
 void polynomials(Checks &checks)
 {
-  const Polynomial q(1);
-  const Field value = [&](const Point<2> &x) { return q.value(x); };
-  const Gradient gradient = [&](const Point<2> &x) { return q.gradient(x); };
-  const OneLevel rectangles(
-    "subsection Geometry\nset Upper right = 2, 1\nset Cells = 3, 2\nend\n" + sides, 1);
-  reproduces(checks, "biquadratic function on rectangles", rectangles, value, gradient);
-  reproduces(checks, "biquadratic function on squares", OneLevel(sides, 3), value, gradient);
   const Tensor<2, 2> slope({{0.3, -0.7}, {1.1, 0.4}});
   const OneLevel distorted(entry("Geometry", "Distortion", "0.3") + sides, 3);
   reproduces(
@@ -227,14 +220,6 @@ void generations(Checks &checks)
   // The coarsest level, 2 by default, is the one that is distorted.
   checks.near("ancestors on a distorted level", n_ancestors(OneLevel(distorted, 2)), 0, 0);
   checks.near("ancestors two levels below it", n_ancestors(OneLevel(distorted, 4)), 2, 0);
-  const Tensor<2, 2> slope({{0.3, -0.7}, {1.1, 0.4}});
-  reproduces(
-    checks,
-    "linear function on distorted grandparents",
-    OneLevel(distorted, 4),
-    [&](const Point<2> &x) { return slope * x; },
-    [&](const Point<2> &) { return slope; },
-    2);
 }
 
 /** Degree four is taken where the mesh resolves the function. */

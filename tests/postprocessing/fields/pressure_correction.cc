@@ -88,7 +88,7 @@ void linear_pressure(Checks &checks)
 /** b.z = a(z, z): the solve against the sum over cells. */
 void energy_of_correction(Checks &checks)
 {
-  for (const char *scene : {"A1", "B3", "C4", "V1", "E2"})
+  for (const char *scene : {"A1", "C4", "E2"})
     for (const unsigned int ratio : {2U, 8U})
     {
       // A ring has four times as many contact faces.
@@ -129,7 +129,7 @@ void nothing_to_correct(Checks &checks)
 /** Patches longer than two faces are corrected from those of two faces: u_h + z_h is the same. */
 void long_patches(Checks &checks)
 {
-  for (const char *scene : {"A1", "B2", "C4"})
+  for (const char *scene : {"A1", "C4"})
   {
     const auto corrected = [&](const std::string &text) {
       const SolvedLevel level(text, 4);

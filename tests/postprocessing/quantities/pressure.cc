@@ -125,25 +125,27 @@ void forces(Checks &checks)
 {
   const OneLevel level(square(64), 0);
   const Pressure P = means(level.multipliers(), [](const double x) { return -x - 0.5 * x * x; });
-  const auto found = contact_forces(level.multipliers(), level.scene, P);
-  checks.that("one contact side", found.size() == 1 && found[0].side == "bottom");
-  const SideForce::Total &sum = found[0].resultant;
+  const auto force_of = [&](const Pressure &pressure) {
+    return contact_force(level.multipliers(), level.scene.contact_sides(), pressure);
+  };
+  const SideForce found = force_of(P);
+  checks.that("its side", found.side == "bottom");
+  const SideForce::Total &sum = found.resultant;
   checks.near("no horizontal force", sum.force[0], 0., 1e-14);
   // p n = p (0,-1) points upwards.
   checks.near("force", sum.force[1], 1.5, 1e-13);
   // Means over patches of length H lose H²/12 of the linear part's moment.
   const double H = 1. / 32.;
   checks.near("moment", sum.moment[0], 5. / 6. - H * H / 12., 1e-13);
-  checks.near("line of action", (*found[0].through)[0], (5. / 6. - H * H / 12.) / 1.5, 1e-13);
-  checks.near("on the side", (*found[0].through)[1], 0., 1e-13);
-  checks.that("no force, no line",
-              !contact_forces(level.multipliers(), level.scene, Pressure(P.size()))[0].through);
+  checks.near("line of action", (*found.through)[0], (5. / 6. - H * H / 12.) / 1.5, 1e-13);
+  checks.near("on the side", (*found.through)[1], 0., 1e-13);
+  checks.that("no force, no line", !force_of(Pressure(P.size())).through);
   Resultant<2> oblique;
   const dealii::Point<2> a(0.3, -0.7);
   oblique.add(dealii::Tensor<1, 2>({2., 1.}), a);
-  const dealii::Point<2> nearest = *point_of_action(oblique, {0.3 + 4., -0.7 + 2.}, 1.);
+  const AnswerVector nearest = *side_force<2>("", oblique, {0.3 + 4., -0.7 + 2.}, 1.).through;
   checks.near("a point of the line stays", nearest.distance({4.3, 1.3}), 0., 1e-14);
-  const dealii::Point<2> foot = *point_of_action(oblique, {0.3 - 1., -0.7 + 2.}, 1.);
+  const AnswerVector foot = *side_force<2>("", oblique, {0.3 - 1., -0.7 + 2.}, 1.).through;
   checks.near("foot of the perpendicular", foot.distance(a), 0., 1e-14);
 }
 

@@ -24,7 +24,7 @@ struct Iterated
   {
     // f = T^T (loads - a(k, .)), and the gap that k leaves.
     const Signorini::Displacement k = space.prescribed(scene);
-    Signorini::DualVector r = space.dual(assemble_loads(space, scene, 2));
+    Signorini::DualVector r = space.dual(assemble_right_hand_side(space, scene, 2).loads);
     r -= space.dual(internal_forces(space, scene, k).forces);
     r = space.condense(r);
     f = dealii::Vector<double>(r.begin(), r.end());

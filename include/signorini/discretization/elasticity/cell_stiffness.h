@@ -15,9 +15,9 @@ namespace Signorini
  * Integrates a(φ_j, φ_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
  *
  * For elements of degree p, p + 1 Gauss points per direction are exact for a constant tensor on a
- * parallelogram or parallelepiped; p + 3 are taken otherwise. With a constant tensor, similar
- * parallelograms share one matrix, which in 2-D does not depend on their size: on a mesh of squares
- * it is integrated once per degree.
+ * parallelogram or parallelepiped; p + 3 are taken otherwise. With a constant tensor, cells of one
+ * shape share a matrix, which in 2-D does not depend on their size: on a mesh of
+ * squares it is integrated once per degree.
  */
 template <int dim>
 class CellStiffness
@@ -40,32 +40,26 @@ public:
   }
 
 private:
-  /** A parallelogram's edges divided by its size, with its matrix for a body of size one. */
+  /** The matrix of a shape: the vertices relative to the first, divided by the cell's size, in 3-D
+   * by the body's. */
   struct Sample
   {
     unsigned int element_number;
-    double size;
     std::vector<Tensor<1, dim>> shape;
     Matrix matrix;
   };
 
-  Matrix integrate(const FEValues<dim> &values);
-  /** Returns the sample of the same element and shape, if there is one. */
-  const Sample *find_sample(unsigned int element_number,
-                            const std::vector<Tensor<1, dim>> &shape,
-                            double tolerance) const;
+  Matrix integrate(const CellIterator &cell);
 
   const DisplacementSpace<dim> &space_;
   const Mesh<dim> &mesh_;
   const Material<dim> &material_;
   StrainOperator strain_operator_;
   bool constant_;
-  /** Whether vertices alone do not determine the shape of a cell. */
-  bool curved_;
   /** The kinks of the data; none for a constant tensor, which is smooth across all lines. */
   Kinks<dim> kinks_;
   CellValues<dim> affine_values_;
-  CellValues<dim> general_values_;
+  CellValues<dim> values_;
   Matrix last_;
   FullMatrix<double> strains_, stresses_;
   /** The samples of a constant tensor, in the order of their first use. */

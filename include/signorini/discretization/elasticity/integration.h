@@ -81,37 +81,24 @@ public:
   }
 
 protected:
-  template <typename CellIterator>
-  unsigned int n_points(const CellIterator &cell) const
+  /** Returns the values with Gauss' rule, or with cut_rule(n_points); those are valid until the
+   * next call. */
+  template <typename CellIterator, typename CutRule>
+  Values &select(const CellIterator &cell, const bool is_cut, const CutRule &cut_rule)
   {
-    return n_points_ + space_.element(cell).degree - 1;
-  }
-  /** Returns the values with Gauss' rule. */
-  template <typename CellIterator>
-  Values &plain(const CellIterator &cell)
-  {
-    std::unique_ptr<Values> &values = plain_[space_.element_number(cell)];
-    if (values == nullptr)
-      values = make(cell, QGauss<rule_dim>(n_points(cell)));
+    std::unique_ptr<Values> &values = is_cut ? cut_ : plain_[space_.element_number(cell)];
+    const FiniteElement<dim> &element = space_.element(cell);
+    const unsigned int n = n_points_ + element.degree - 1;
+    if (is_cut)
+      values = std::make_unique<Values>(mapping_, element, cut_rule(n), flags_);
+    else if (values == nullptr)
+      values = std::make_unique<Values>(mapping_, element, QGauss<rule_dim>(n), flags_);
     return *values;
-  }
-  /** Returns the values with another rule; valid until the next call. */
-  template <typename CellIterator>
-  Values &cut(const CellIterator &cell, const Quadrature<rule_dim> &rule)
-  {
-    cut_ = make(cell, rule);
-    return *cut_;
   }
 
   const Kinks<dim> &kinks_;
 
 private:
-  template <typename CellIterator>
-  std::unique_ptr<Values> make(const CellIterator &cell, const Quadrature<rule_dim> &rule)
-  {
-    return std::make_unique<Values>(mapping_, space_.element(cell), rule, flags_);
-  }
-
   const Mapping<dim> &mapping_;
   const DisplacementSpace<dim> &space_;
   unsigned int n_points_;
@@ -135,10 +122,14 @@ public:
   template <typename CellIterator>
   const FEValues<dim> &reinit(const CellIterator &cell)
   {
-    FEValues<dim> &values =
-      needs_cuts<dim>(this->kinks_, cell)
-        ? this->cut(cell, cut_quadrature<dim>(this->kinks_, cell, this->n_points(cell)))
-        : this->plain(cell);
+    // In 3-D planes do not cut cells yet.
+    const auto cut_rule = [&](const unsigned int n) -> Quadrature<dim> {
+      if constexpr (dim == 2)
+        return cut_quadrature(this->kinks_, cell, n);
+      return QGauss<dim>(n);
+    };
+    const bool is_cut = dim == 2 && needs_cuts<dim>(this->kinks_, cell);
+    FEValues<dim> &values = this->select(cell, is_cut, cut_rule);
     values.reinit(cell);
     return values;
   }
@@ -155,19 +146,19 @@ public:
 
   const FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no)
   {
-    FEFaceValues<dim> *values = nullptr;
+    const auto face = cell->face(face_no);
     // In 3-D planes do not cut faces yet.
+    std::vector<double> cuts;
     if constexpr (dim == 2)
-    {
-      const auto face = cell->face(face_no);
-      const std::vector<double> cuts = this->kinks_.cut(face->vertex(0), face->vertex(1));
-      if (cuts.size() > 2)
-        values = &this->cut(cell, split_quadrature(QGauss<dim - 1>(this->n_points(cell)), cuts));
-    }
-    if (values == nullptr)
-      values = &this->plain(cell);
-    values->reinit(cell, face_no);
-    return *values;
+      cuts = this->kinks_.cut(face->vertex(0), face->vertex(1));
+    const auto cut_rule = [&](const unsigned int n) -> Quadrature<dim - 1> {
+      if constexpr (dim == 2)
+        return split_quadrature(QGauss<1>(n), cuts);
+      return QGauss<dim - 1>(n);
+    };
+    FEFaceValues<dim> &values = this->select(cell, cuts.size() > 2, cut_rule);
+    values.reinit(cell, face_no);
+    return values;
   }
 };
 

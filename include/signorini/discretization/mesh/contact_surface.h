@@ -6,6 +6,7 @@
 #include <signorini/problem/scene/scene.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace Signorini
@@ -41,6 +42,62 @@ struct Patch
     return lower.distance(upper);
   }
 };
+
+/** The patches of one side as a grid: rows and columns in the coordinates of the side. In 2-D there
+ * is one row. */
+struct PatchGrid
+{
+  /** The number of the side in the geometry. */
+  unsigned int side = 0;
+  /** The beginnings of the patches, sorted, and the end of the last one, in both coordinates of the
+   * side. */
+  std::array<std::vector<double>, 2> ends = {{{}, {0., 1.}}};
+  /** The numbers of the patches; that of column i and row j at i + n(0) j. */
+  std::vector<unsigned int> patches;
+
+  /** Returns the number of patches along one coordinate. */
+  unsigned int n(const unsigned int d) const
+  {
+    return ends[d].size() - 1;
+  }
+  unsigned int at(const unsigned int i, const unsigned int j) const
+  {
+    return patches[i + n(0) * j];
+  }
+  double length(const unsigned int d) const
+  {
+    return ends[d].back() - ends[d].front();
+  }
+  double middle(const unsigned int d, const unsigned int i) const
+  {
+    return 0.5 * (ends[d][i] + ends[d][i + 1]);
+  }
+};
+
+/**
+ * Returns one grid for each side, in the order of the patches; m log m operations for m patches.
+ * @throws ComputationError where patches are no grid.
+ */
+template <int dim>
+std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches);
+
+/** A patch next to another one, and its interval in the coordinate in which it follows; around a
+ * closed side as if the side went on. */
+struct Neighbour
+{
+  unsigned int patch;
+  double lower, upper;
+
+  double middle() const
+  {
+    return 0.5 * (lower + upper);
+  }
+};
+
+/** The patches before and after a patch in each coordinate; empty where its side ends, or has a
+ * corner. */
+template <int dim>
+using Neighbours = std::array<std::array<std::optional<Neighbour>, 2>, dim - 1>;
 
 /** The points on a piece of Γ_c, with the data for integrals over it. */
 template <int dim>
@@ -160,6 +217,9 @@ public:
    * without weights. */
   SurfaceRule<dim> at(const Piece<dim> &piece, const std::vector<Point<dim - 1>> &positions) const;
 
+  /** Returns the neighbours of all patches. */
+  std::vector<Neighbours<dim>> neighbours() const;
+
   /** Returns H: the largest diameter of a patch (length). */
   double longest_patch() const;
   /** Returns whether a patch lies in a single face (H = h): it contains no interior node of the
@@ -178,40 +238,4 @@ private:
   std::vector<Patch<dim>> patches_;
   std::vector<Piece<dim>> pieces_;
 };
-
-/** The patches of one rectangular side in 3-D, as a grid. */
-struct PatchGrid
-{
-  /** The number of the side in the geometry. */
-  unsigned int side = 0;
-  /** The beginnings of the patches, sorted, and the end of the last one, in both coordinates of the
-   * side. */
-  std::array<std::vector<double>, 2> ends;
-  /** The numbers of the patches; that of column i and row j at i + n(0) j. */
-  std::vector<unsigned int> patches;
-
-  /** Returns the number of patches along one coordinate. */
-  unsigned int n(const unsigned int d) const
-  {
-    return ends[d].size() - 1;
-  }
-  unsigned int at(const unsigned int i, const unsigned int j) const
-  {
-    return patches[i + n(0) * j];
-  }
-  double length(const unsigned int d) const
-  {
-    return ends[d].back() - ends[d].front();
-  }
-  double middle(const unsigned int d, const unsigned int i) const
-  {
-    return 0.5 * (ends[d][i] + ends[d][i + 1]);
-  }
-};
-
-/**
- * Returns one grid for each side, in the order of the patches; m log m operations for m patches.
- * @throws ComputationError where patches are no grid.
- */
-std::vector<PatchGrid> patch_grids(const std::vector<Patch<3>> &patches);
 } // namespace Signorini

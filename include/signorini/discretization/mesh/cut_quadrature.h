@@ -11,10 +11,6 @@
 
 namespace Signorini
 {
-/** Returns whether a line runs through the interior of the cell. */
-template <int dim>
-bool lines_cross(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell);
-
 /** Returns whether the plain rule is not enough on a cell: a line crosses it or meets a contact
  * side near it. */
 template <int dim>
@@ -22,15 +18,14 @@ bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell
 
 /**
  * Returns a rule on the reference cell that integrates on the pieces into which the lines cut a
- * cell, with
- * @p n_points Gauss points per direction on each. Near a possible end of contact the pieces shrink
- * towards it. A curved cell is cut like the quadrilateral of its vertices: the rule is as accurate
- * there for smooth functions, and nearly so for others.
+ * cell. They are divided into triangles, each with @p n_points points per direction; near a
+ * possible end of contact the triangles shrink towards it. A curved cell is cut like the
+ * quadrilateral of its vertices: the rule is as accurate there for smooth functions, and nearly so
+ * for others.
  */
-template <int dim>
-Quadrature<dim> cut_quadrature(const Kinks<dim> &kinks,
-                               const typename Triangulation<dim>::cell_iterator &cell,
-                               unsigned int n_points);
+Quadrature<2> cut_quadrature(const Kinks<2> &kinks,
+                             const Triangulation<2>::cell_iterator &cell,
+                             unsigned int n_points);
 
 /** Returns the rule from the first to the last of the sorted @p cuts that applies @p rule, a rule
  * on [0,1], between consecutive ones. */

@@ -92,32 +92,15 @@ public:
   double operator()(unsigned int patch, const Point<dim - 1> &s) const;
 
 private:
-  /** A patch next to another one, and its middle in the coordinates of that one. */
-  struct Neighbour
-  {
-    unsigned int patch;
-    double middle;
-  };
-  /** Returns the patch before (step -1) or after (step 1) on the same side; the same patch if there
-   * is none. For 2-D only. */
-  Neighbour neighbour(unsigned int patch, int step) const;
-
-  /** The place of a patch in 3-D: its grid, and its column and row. */
-  struct Place
-  {
-    unsigned int grid;
-    std::array<unsigned int, 2> index;
-  };
+  /** Returns the mean of a patch, interpolated linearly between the middles of neighbours in the
+   * first directions, one after the other. */
+  double interpolate(unsigned int patch, const Point<dim - 1> &s, unsigned int n_directions) const;
 
   const MultiplierSpace<dim> &space_;
-  const ContactSurface<dim> &surface_;
   Pressure P_;
+  std::vector<Neighbours<dim>> neighbours_;
   /** The means of the patches. */
   std::vector<double> means_;
-  /** The grids of the sides, in 3-D. */
-  std::vector<PatchGrid> grids_;
-  /** The places of the patches, in 3-D. */
-  std::vector<Place> places_;
 };
 
 /** A pressure with the patches that it belongs to, as a start for another partition. */
@@ -155,6 +138,11 @@ struct SideNodes
 /** Returns the nodes of all multipliers, side after side; those below pressing_threshold(P) press.
  */
 std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers, const Pressure &P);
+
+/** Returns the runs of two or more neighbouring nodes that press and are open by turns: contact
+ * begins or ends between the first and the last of each. Around a closed side, the positions go on
+ * beyond its length, and the first node comes again at the end. */
+std::vector<std::vector<SideNode>> alternations(const SideNodes &side);
 
 /** The forces at all degrees of freedom j (force per thickness); every rank stores all of them.
  * They are integrals over cells; the assembled and factorised A is not used. */

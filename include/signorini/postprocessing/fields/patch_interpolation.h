@@ -70,14 +70,11 @@ private:
     std::vector<Tensor<1, dim>> gradients;
   };
 
-  unsigned int lexicographic(const Place &place, unsigned int n_per_direction) const;
   ShapeTable make_table(const std::vector<Point<dim>> &points, const Place &place) const;
-  /** Returns the table at the usual points if @p is_usual, else at those of @p quadrature. */
-  const ShapeTable &table(const Quadrature<dim> &quadrature, bool is_usual, const Place &place);
   /** Fills result_ with values, and gradients in reference coordinates. */
-  void sum_up(const ShapeTable &shapes, unsigned int n_points);
-  /** Fills tables_. */
-  void make_tables();
+  void interpolate(const Displacement &U,
+                   const CellIterator &cell,
+                   const std::vector<Point<dim>> &points);
   /**
    * Fills nodal_values_ for the ancestor of a cell.
    * @return the place of the cell.
@@ -104,32 +101,15 @@ private:
   /** The ancestor to which nodal_dofs_ belong. */
   AncestorIterator ancestor_;
   std::vector<std::array<types::global_dof_index, dim>> nodal_dofs_;
-  std::vector<types::global_dof_index> cell_dofs_;
   std::vector<Tensor<1, dim>> nodal_values_;
   FieldValues<dim> result_;
 };
 
-/**
- * pi^{2h} u_h of (30) at the nodes of the next level, where T^{2h} exists, else u_h: a start for
- * V-cycles on that level. In single precision, 4 dim 3^dim bytes for each cell.
- */
+/** Returns pi^{2h} u_h of (30), where T^{2h} exists, else u_h, at the nodes of the next level, which
+ * is refined everywhere: a start for V-cycles. Elements of degree one. Empty if @p fine is not that
+ * level. */
 template <int dim>
-class CoarseDisplacement
-{
-public:
-  /** Elements of degree one. */
-  CoarseDisplacement(const DisplacementSpace<dim> &space, const Displacement &U);
-
-  /** Nodal values on the next level, which is refined everywhere; empty if @p space is not that.
-   */
-  Displacement at_nodes_of(const DisplacementSpace<dim> &space) const;
-
-private:
-  /** The level of the cells. */
-  unsigned int level_;
-  /** A vertex of every cell, by which it is recognised. */
-  std::vector<Point<dim>> first_vertices_;
-  /** By cell (its index on the level), point and component. */
-  std::vector<float> values_;
-};
+Displacement carry_over(const DisplacementSpace<dim> &coarse,
+                        const Displacement &U,
+                        const DisplacementSpace<dim> &fine);
 } // namespace Signorini

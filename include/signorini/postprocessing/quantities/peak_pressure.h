@@ -42,10 +42,9 @@ struct PeakPressure : PressureMaximum
  * the mean of the patch. At the edge of the side to a roller the mirror image is the neighbour, if
  * the material is its own mirror image.
  */
-std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<2> &multipliers,
-                                             const Pressure &P,
-                                             const std::vector<SingularPlace<2>> &outside_of = {});
-std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<3> &multipliers,
-                                             const Pressure &P,
-                                             const std::vector<SingularPlace<3>> &outside_of = {});
+template <int dim>
+std::optional<PressureMaximum>
+peak_pressure(const MultiplierSpace<dim> &multipliers,
+              const Pressure &P,
+              const std::vector<SingularPlace<dim>> &outside_of = {});
 } // namespace Signorini

@@ -26,12 +26,21 @@ struct SideForce
   std::optional<AnswerVector> through;
 };
 
-/** Returns ∫ p_H n over every contact side. The line of action is given by its point nearest to
- * the centre of pressure, which lies on a straight side. */
+/** Returns the force of a resultant. Its line of action is given by the point nearest to @p centre
+ * (in 3-D, where the moment is parallel to the force); there is none where the force is rounding
+ * compared with @p scale. */
 template <int dim>
-std::vector<SideForce> contact_forces(const MultiplierSpace<dim> &multipliers,
-                                      const Scene<dim> &scene,
-                                      const Pressure &P);
+SideForce side_force(const std::string &name,
+                     const Resultant<dim> &resultant,
+                     const Point<dim> &centre,
+                     double scale);
+
+/** Returns ∫ p_H n over contact sides, with the name of a single one. The line of action is given
+ * by its point nearest to the centre of pressure, which lies on a straight side. */
+template <int dim>
+SideForce contact_force(const MultiplierSpace<dim> &multipliers,
+                        const std::vector<unsigned int> &sides,
+                        const Pressure &P);
 
 /**
  * Returns the reaction of every clamped, prescribed and roller side: the sum of
@@ -47,11 +56,4 @@ template <int dim>
 std::vector<SideForce> reactions(const DisplacementSpace<dim> &space,
                                  const Scene<dim> &scene,
                                  const NodalForces &forces);
-
-/** Returns the point nearest to @p centre on the line of action x × F = M (in 3-D: on the axis on
- * which the moment is parallel to F); none where |F| is rounding compared with @p scale (force). */
-template <int dim>
-std::optional<Point<dim>> point_of_action(const Resultant<dim> &resultant,
-                                          const Point<dim> &centre,
-                                          double scale);
 } // namespace Signorini

@@ -49,6 +49,9 @@ struct SingularPlace
 std::vector<SingularPlace<2>> singular_places(const Scene<2> &scene);
 std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene);
 
+/** Returns the axis of a box along the normal of a side. */
+unsigned int axis_of(const Side<3> &side);
+
 /** Returns whether @p x lies at one of the places. */
 template <int dim>
 bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim> &x);
