@@ -96,9 +96,7 @@ std::vector<FaceField> fields_of(const EquilibratedStress &stress, const bool in
   return fields;
 }
 
-ContactLift make_lift(const BoundData &data,
-                      const double stress_square,
-                      const std::vector<FaceField> &fields)
+ContactLift make_lift(const BoundData &data, const std::vector<FaceField> &fields)
 {
   const StressData &given = data.stress;
   return {given.space,
@@ -106,7 +104,7 @@ ContactLift make_lift(const BoundData &data,
           given.multipliers,
           given.U,
           given.P,
-          ContactLift::DualData{data.inverse, data.condensed_D, 0.05 * stress_square},
+          ContactLift::DualData{data.inverse, data.condensed_D},
           fields};
 }
 
@@ -183,7 +181,7 @@ bool add_guaranteed(const BoundData &data,
   if (stress_data.interpolated_part)
   {
     const double square = stress_data.interpolated_part->square;
-    const ContactLift interpolated_part = make_lift(data, square, fields_of(stress, true));
+    const ContactLift interpolated_part = make_lift(data, fields_of(stress, true));
     if (interpolated_part.bound() && std::isfinite(square + interpolated_part.bound()->square()))
     {
       result.post_absolute =
@@ -230,7 +228,7 @@ LocatedBound compute_located_bound(const BoundData &data)
     return located;
   const EquilibratedStress stress(given, improvement_for(given.scene));
   const StressBound stress_data = stress.bound();
-  const ContactLift lift = make_lift(data, stress_data.square, fields_of(stress, false));
+  const ContactLift lift = make_lift(data, fields_of(stress, false));
   result.penetration = lift.trace().max_penetration();
   result.place_of_penetration = name_of(lift.trace().place_of_largest(), given.scene);
   result.missing = lift.no_bound();

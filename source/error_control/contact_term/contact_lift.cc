@@ -1,112 +1,60 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The contact part of the bound: the part of w inside faces, and the sum.
+// The contact part of the bound: the lift in the body, its energy, and the sum.
 
+#include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/contact_term/contact_lift.h>
-#include <signorini/error_control/contact_term/contact_trace.h>
-#include <signorini/error_control/contact_term/nodal_lift.h>
 #include <signorini/error_control/loads/cell_rule.h>
+#include <signorini/error_control/loads/law_sampling.h>
 #include <signorini/error_control/stress/equilibrated_stress.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <functional>
+#include <memory>
 #include <sstream>
 
 namespace Signorini
 {
 namespace
 {
-/** Computes r_F of one face from q and w_h. */
-class Remainder
+/** Returns a part minus a function that is linear on it. */
+EdgeFunction::Part minus(EdgeFunction::Part part, const std::function<double(double)> &linear)
 {
-public:
-  Remainder(const PenetrationFace &face, const Displacement &w_h)
-    : face_(face)
-    , presses_(face.presses_everywhere())
-    , chord_{face.d.value(0.), face.d.value(1.)}
-    , slack_{face.normal_value(w_h, 0.) - chord_[0], face.normal_value(w_h, 1.) - chord_[1]}
-  {
-  }
+  part.first -= linear(part.start);
+  part.last -= linear(part.end);
+  return part;
+}
 
-  EdgeFunction function() const
+/** Returns the remainder r_F of a face with w_{h,n} on it. */
+EdgeFunction remainder(const PenetrationFace &face, const PenetrationFace::Polynomial &w_n)
+{
+  const bool presses = face.presses_everywhere();
+  const double first = face.d.value(0.), last = face.d.value(1.);
+  std::vector<EdgeFunction::Part> parts;
+  for (const EdgeFunction::Part &q : face.d.parts())
   {
-    std::vector<EdgeFunction::Part> parts;
-    for (const EdgeFunction::Part &q : face_.d.parts())
-    {
-      const EdgeFunction::Part b = minus(q, chord_), lack = minus(b, slack_);
-      std::vector<double> breaks = {q.start, q.end};
-      add_roots(lack, breaks);
-      if (presses_)
-        add_roots(b, breaks);
-      std::sort(breaks.begin(), breaks.end());
-      // b - e and b have the same zeros where e = 0; a part without length has no slope.
-      const double shortest = 1e-9 * (q.end - q.start);
-      breaks.erase(std::unique(breaks.begin(),
-                               breaks.end() - 1,
-                               [=](const double s, const double t) { return t - s < shortest; }),
-                   breaks.end() - 1);
-      for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
-        parts.push_back(on(b, lack, breaks[i], breaks[i + 1]));
-    }
-    // b = 0 there and e ≥ 0, up to rounding.
-    parts.front().first = 0.;
-    parts.back().last = 0.;
-    return EdgeFunction(std::move(parts));
+    const EdgeFunction::Part lack = minus(q, [&](const double t) { return w_n.value(t); });
+    const EdgeFunction::Part bow =
+      minus(q, [&](const double t) { return (1. - t) * first + t * last; });
+    const auto at_end = [&](const double lacking, const double bowed) {
+      return std::max(lacking, presses ? std::min(0., bowed) : 0.);
+    };
+    parts.push_back(
+      {q.start, q.end, at_end(lack.first, bow.first), at_end(lack.last, bow.last), 0.});
+    // A parabola is not above the positive parts of its chord and its bulge.
+    if (presses && bow.largest() <= 0.)
+      parts.back().bulge = q.bulge;
+    else if (lack.largest() > 0.)
+      parts.back().bulge = std::max(0., q.bulge);
   }
-
-private:
-  using Ends = std::array<double, 2>;
-
-  /** Returns a part minus the linear function with the given values at 0 and 1. */
-  static EdgeFunction::Part minus(EdgeFunction::Part part, const Ends &ends)
-  {
-    part.first -= (1. - part.start) * ends[0] + part.start * ends[1];
-    part.last -= (1. - part.end) * ends[0] + part.end * ends[1];
-    return part;
-  }
-  /** Adds the zeros inside of a part, not too close to its ends. */
-  static void add_roots(const EdgeFunction::Part &part, std::vector<double> &breaks)
-  {
-    // first + slope τ - 4 bulge τ², in the form that does not cancel.
-    const double slope = part.last - part.first + 4. * part.bulge;
-    const double square = slope * slope + 16. * part.bulge * part.first;
-    if (square < 0.)
-      return;
-    const double sum = slope + std::copysign(std::sqrt(square), slope);
-    for (const double tau : {sum / (8. * part.bulge), -2. * part.first / sum})
-      if (tau > 1e-9 && tau < 1. - 1e-9)
-        breaks.push_back(part.start + tau * (part.end - part.start));
-  }
-  /** Returns the remainder between two breaks: there it is one of b - e, b and 0. */
-  EdgeFunction::Part on(const EdgeFunction::Part &b,
-                        const EdgeFunction::Part &lack,
-                        const double start,
-                        const double end) const
-  {
-    const double length = (end - start) / (b.end - b.start);
-    const double middle = 0.5 * (start + end);
-    const double value = remainder(b.value(middle), lack.value(middle));
-    EdgeFunction::Part part = {start,
-                               end,
-                               remainder(b.value(start), lack.value(start)),
-                               remainder(b.value(end), lack.value(end)),
-                               0.};
-    if (value != 0.)
-      part.bulge = b.bulge * length * length;
-    return part;
-  }
-  double remainder(const double b, const double lack) const
-  {
-    return std::max(lack, presses_ ? std::min(b, 0.) : 0.);
-  }
-
-  const PenetrationFace &face_;
-  bool presses_;
-  Ends chord_, slack_;
-};
+  // These are zero, up to rounding.
+  parts.front().first = parts.back().last = 0.;
+  return EdgeFunction(std::move(parts));
+}
 
 std::string describe(const std::string &reason, const SidePlace &place, const Scene<2> &scene)
 {
@@ -117,24 +65,40 @@ std::string describe(const std::string &reason, const SidePlace &place, const Sc
   return text.str();
 }
 
-/** Returns ∫_F τ_n (d - w_n). */
-double contact_term(const ContactTrace &trace, const LiftField &lift, const unsigned int face)
+ContactBound evaluate(const DisplacementSpace<2> &space,
+                      const Scene<2> &scene,
+                      const ContactTrace &trace,
+                      const LiftField &lift)
 {
-  static const QGauss<1> gauss(4);
-  const PenetrationFace &F = trace.faces()[face];
-  double sum = 0.;
-  // The parts are those of d and p_H, cut where w_n has kinks.
-  for (const EdgeFunction::Part &part : lift.remainder(face).parts())
-    for (unsigned int q = 0; q < gauss.size(); ++q)
+  ContactBound bound;
+  bound.cell_energies = lift.cell_energies();
+  const MPI_Comm communicator = space.mesh().communicator();
+  bound.lift_energy = Utilities::MPI::sum(bound.cell_energies.l1_norm(), communicator);
+  double largest = 0.;
+  for (unsigned int i = 0; i < trace.faces().size(); ++i)
+  {
+    const PenetrationFace &face = trace.faces()[i];
+    const PenetrationFace::Polynomial w_n = face.trace(lift.w_h(), face.normal);
+    const EdgeFunction &r = lift.remainders()[i];
+    double term = 0.;
+    // The parts are those of d and p_H, and those of w_n.
+    face.for_each_point(r, [&](const double t, const double weight) {
+      if (const double traction = face.traction(t); traction != 0.)
+        term += traction * (trace.penetration(face, t) - w_n.value(t) - r.value(t)) * weight;
+    });
+    bound.contact_term += term;
+    bound.face_terms.push_back(2. * term);
+    const auto cell = trace.surface().faces()[i].cell;
+    const double part =
+      2. * term + Utilities::MPI::sum(bound.cell_energies[cell->active_cell_index()], communicator);
+    if (i == 0 || part > largest)
     {
-      const double t = part.start + (part.end - part.start) * gauss.point(q)[0];
-      const double traction = F.traction(t);
-      if (traction == 0.)
-        continue;
-      sum += traction * (trace.penetration(F, t) - lift.normal_value(face, t)) * F.length *
-             (part.end - part.start) * gauss.weight(q);
+      largest = part;
+      bound.dominant_part = {face.side,
+                             scene.geometry.sides[face.side].arc_length(face.point(0.5))};
     }
-  return sum;
+  }
+  return bound;
 }
 } // namespace
 
@@ -145,87 +109,193 @@ ContactLift::ContactLift(const DisplacementSpace<2> &space,
                          const Pressure &P,
                          const std::optional<DualData> &dual,
                          const std::vector<FaceField> &fields)
+  : trace_(space, scene, multipliers, U, P, fields)
+{
+  if (trace_.obstacle())
+  {
+    no_bound_ = describe("u_n - g > 0 where the contact side meets a side that holds the body: no "
+                         "displacement of finite energy removes the penetration",
+                         *trace_.obstacle(),
+                         scene);
+    return;
+  }
+  std::optional<Displacement> w_h = nodal_lift(space, scene, trace_, P, dual);
+  if (!w_h)
+  {
+    no_bound_ = "contact sides meet in a corner that is too sharp";
+    return;
+  }
+  std::vector<EdgeFunction> remainders;
+  for (const PenetrationFace &face : trace_.faces())
+    remainders.push_back(remainder(face, face.trace(*w_h, face.normal)));
+  lift_.emplace(space, scene, trace_, std::move(*w_h), std::move(remainders));
+  bound_ = evaluate(space, scene, trace_, *lift_);
+}
+
+// The lift in the body.
+
+double stretch_to_shear(const Scene<2> &scene, const PenetrationFace &face)
+{
+  const auto C = scene.material->hooke(face.point(0.5));
+  const Tensor<1, 2> m = cross_product_2d(face.normal);
+  const auto nn = symmetrize(outer_product(face.normal, face.normal));
+  const auto nm = symmetrize(outer_product(face.normal, m));
+  return (nn * (C * nn)) / (nm * (C * nm));
+}
+
+LiftField::LiftField(const DisplacementSpace<2> &space,
+                     const Scene<2> &scene,
+                     const ContactTrace &trace,
+                     Displacement w_h,
+                     std::vector<EdgeFunction> remainders)
   : space_(space)
   , scene_(scene)
+  , trace_(trace)
+  , w_h_(std::move(w_h))
+  , remainders_(std::move(remainders))
 {
-  if (space.element().degree > 1)
+  for (unsigned int i = 0; i < remainders_.size(); ++i)
+    if (const EdgeFunction &r = remainders_[i]; !r.is_zero())
+    {
+      const auto &[cell, face_no, side] = trace.surface().faces()[i];
+      const PenetrationFace &face = trace.faces()[i];
+      const double height = cell->face(face_no)->center().distance(
+        cell->face(GeometryInfo<2>::opposite_face[face_no])->center());
+      const double depth = face.length * std::sqrt(3. * stretch_to_shear(scene, face) *
+                                                   r.square_integral() / r.slope_integral());
+      columns_.emplace(cell->active_cell_index(), Column{i, face_no, std::min(1., depth / height)});
+    }
+}
+
+template <typename Visitor>
+void LiftField::visit_columns(const CellIterator &cell,
+                              const Point<2> &x,
+                              const Visitor &visit) const
+{
+  const auto [begin, end] = columns_.equal_range(cell->active_cell_index());
+  for (auto entry = begin; entry != end; ++entry)
   {
-    no_bound_ = "the displacement has a degree above one, and the bound is for bilinear elements";
-    return;
+    const auto &[face, face_no, depth] = entry->second;
+    const unsigned int across = face_no / 2;
+    const bool from_above = face_no % 2 == 1;
+    const double psi = 1. - (from_above ? 1. - x[across] : x[across]) / depth;
+    if (psi <= 0.)
+      continue;
+    const EdgeFunction &r = remainders_[face];
+    Tensor<1, 2> gradient;
+    gradient[across] = (from_above ? 1. : -1.) / depth * r.value(x[1 - across]);
+    gradient[1 - across] = psi * r.slope(x[1 - across]);
+    visit(psi * r.value(x[1 - across]), gradient, trace_.faces()[face].normal);
   }
-  trace_ = std::make_unique<const ContactTrace>(space, scene, multipliers, U, P, fields);
-  if (trace_->obstacle())
+}
+
+Tensor<1, 2> LiftField::value(const CellIterator &cell, const Point<2> &reference) const
+{
+  const FiniteElement<2> &element = cell->get_fe();
+  const std::vector<types::global_dof_index> dofs = space_.cell_dofs(cell);
+  Tensor<1, 2> w;
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+    w[element.system_to_component_index(i).first] +=
+      element.shape_value(i, reference) * w_h_[dofs[i]];
+  visit_columns(
+    cell,
+    reference,
+    [&w](const double r, const Tensor<1, 2> & /*gradient*/, const Tensor<1, 2> &n) { w += r * n; });
+  return w;
+}
+
+std::vector<double> LiftField::cuts(const CellIterator &cell,
+                                    const unsigned int d,
+                                    const unsigned int n_equal) const
+{
+  std::vector<double> cuts;
+  for (unsigned int i = 0; i <= n_equal; ++i)
+    cuts.push_back(static_cast<double>(i) / n_equal);
+  const auto [begin, end] = columns_.equal_range(cell->active_cell_index());
+  for (auto entry = begin; entry != end; ++entry)
+    if (const auto &[face, face_no, depth] = entry->second; face_no / 2 == d)
+      cuts.push_back(face_no % 2 == 0 ? depth : 1. - depth);
+    else
+      for (const EdgeFunction::Part &part : remainders_[face].parts())
+        cuts.push_back(part.end);
+  if (!scene_.material->is_constant())
+    for (const unsigned int edge : {0, 1})
+    {
+      // Edges 2 and 3 run along x, edges 0 and 1 along y.
+      const auto line = cell->face(2 * (1 - d) + edge);
+      const auto crossings = scene_.kinks.cut(line->vertex(0), line->vertex(1));
+      cuts.insert(cuts.end(), crossings.begin(), crossings.end());
+    }
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(),
+                         cuts.end(),
+                         [](const double a, const double b) { return b - a < 1e-13; }),
+             cuts.end());
+  return cuts;
+}
+
+double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) const
+{
+  const bool constant = scene_.material->is_constant();
+  SymmetricTensor<4, 2> E = scene_.material->hooke(values.quadrature_point(0));
+  std::vector<Tensor<2, 2>> gradients(values.n_quadrature_points);
+  values[FEValuesExtractors::Vector(0)].get_function_gradients(w_h_.entries(), gradients);
+  double energy = 0.;
+  for (const unsigned int q : values.quadrature_point_indices())
   {
-    no_bound_ = describe(trace_->obstacle()->first, trace_->obstacle()->second, scene);
-    return;
+    visit_columns(cell,
+                  values.get_quadrature().point(q),
+                  [&](const double /*r*/, const Tensor<1, 2> &gradient, const Tensor<1, 2> &n) {
+                    gradients[q] +=
+                      outer_product(n, gradient * Tensor<2, 2>(values.inverse_jacobian(q)));
+                  });
+    if (!constant)
+      E = scene_.material->hooke(values.quadrature_point(q));
+    const SymmetricTensor<2, 2> strain = symmetrize(gradients[q]);
+    energy += strain * (E * strain) * values.JxW(q);
   }
-  consider(layer_lift(space, scene, *trace_), LiftMethod::layer);
-  if (!dual || bound_->square() <= dual->enough)
-    return;
-  const auto consider_dual = [&](const dealii::Vector<double> &required, const LiftMethod method) {
-    consider(dual_lift(space, *trace_, dual->condensed_D, dual->inverse, P, required), method);
+  return energy;
+}
+
+dealii::Vector<double> LiftField::cell_energies() const
+{
+  const bool constant = scene_.material->is_constant();
+  const std::size_t n_cells = space_.mesh().triangulation().n_active_cells();
+  const LawSampling sampling(*scene_.material, n_cells);
+  const auto n_equal_parts = [&](const CellIterator &cell) {
+    return !constant && LawSampling::varies(sampling.scan(
+                          {{cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}}))
+             ? (sampling.intervals() + 3) / 4
+             : 1;
   };
-  consider_dual(required_values(*trace_), LiftMethod::dual);
-  const auto raised = raised_values(*trace_);
-  if (raised && bound_->square() > dual->enough)
-    consider_dual(*raised, LiftMethod::raised_dual);
-}
-
-void ContactLift::consider(Displacement w_h, const LiftMethod method)
-{
-  std::vector<EdgeFunction> remainders;
-  for (const PenetrationFace &face : trace_->faces())
-    remainders.push_back(Remainder(face, w_h).function());
-  auto lift = std::make_unique<const LiftField>(
-    space_, scene_, *trace_, std::move(w_h), std::move(remainders));
-  ContactBound bound = evaluate(*lift, method);
-  if (bound_ && bound_->square() <= bound.square())
-    return;
-  lift_ = std::move(lift);
-  bound_ = std::move(bound);
-}
-
-ContactBound ContactLift::evaluate(const LiftField &lift, const LiftMethod method) const
-{
-  ContactBound bound;
-  bound.method = method;
-  bound.cell_energies = lift.cell_energies();
-  const double local = std::accumulate(bound.cell_energies.begin(), bound.cell_energies.end(), 0.);
-  bound.lift_energy = Utilities::MPI::sum(local, space_.mesh().communicator());
-  std::vector<double> local_parts, parts;
-  for (unsigned int i = 0; i < trace_->faces().size(); ++i)
+  const QGauss<1> gauss(constant ? 3 : 4);
+  const auto make_values = [&](const Quadrature<2> &rule) {
+    return std::make_unique<FEValues<2>>(space_.mesh().mapping(),
+                                         space_.element(),
+                                         rule,
+                                         update_gradients | update_quadrature_points |
+                                           update_inverse_jacobians | update_JxW_values);
+  };
+  const auto plain = make_values(QGauss<2>(constant ? 2 : 4));
+  dealii::Vector<double> energies(n_cells), nodal(space_.element().n_dofs_per_cell());
+  for (const auto &cell : space_.dofs().active_cell_iterators())
   {
-    const double term = contact_term(*trace_, lift, i);
-    bound.contact_term += term;
-    bound.face_terms.push_back(2. * term);
-    const auto cell = trace_->surface().faces()[trace_->faces()[i].number].cell;
-    local_parts.push_back(bound.cell_energies[cell->active_cell_index()]);
+    if (!cell->is_locally_owned())
+      continue;
+    cell->get_dof_values(w_h_, nodal);
+    if (nodal.all_zero() && columns_.count(cell->active_cell_index()) == 0)
+      continue;
+    const unsigned int n_equal = n_equal_parts(cell);
+    const std::vector<double> x = cuts(cell, 0, n_equal), y = cuts(cell, 1, n_equal);
+    std::unique_ptr<FEValues<2>> on_parts;
+    if (x.size() > 2 || y.size() > 2)
+      on_parts =
+        make_values(QAnisotropic<2>(split_quadrature(gauss, x), split_quadrature(gauss, y)));
+    FEValues<2> &values = on_parts != nullptr ? *on_parts : *plain;
+    values.reinit(cell);
+    energies[cell->active_cell_index()] = energy(cell, values);
   }
-  parts.resize(local_parts.size());
-  Utilities::MPI::sum(local_parts, space_.mesh().communicator(), parts);
-  for (unsigned int i = 0; i < parts.size(); ++i)
-    parts[i] += bound.face_terms[i];
-  if (parts.empty())
-    return bound;
-  const PenetrationFace &worst =
-    trace_->faces()[std::max_element(parts.begin(), parts.end()) - parts.begin()];
-  bound.dominant_part = {worst.side,
-                         scene_.geometry.sides[worst.side].arc_length(worst.point(0.5))};
-  return bound;
-}
-
-std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
-                                        const Scene<2> &scene,
-                                        const ContactTrace &trace,
-                                        const StiffnessInverse &inverse)
-{
-  const std::optional<Displacement> z = unit_normal_lift(space, trace, inverse);
-  if (!z)
-    return {};
-  const LiftField lift(space, scene, trace, *z, std::vector<EdgeFunction>(trace.faces().size()));
-  const dealii::Vector<double> energies = lift.cell_energies();
-  const double local = std::accumulate(energies.begin(), energies.end(), 0.);
-  return std::sqrt(Utilities::MPI::sum(local, space.mesh().communicator()));
+  return energies;
 }
 
 // The part of the stress that the bound of π^{2h} u_h needs.
@@ -280,30 +350,5 @@ void EquilibratedStress::integrate_patches(const CellState &state, CellIntegrals
   const CellMoments bubble_data = data.composite.transposed(dual);
   for (unsigned int j = 0; j < bubble_data.size(); ++j)
     result.interpolated_part[j] = result.misfit_data[j] + bubble_data[j];
-}
-
-double EquilibratedStress::normal_bubble(const unsigned int contact_face) const
-{
-  const auto &face = data_.multipliers.surface().faces()[contact_face];
-  const unsigned int edge = mesh_.edge_of_line(face.cell->face(face.face_no)->index());
-  return bubbles_->on_edge(edge) * mesh_.edges()[edge].normal;
-}
-
-std::vector<std::optional<std::array<double, 2>>> EquilibratedStress::free_tractions() const
-{
-  const auto &faces = data_.multipliers.surface().faces();
-  std::vector<std::optional<std::array<double, 2>>> tractions(faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    const auto line = faces[i].cell->face(faces[i].face_no);
-    const unsigned int number = mesh_.edge_of_line(line->index());
-    const Edge &edge = mesh_.edges()[number];
-    if (edge.freedom != EdgeFreedom::normal)
-      continue;
-    tractions[i] = normal_tractions(edge, number, moments_);
-    if (edge.vertices[0] != line->vertex_index(0))
-      std::swap((*tractions[i])[0], (*tractions[i])[1]);
-  }
-  return tractions;
 }
 } // namespace Signorini

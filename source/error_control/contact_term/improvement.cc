@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Conjugate gradients that bring the stress closer to that of the displacement.
 
-#include <signorini/error_control/contact_term/contact_trace.h>
 #include <signorini/error_control/loads/cell_rule.h>
 #include <signorini/error_control/stress/balance.h>
 #include <signorini/error_control/stress/equilibrated_stress.h>
 #include <signorini/error_control/stress/star_solver.h>
+#include <signorini/postprocessing/fields/forces.h>
 
 #include <algorithm>
 #include <limits>
@@ -32,15 +32,52 @@ void add(std::vector<double> &a, const double factor, const std::vector<double> 
 /** The share of the square of τ below which the misfit is rounding. */
 constexpr double rounding = 1e-20;
 
+/** Returns τ_n at both ends of an edge, in the order of Edge::vertices (force/area). */
+std::array<double, 2> normal_tractions(const Edge &edge,
+                                       const unsigned int number,
+                                       const std::vector<double> &moments)
+{
+  double a = 0., b = 0.;
+  for (unsigned int c = 0; c < 2; ++c)
+  {
+    a += moments[4 * number + c] * edge.normal[c];
+    b += moments[4 * number + 2 + c] * edge.normal[c];
+  }
+  return {{(4. * a - 2. * b) / edge.length, (4. * b - 2. * a) / edge.length}};
+}
+
+/** Returns those of the edges at an end of which τ_n pulls. */
 std::vector<unsigned int> pulling(const EdgeMesh &mesh,
                                   const std::vector<unsigned int> &edges,
                                   const std::vector<double> &moments)
 {
   std::vector<unsigned int> result;
   for (const unsigned int edge : edges)
-    if (pulls(normal_tractions(mesh.edges()[edge], edge, moments)))
+  {
+    const auto [first, last] = normal_tractions(mesh.edges()[edge], edge, moments);
+    if (first > 0. || last > 0.)
       result.push_back(edge);
+  }
   return result;
+}
+
+/** Returns the contact edges on which p_H presses everywhere: all pieces face ∩ patch are below
+ * pressing_threshold(). */
+std::vector<unsigned int> pressing_edges(const EdgeMesh &mesh,
+                                         const MultiplierSpace<2> &multipliers,
+                                         const Pressure &P)
+{
+  const ContactSurface<2> &surface = multipliers.surface();
+  const double threshold = pressing_threshold(P);
+  std::vector<bool> presses(surface.faces().size(), true);
+  for (const Piece<2> &piece : surface.pieces())
+    if (!(multipliers.value(P, piece.patch, piece.lower) < threshold))
+      presses[piece.face] = false;
+  std::vector<unsigned int> edges;
+  for (std::size_t i = 0; i < presses.size(); ++i)
+    if (const ContactFace<2> &face = surface.faces()[i]; presses[i])
+      edges.push_back(mesh.edge_of_line(face.cell->face(face.face_no)->index()));
+  return edges;
 }
 } // namespace
 
@@ -167,5 +204,30 @@ EquilibratedStress::improve_step_by_step(Residual &left,
       p[i] = z[i] + beta * p[i];
   }
   return {};
+}
+
+double EquilibratedStress::normal_bubble(const unsigned int contact_face) const
+{
+  const auto &face = data_.multipliers.surface().faces()[contact_face];
+  const unsigned int edge = mesh_.edge_of_line(face.cell->face(face.face_no)->index());
+  return bubbles_->on_edge(edge) * mesh_.edges()[edge].normal;
+}
+
+std::vector<std::optional<std::array<double, 2>>> EquilibratedStress::free_tractions() const
+{
+  const auto &faces = data_.multipliers.surface().faces();
+  std::vector<std::optional<std::array<double, 2>>> tractions(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const auto line = faces[i].cell->face(faces[i].face_no);
+    const unsigned int number = mesh_.edge_of_line(line->index());
+    const Edge &edge = mesh_.edges()[number];
+    if (edge.freedom != EdgeFreedom::normal)
+      continue;
+    tractions[i] = normal_tractions(edge, number, moments_);
+    if (edge.vertices[0] != line->vertex_index(0))
+      std::swap((*tractions[i])[0], (*tractions[i])[1]);
+  }
+  return tractions;
 }
 } // namespace Signorini

@@ -4,14 +4,16 @@
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/estimate/certificate.h>
 
+#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
+#include <vector>
 
 namespace Signorini
 {
@@ -22,13 +24,6 @@ double relative(const double value, const double scale)
   return scale > 0. ? std::abs(value) / scale : std::abs(value);
 }
 
-/** Returns |Tᵀ r|₂ relative to the largest term of r. */
-template <int dim>
-double stationarity(const DisplacementSpace<dim> &space, const NodalForces &forces)
-{
-  return relative(space.condense(forces.residual).l2_norm(), forces.scale());
-}
-
 /** Returns the degrees of freedom that hold the body: number, position, component. */
 template <int dim>
 std::map<types::global_dof_index, std::pair<Point<dim>, unsigned int>>
@@ -36,19 +31,16 @@ support_points(const DisplacementSpace<dim> &space)
 {
   NodePositions<dim> positions(space);
   std::map<types::global_dof_index, std::pair<Point<dim>, unsigned int>> points;
-  std::vector<types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (!cell->is_artificial() && cell->at_boundary())
     {
-      const FiniteElement<dim> &element = cell->get_fe();
       const std::vector<Point<dim>> &nodes = positions(cell);
-      indices.resize(element.n_dofs_per_cell());
-      cell->get_dof_indices(indices);
-      for (unsigned int i = 0; i < indices.size(); ++i)
-        if (space.supports().is_element(indices[i]))
+      const std::vector<types::global_dof_index> dofs = space.cell_dofs(cell);
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        if (space.supports().is_element(dofs[i]))
         {
-          const auto [component, node] = element.system_to_component_index(i);
-          points[indices[i]] = {nodes[node], component};
+          const auto [component, node] = cell->get_fe().system_to_component_index(i);
+          points[dofs[i]] = {nodes[node], component};
         }
     }
   return points;
@@ -96,55 +88,49 @@ double support_error(const DisplacementSpace<dim> &space,
 {
   double scale = U.linfty_norm();
   // A vertex between two sides takes the displacement of one; on rollers alone, it obeys both.
-  std::map<unsigned int, double> of_displacement, of_rollers;
+  struct Errors
+  {
+    std::optional<double> displacement;
+    double rollers = 0.;
+  };
+  std::map<unsigned int, Errors> errors;
   dealii::Vector<double> prescribed(dim);
   // A vertex of this rank may lie on cells of others.
   for (const auto &cell : space.dofs().active_cell_iterators())
-    if (!cell->is_artificial() && cell->at_boundary())
-      for (const unsigned int f : cell->face_indices())
+    for (const unsigned int f : cell->face_indices())
+    {
+      const auto face = cell->face(f);
+      if (cell->is_artificial() || !face->at_boundary())
+        continue;
+      const unsigned int number = face->boundary_id();
+      const BoundaryCondition<dim> &condition = scene.boundary[number];
+      const bool rolls = condition.role == Role::roller;
+      // The system takes other normals at the vertices of curved rollers.
+      if (rolls ? space.mesh().is_curved()
+                : condition.role != Role::clamped && condition.role != Role::displacement)
+        continue;
+      for (const unsigned int v : face->vertex_indices())
       {
-        const auto face = cell->face(f);
-        if (!face->at_boundary())
-          continue;
-        const unsigned int number = face->boundary_id();
-        const BoundaryCondition<dim> &condition = scene.boundary[number];
-        const bool rolls = condition.role == Role::roller;
-        // The system takes other normals at the vertices of curved rollers.
-        if (rolls && space.mesh().is_curved())
-          continue;
-        if (!rolls && condition.role != Role::clamped && condition.role != Role::displacement)
-          continue;
-        for (const unsigned int v : face->vertex_indices())
-        {
-          prescribed = 0.;
-          if (condition.role == Role::displacement)
-            condition.data->vector_value(face->vertex(v), prescribed);
-          scale = std::max(scale, prescribed.linfty_norm());
-          Tensor<1, dim> rest;
-          for (unsigned int d = 0; d < dim; ++d)
-            rest[d] = U[face->vertex_dof_index(v, d, cell->active_fe_index())] - prescribed[d];
-          const unsigned int vertex = face->vertex_index(v);
-          if (rolls)
-          {
-            const Side<dim> &side = scene.geometry.sides[number];
-            // On straight sides the normal of a face is that at its middle.
-            const double normal = std::abs(rest * side.normal(side.coordinates(face->center())));
-            of_rollers[vertex] = std::max(of_rollers[vertex], normal);
-          }
-          else
-          {
-            const auto known = of_displacement.find(vertex);
-            of_displacement[vertex] =
-              known == of_displacement.end() ? rest.norm() : std::min(known->second, rest.norm());
-          }
-        }
+        prescribed = 0.;
+        if (condition.role == Role::displacement)
+          condition.data->vector_value(face->vertex(v), prescribed);
+        scale = std::max(scale, prescribed.linfty_norm());
+        Tensor<1, dim> rest;
+        for (unsigned int d = 0; d < dim; ++d)
+          rest[d] = U[face->vertex_dof_index(v, d, cell->active_fe_index())] - prescribed[d];
+        auto &[displacement, rollers] = errors[face->vertex_index(v)];
+        const Side<dim> &side = scene.geometry.sides[number];
+        // On straight sides the normal of a face is that at its middle.
+        if (rolls)
+          rollers =
+            std::max(rollers, std::abs(rest * side.normal(side.coordinates(face->center()))));
+        else
+          displacement = std::min(displacement.value_or(rest.norm()), rest.norm());
       }
+    }
   double largest = 0.;
-  for (const auto &[vertex, error] : of_displacement)
-    largest = std::max(largest, error);
-  for (const auto &[vertex, error] : of_rollers)
-    if (of_displacement.count(vertex) == 0)
-      largest = std::max(largest, error);
+  for (const auto &[vertex, error] : errors)
+    largest = std::max(largest, error.displacement.value_or(error.rollers));
   MPI_Comm communicator = space.mesh().communicator();
   return relative(Utilities::MPI::max(largest, communicator),
                   Utilities::MPI::max(scale, communicator));
@@ -158,52 +144,28 @@ struct Deformation
   double translation = 1.;
 };
 
-/** Returns the component of every degree of freedom. */
-template <int dim>
-std::vector<unsigned int> components_of(const DisplacementSpace<dim> &space)
-{
-  std::vector<unsigned int> component(space.dofs().n_dofs());
-  std::vector<types::global_dof_index> indices;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-  {
-    if (cell->is_artificial())
-      continue;
-    const FiniteElement<dim> &element = cell->get_fe();
-    indices.resize(element.n_dofs_per_cell());
-    cell->get_dof_indices(indices);
-    for (unsigned int i = 0; i < indices.size(); ++i)
-      component[indices[i]] = element.system_to_component_index(i).first;
-  }
-  return component;
-}
-
 /** Computes U without the translation, which is the middle of the range of each component. */
 template <int dim>
 Deformation deformation(const DisplacementSpace<dim> &space, const Displacement &U)
 {
-  Tensor<1, dim> low, high;
-  for (unsigned int d = 0; d < dim; ++d)
-  {
-    low[d] = std::numeric_limits<double>::max();
-    high[d] = -low[d];
-  }
-  const std::vector<unsigned int> component = components_of(space);
-  for (const auto i : space.locally_owned())
-  {
-    low[component[i]] = std::min(low[component[i]], U(i));
-    high[component[i]] = std::max(high[component[i]], U(i));
-  }
-  for (unsigned int d = 0; d < dim; ++d)
-  {
-    low[d] = Utilities::MPI::min(low[d], space.mesh().communicator());
-    high[d] = Utilities::MPI::max(high[d], space.mesh().communicator());
-  }
+  Deformation result = {U};
   double range = 0.;
   for (unsigned int d = 0; d < dim; ++d)
-    range = std::max(range, 0.5 * (high[d] - low[d]));
-  Deformation result = {U};
-  for (const auto i : space.locally_owned())
-    result.V(i) -= 0.5 * (low[component[i]] + high[component[i]]);
+  {
+    const IndexSet rows = DoFTools::extract_dofs(
+      space.dofs(), space.elements()[0].component_mask(FEValuesExtractors::Scalar(d)));
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (const auto i : rows)
+    {
+      low = std::min(low, U(i));
+      high = std::max(high, U(i));
+    }
+    low = Utilities::MPI::min(low, space.mesh().communicator());
+    high = Utilities::MPI::max(high, space.mesh().communicator());
+    range = std::max(range, 0.5 * (high - low));
+    for (const auto i : rows)
+      result.V(i) -= 0.5 * (low + high);
+  }
   result.V.update_ghost_values();
   const double size = U.linfty_norm();
   if (range < size)
@@ -227,7 +189,7 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
   const unsigned int m = W.size();
   const dealii::Vector<double> measures = multipliers.integrals();
   const AdmissibleSet K = multipliers.admissible_set();
-  double deepest = 0., largest_P = 0., outside = 0.;
+  double deepest = 0., outside = 0.;
   double length_scale = solution.U.linfty_norm();
   if (solution.dual)
     length_scale =
@@ -236,12 +198,11 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
   {
     deepest = std::max(deepest, W[tau] / measures[tau]);
     length_scale = std::max(length_scale, std::abs(solved.G[tau]) / measures[tau]);
-    largest_P = std::max(largest_P, std::abs(solution.P[tau]));
     // How far P lies outside of the admissible set.
     outside = std::max(outside, std::abs(K.residual(tau, solution.P[tau], 0.)));
   }
   certificate.penetration = relative(deepest, length_scale);
-  certificate.sign = relative(outside, largest_P);
+  certificate.sign = relative(outside, solution.P.linfty_norm());
   certificate.complementarity = relative(solution.P * W, energy_scale);
   for (unsigned int tau = 0; tau < m; ++tau)
   {
@@ -301,7 +262,8 @@ Certificate certify(const DisplacementSpace<dim> &space,
   const auto &[solution, D, G, forces] = solved;
   Certificate certificate;
   certificate.moments_are_exact = !space.mesh().is_curved();
-  certificate.stationarity = stationarity(space, forces);
+  // |Tᵀ r|₂ relative to the largest term of r.
+  certificate.stationarity = relative(space.condense(forces.residual).l2_norm(), forces.scale());
   certificate.support = support_error(space, scene, solution.U);
   const Deformation deformed = deformation(space, solution.U);
   certificate.translation = deformed.translation;
@@ -356,40 +318,34 @@ template Certificate certify(const DisplacementSpace<3> &,
 
 namespace
 {
-/** Returns K/μ of Hooke's tensor. */
-double bulk_to_shear(const SymmetricTensor<4, 2> &E)
+/** Returns K/μ of Hooke's tensor: the smallest d:E:d of deviators d of norm one is an eigenvalue.
+ */
+template <int dim>
+double bulk_to_shear(const SymmetricTensor<4, dim> &E)
 {
-  const double bulk = (E[0][0][0][0] + 2. * E[0][0][1][1] + E[1][1][1][1]) / 4.;
-  // d:E:d for the deviators (e1 e1 - e2 e2)/sqrt(2) and (e1 e2 + e2 e1)/sqrt(2), and between them.
-  const double stretch = (E[0][0][0][0] - 2. * E[0][0][1][1] + E[1][1][1][1]) / 2.;
-  const double shear = 2. * E[0][1][0][1];
-  const double mixed = E[0][0][0][1] - E[1][1][0][1];
-  const double smallest = 0.5 * (stretch + shear) - std::hypot(0.5 * (stretch - shear), mixed);
-  return bulk / (0.5 * smallest);
-}
-
-/** Returns the same in 3-D, where there are five independent deviators of norm one and the smallest
- * d:E:d is an eigenvalue. */
-double bulk_to_shear(const SymmetricTensor<4, 3> &E)
-{
-  using Strain = SymmetricTensor<2, 3>;
-  std::array<Strain, 5> deviators;
-  deviators[0][0][0] = std::sqrt(0.5);
-  deviators[0][1][1] = -std::sqrt(0.5);
-  for (unsigned int i = 0; i < 3; ++i)
-    deviators[1][i][i] = (i < 2 ? 1. : -2.) / std::sqrt(6.);
-  deviators[2][0][1] = deviators[3][0][2] = deviators[4][1][2] = std::sqrt(0.5);
-  LAPACKFullMatrix<double> energies(5);
-  for (unsigned int i = 0; i < 5; ++i)
-    for (unsigned int j = 0; j < 5; ++j)
+  std::vector<SymmetricTensor<2, dim>> deviators;
+  for (unsigned int i = 0; i < dim; ++i)
+    for (unsigned int j = 0; j < i; ++j)
+    {
+      deviators.emplace_back();
+      deviators.back()[i][j] = std::sqrt(0.5);
+    }
+  for (unsigned int i = 1; i < dim; ++i)
+  {
+    deviators.emplace_back();
+    for (unsigned int j = 0; j <= i; ++j)
+      deviators.back()[j][j] = (j < i ? 1. : -1. * i) / std::sqrt(i * (i + 1.));
+  }
+  LAPACKFullMatrix<double> energies(deviators.size());
+  for (unsigned int i = 0; i < deviators.size(); ++i)
+    for (unsigned int j = 0; j < deviators.size(); ++j)
       energies(i, j) = deviators[i] * (E * deviators[j]);
   dealii::Vector<double> eigenvalues;
   FullMatrix<double> eigenvectors;
-  const double eigenvalue_bound = 2. * energies.frobenius_norm();
-  energies.compute_eigenvalues_symmetric(
-    -eigenvalue_bound, eigenvalue_bound, 0., eigenvalues, eigenvectors);
-  const Strain unit = unit_symmetric_tensor<3>();
-  return (unit * (E * unit)) / 9. / (0.5 * eigenvalues[0]);
+  const double limit = 2. * energies.frobenius_norm();
+  energies.compute_eigenvalues_symmetric(-limit, limit, 0., eigenvalues, eigenvectors);
+  const auto unit = unit_symmetric_tensor<dim>();
+  return (unit * (E * unit)) / (dim * dim) / (0.5 * eigenvalues[0]);
 }
 
 /** Returns the largest K/μ at one point of each cell of the level, or of a coarser one that is

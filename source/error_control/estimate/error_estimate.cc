@@ -100,10 +100,7 @@ PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &dat
   PressureCorrection correction;
   correction.z = solve_homogeneous(data.inverse, data.space, forces);
   // b.z = a(z, z): z is in V^h with homogeneous conditions.
-  double work = 0.;
-  for (const auto i : data.space.locally_owned())
-    work += forces(i) * correction.z[i];
-  work = Utilities::MPI::sum(work, data.space.mesh().communicator());
+  const double work = data.space.dual(forces) * correction.z;
   correction.energy_norm = std::sqrt(std::max(0., work));
   return correction;
 }
@@ -143,17 +140,15 @@ PressureCorrection correct_pressure(const PressureData<dim> &data)
   const ContactSurface<dim> finer(data.space.mesh(), data.scene, Partition{recovery_ratio, 0});
   if (surface.has_unstable_patch())
     return {};
+  const MultiplierSpace<dim> finer_multipliers(finer);
+  std::optional<dealii::Vector<double>> P;
   if (data.solve_dual && finer.patches().size() > surface.patches().size())
-  {
-    const MultiplierSpace<dim> multipliers(finer);
-    if (const auto P = solve_on(multipliers, data))
-      return presses_nowhere(*P) && presses_nowhere(data.P)
-               ? PressureCorrection()
-               : correct_by<dim>(recovered_load(data.space, multipliers, Pressure(*P)), data);
-  }
-  return presses_nowhere(data.P)
-           ? PressureCorrection()
-           : correct_by<dim>(recovered_load(data.space, data.multipliers, data.P), data);
+    P = solve_on(finer_multipliers, data);
+  if (presses_nowhere(data.P) && (!P || presses_nowhere(*P)))
+    return {};
+  return correct_by<dim>(P ? recovered_load(data.space, finer_multipliers, Pressure(*P))
+                           : recovered_load(data.space, data.multipliers, data.P),
+                         data);
 }
 
 template Coupling recovered_load(const DisplacementSpace<2> &,
@@ -170,21 +165,9 @@ template PressureCorrection correct_pressure(const PressureData<3> &);
 
 namespace
 {
-/** The squares of norms of v - w, of a cell or of the body. */
-struct Squares
-{
-  double values = 0.;
-  double gradients = 0.;
-  double energy = 0.;
-
-  Squares &operator+=(const Squares &other)
-  {
-    values += other.values;
-    gradients += other.gradients;
-    energy += other.energy;
-    return *this;
-  }
-};
+/** The squares of norms of v - w, of a cell or of the body: of the values, the gradients, and the
+ * energy. */
+using Squares = Tensor<1, 3>;
 
 /** Integrates v - w, where v is the patch interpolation over @p fine generations and w that over
  * one less. Every chunk of cells has its own object. */
@@ -221,14 +204,13 @@ public:
     Squares sum;
     for (const unsigned int q : values_.quadrature_point_indices())
     {
-      const double JxW = values_.JxW(q);
       const Tensor<2, dim> gradient = v.gradients[q] - w.gradients[q];
       const SymmetricTensor<2, dim> strain = symmetrize(gradient);
       if (material_ != nullptr && !material_->is_constant())
         hooke_ = material_->hooke(values_.quadrature_point(q));
-      sum += {(v.values[q] - w.values[q]).norm_square() * JxW,
-              gradient.norm_square() * JxW,
-              (hooke_ * strain) * strain * JxW};
+      sum += values_.JxW(q) * Squares({(v.values[q] - w.values[q]).norm_square(),
+                                       gradient.norm_square(),
+                                       (hooke_ * strain) * strain});
     }
     return sum;
   }
@@ -260,15 +242,13 @@ Squares integrate(const DisplacementSpace<dim> &space,
       return chunk_result;
     },
     [&sum](const Squares &chunk_result) { sum += chunk_result; });
-  for (double *const square : {&sum.values, &sum.gradients, &sum.energy})
-    *square = Utilities::MPI::sum(*square, space.mesh().communicator());
-  return sum;
+  return Utilities::MPI::sum(sum, space.mesh().communicator());
 }
 
 /** Returns ‖.‖_1 with lengths in the given unit, up to that unit's own power. */
 double norm_1(const Squares &squares, const double unit_of_length)
 {
-  return std::sqrt(squares.values / (unit_of_length * unit_of_length) + squares.gradients);
+  return std::sqrt(squares[0] / (unit_of_length * unit_of_length) + squares[1]);
 }
 } // namespace
 
@@ -281,12 +261,12 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
 {
   const Material<dim> *const material = scene.material.get();
   const Squares u_h_squares = integrate(space, material, U, 1);
-  double mesh_square = u_h_squares.energy;
+  double mesh_square = u_h_squares[2];
   if (correction.z.size() > 0)
   {
     Displacement corrected(U);
     corrected += correction.z;
-    mesh_square = integrate(space, material, corrected, 1).energy;
+    mesh_square = integrate(space, material, corrected, 1)[2];
   }
   ErrorEstimate estimate;
   estimate.h1 = norm_1(u_h_squares, 1.);

@@ -6,6 +6,7 @@
 #include <signorini/postprocessing/fields/forces.h>
 
 #include <deal.II/base/numbers.h>
+#include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>
 
@@ -15,51 +16,33 @@
 
 namespace Signorini
 {
-namespace
+std::vector<double> nodes_of_edge(const unsigned int degree)
 {
-/** Returns the number in FE_Q of the node (i, j) of the grid, for i + (p + 1) j. */
-const std::vector<unsigned int> &numbers_on_grid(const unsigned int degree)
-{
-  thread_local std::map<unsigned int, std::vector<unsigned int>> known;
-  std::vector<unsigned int> &numbers = known[degree];
-  if (numbers.empty())
-    numbers = FETools::lexicographic_to_hierarchic_numbering<2>(degree);
-  return numbers;
-}
-} // namespace
-
-const std::vector<double> &nodes_of_edge(const unsigned int degree)
-{
-  thread_local std::map<unsigned int, std::vector<double>> known;
-  std::vector<double> &nodes = known[degree];
-  if (nodes.empty())
-  {
-    const QGaussLobatto<1> rule(degree + 1);
-    for (const Point<1> &x : rule.get_points())
-      nodes.push_back(x[0]);
-  }
+  const QGaussLobatto<1> rule(degree + 1);
+  std::vector<double> nodes;
+  for (const Point<1> &x : rule.get_points())
+    nodes.push_back(x[0]);
   return nodes;
 }
 
 LineTable make_line_table(const unsigned int degree, const std::vector<double> &points)
 {
-  const std::vector<double> &nodes = nodes_of_edge(degree);
-  const unsigned int n = nodes.size();
-  LineTable table = {{static_cast<unsigned int>(points.size()), n},
-                     {static_cast<unsigned int>(points.size()), n}};
-  for (unsigned int q = 0; q < points.size(); ++q)
-    for (unsigned int i = 0; i < n; ++i)
+  using Basis = std::vector<Polynomials::Polynomial<double>>;
+  // Newton's method finds the nodes in long double: once for every degree.
+  thread_local std::map<unsigned int, Basis> known;
+  Basis &basis = known[degree];
+  if (basis.empty())
+    basis =
+      Polynomials::generate_complete_Lagrange_basis(QGaussLobatto<1>(degree + 1).get_points());
+  const unsigned int n = points.size();
+  LineTable table = {{n, degree + 1}, {n, degree + 1}};
+  std::vector<double> derivatives(2);
+  for (unsigned int q = 0; q < n; ++q)
+    for (unsigned int i = 0; i <= degree; ++i)
     {
-      double value = 1., derivative = 0.;
-      for (unsigned int j = 0; j < n; ++j)
-        if (j != i)
-        {
-          const double scale = 1. / (nodes[i] - nodes[j]);
-          derivative = derivative * (points[q] - nodes[j]) * scale + value * scale;
-          value *= (points[q] - nodes[j]) * scale;
-        }
-      table.values(q, i) = value;
-      table.derivatives(q, i) = derivative;
+      basis[i].value(points[q], derivatives);
+      table.values(q, i) = derivatives[0];
+      table.derivatives(q, i) = derivatives[1];
     }
   return table;
 }
@@ -70,7 +53,7 @@ CellField::CellField(const DoFHandler<2>::active_cell_iterator &cell, const Disp
   const FiniteElement<2> &element = cell->get_fe();
   dealii::Vector<double> nodal(element.n_dofs_per_cell());
   cell->get_dof_values(U, nodal);
-  const std::vector<unsigned int> &numbers = numbers_on_grid(degree_);
+  const auto numbers = FETools::lexicographic_to_hierarchic_numbering<2>(degree_);
   const unsigned int n = degree_ + 1;
   for (unsigned int c = 0; c < 2; ++c)
   {
@@ -105,20 +88,6 @@ std::vector<Tensor<2, 2>> CellField::gradients(const LineTable &x, const LineTab
 
 namespace
 {
-/** Returns the value of Legendre's polynomial of degree n on [0, 1]. */
-double legendre(const unsigned int n, const double x)
-{
-  const double t = 2. * x - 1.;
-  double before = 0., value = 1.;
-  for (unsigned int k = 0; k < n; ++k)
-  {
-    const double next = ((2. * k + 1.) * t * value - k * before) / (k + 1.);
-    before = value;
-    value = next;
-  }
-  return value;
-}
-
 /** The matrix that takes values at the nodes of an edge to the orthonormal Legendre coefficients 0,
  * ..., p - 1 of the derivative, and the weights of Gauss and Lobatto at the nodes. */
 struct Analysis
@@ -135,7 +104,7 @@ struct Analysis
     for (unsigned int i = 0; i < degree; ++i)
       for (unsigned int k = 0; k <= degree; ++k)
         for (unsigned int q = 0; q < gauss.size(); ++q)
-          coefficients(i, k) += std::sqrt(2. * i + 1.) * legendre(i, points[q]) *
+          coefficients(i, k) += std::sqrt(2. * i + 1.) * std::legendre(i, 2. * points[q] - 1.) *
                                 table.derivatives(q, k) * gauss.weight(q);
   }
 
@@ -182,10 +151,10 @@ CellIndicator extrapolate(const std::vector<double> &parts)
     xy += i * logarithm;
   }
   const double slope = (n * xy - x * y) / (n * xx - x * x);
-  const double rho = std::min(slowest, std::max(fastest, std::exp(slope)));
+  const double rho = std::clamp(std::exp(slope), fastest, slowest);
   const double by_line = std::exp((y - slope * x) / n + slope * p);
   // A line through two parts of an odd or even function may be steeper than both.
-  const double next = std::max({std::min(by_line, parts[p - 1]), rho * parts[p - 1]});
+  const double next = std::clamp(by_line, rho * parts[p - 1], parts[p - 1]);
   return {next / std::sqrt(1. - rho * rho), rho};
 }
 
@@ -195,9 +164,8 @@ double area_of(const Triangulation<2>::active_cell_iterator &cell)
 {
   const Tensor<1, 2> first = cell->vertex(3) - cell->vertex(0);
   const Tensor<1, 2> second = cell->vertex(2) - cell->vertex(1);
-  return 0.5 * std::abs(first[0] * second[1] - first[1] * second[0]);
+  return 0.5 * std::abs(first * cross_product_2d(second));
 }
-
 } // namespace
 
 double indicator_modulus(const Scene<2> &scene, const Point<2> &x)
@@ -292,61 +260,38 @@ struct PatchState
   bool presses = false;
 };
 
-/** Samples u_n - g on a piece of the contact surface. */
-class Penetration
+/** Adds samples of u_n - g on a piece to the state of its patch. Around the deepest point the next
+ * samples are closer to each other: a tip may touch between those of the whole face. */
+void add_samples(const ContactSurface<2> &surface,
+                 const Piece<2> &piece,
+                 const Displacement &U,
+                 TraceValues<2> &traces,
+                 PatchState &state)
 {
-public:
-  Penetration(const DisplacementSpace<2> &space,
-              const ContactSurface<2> &surface,
-              const Displacement &U)
-    : surface_(surface)
-    , U_(U)
-    , traces_(space)
+  constexpr unsigned int n_zooms = 3, n_intervals = 32;
+  double from = 0., to = 1.;
+  for (unsigned int zoom = 0; zoom < n_zooms; ++zoom)
   {
-  }
-
-  /** Samples at equal distances between two positions of a piece. */
-  const std::vector<double> &sample(const Piece<2> &piece, const double from, const double to)
-  {
-    positions_.clear();
+    std::vector<Point<1>> positions;
     for (unsigned int i = 0; i <= n_intervals; ++i)
-      positions_.emplace_back(from + (to - from) * i / n_intervals);
-    const SurfaceRule<2> rule = surface_.at(piece, positions_);
-    values_ = traces_.normal_displacement(surface_.faces()[piece.face], rule, U_);
-    g_.resize(rule.size());
-    surface_.condition(piece).data->value_list(rule.points, g_);
-    for (std::size_t q = 0; q < rule.size(); ++q)
-      values_[q] -= g_[q];
-    return values_;
-  }
-
-  /** Adds the samples of a piece to the state of its patch. Around the deepest point the next
-   * samples are closer to each other: a tip may touch between those of the whole face. */
-  void add_samples(const Piece<2> &piece, PatchState &state)
-  {
-    constexpr unsigned int n_zooms = 3;
-    double from = 0., to = 1.;
-    for (unsigned int zoom = 0; zoom < n_zooms; ++zoom)
+      positions.emplace_back(from + (to - from) * i / n_intervals);
+    const SurfaceRule<2> rule = surface.at(piece, positions);
+    std::vector<double> g(rule.size());
+    surface.condition(piece).data->value_list(rule.points, g);
+    const auto u_n = traces.normal_displacement(surface.faces()[piece.face], rule, U);
+    unsigned int deepest = 0;
+    for (unsigned int q = 0; q < rule.size(); ++q)
     {
-      const std::vector<double> &d = sample(piece, from, to);
-      const auto deepest = std::max_element(d.begin(), d.end());
-      state.deepest = std::max(state.deepest, *deepest);
-      for (const double value : d)
-        state.largest = std::max(state.largest, std::abs(value));
-      const double middle = positions_[deepest - d.begin()][0], step = (to - from) / n_intervals;
-      from = std::max(0., middle - step);
-      to = std::min(1., middle + step);
+      state.deepest = std::max(state.deepest, u_n[q] - g[q]);
+      state.largest = std::max(state.largest, std::abs(u_n[q] - g[q]));
+      if (u_n[q] - g[q] > u_n[deepest] - g[deepest])
+        deepest = q;
     }
+    const double middle = positions[deepest][0], step = (to - from) / n_intervals;
+    from = std::max(0., middle - step);
+    to = std::min(1., middle + step);
   }
-
-private:
-  static constexpr unsigned int n_intervals = 32;
-  const ContactSurface<2> &surface_;
-  const Displacement &U_;
-  TraceValues<2> traces_;
-  std::vector<Point<1>> positions_;
-  std::vector<double> values_, g_;
-};
+}
 
 std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
                                      const MultiplierSpace<2> &multipliers,
@@ -355,12 +300,12 @@ std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
 {
   const ContactSurface<2> &surface = multipliers.surface();
   std::vector<PatchState> states(surface.patches().size());
-  Penetration penetration(space, surface, U);
+  TraceValues<2> traces(space);
   for (const Piece<2> &piece : surface.pieces())
   {
     PatchState &state = states[piece.patch];
     state.cell = surface.faces()[piece.face].cell->active_cell_index();
-    penetration.add_samples(piece, state);
+    add_samples(surface, piece, U, traces, state);
   }
   const double threshold = pressing_threshold(P);
   for (unsigned int k = 0; k < P.size(); ++k)

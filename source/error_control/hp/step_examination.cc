@@ -9,6 +9,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,34 +68,6 @@ struct Window
       0.5 * edge};
   }
 };
-
-/** Returns the number of a cell among the children of its parent. */
-unsigned int child_number(const MeshCell &cell)
-{
-  unsigned int child = 0;
-  while (cell->parent()->child_index(child) != cell->index())
-    ++child;
-  return child;
-}
-
-/** Returns the smallest cell of another mesh that contains a cell, with the part of it that the
- * cell is; or the cell itself, where it has children there. */
-std::pair<MeshCell, Window> find_in(const Triangulation<2> &other,
-                                    const Triangulation<2>::active_cell_iterator &cell)
-{
-  std::vector<unsigned int> path;
-  MeshCell ancestor = cell;
-  for (; ancestor->level() > 0; ancestor = ancestor->parent())
-    path.push_back(child_number(ancestor));
-  MeshCell there(&other, 0, ancestor->index());
-  Window window;
-  for (auto child = path.rbegin(); child != path.rend(); ++child)
-    if (there->has_children())
-      there = there->child(*child);
-    else
-      window = window.quarter(*child);
-  return {there, window};
-}
 
 /** Integrates over cells on which one function is given on the cell and the other on a cell that
  * contains it. */
@@ -193,23 +166,20 @@ void for_each_part(const MeshCell &cell, const Window &window, const Visitor &vi
 double energy_distance(const StepField &u, const StepField &v, const Scene<2> &scene)
 {
   DistanceIntegrals integrals(scene);
-  const Triangulation<2> &other = v.space.mesh().triangulation();
   double square = 0.;
-  for (const auto &cell : u.space.mesh().triangulation().active_cell_iterators())
-  {
-    const CellField on_cell(u.space.dof_cell(cell), u.U);
-    const auto [there, window] = find_in(other, cell);
-    if (there->is_active())
-    {
-      const CellField on_ancestor(v.space.dof_cell(there), v.U);
-      square += integrals.integrate(u.space.mesh(), cell, on_cell, on_ancestor, window);
-    }
+  const auto integrate = [&](const StepField &fine, const MeshCell &cell, const StepField &coarse) {
+    return [&, cell](const auto &part, const Window &window) {
+      const CellField on_part(fine.space.dof_cell(part), fine.U);
+      const CellField on_whole(coarse.space.dof_cell(cell), coarse.U);
+      square += integrals.integrate(fine.space.mesh(), part, on_part, on_whole, window);
+    };
+  };
+  for (const auto &[in_u, in_v] : GridTools::get_finest_common_cells(
+         u.space.mesh().triangulation(), v.space.mesh().triangulation()))
+    if (in_u->is_active())
+      for_each_part(in_v, {}, integrate(v, in_u, u));
     else
-      for_each_part(there, {}, [&](const auto &part, const Window &part_window) {
-        const CellField on_part(v.space.dof_cell(part), v.U);
-        square += integrals.integrate(v.space.mesh(), part, on_part, on_cell, part_window);
-      });
-  }
+      for_each_part(in_u, {}, integrate(u, in_v, v));
   return std::sqrt(square);
 }
 

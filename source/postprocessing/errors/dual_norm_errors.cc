@@ -30,24 +30,20 @@ struct SampledFunction
   std::vector<double> weighted_values;
 };
 
-/** Samples p between consecutive @p cuts, sorted arc lengths, with n points on each interval. */
-SampledFunction sample(const Function<2> &p,
-                       const Side<2> &side,
-                       const std::vector<double> &cuts,
-                       const unsigned int n_points)
+/** Samples a function f(s) between consecutive @p cuts, sorted arc lengths, with n points on each
+ * interval. */
+template <typename Values>
+SampledFunction sample(const std::vector<double> &cuts,
+                       const unsigned int n_points,
+                       const Values &f)
 {
   const Quadrature<1> rule = split_quadrature(QGauss<1>(n_points), cuts);
   SampledFunction samples;
-  std::vector<Point<2>> points;
-  for (const Point<1> &s : rule.get_points())
+  for (unsigned int q = 0; q < rule.size(); ++q)
   {
-    samples.arc_lengths.push_back(s[0]);
-    points.push_back(side.point(s[0]));
+    samples.arc_lengths.push_back(rule.point(q)[0]);
+    samples.weighted_values.push_back(f(rule.point(q)[0]) * rule.weight(q));
   }
-  samples.weighted_values.resize(points.size());
-  p.value_list(points, samples.weighted_values);
-  for (std::size_t q = 0; q < points.size(); ++q)
-    samples.weighted_values[q] *= rule.weight(q);
   return samples;
 }
 
@@ -74,43 +70,21 @@ std::vector<double> cut_side(const Side<2> &side,
   return cuts;
 }
 
-/** Samples p - p_H (or R^H p - p_H) on the patches [first, last) of a side, at points of every
- * patch and of every cell of the grid. */
-SampledFunction sample_difference(const MultiplierSpace<2> &space,
-                                  const Function<2> &p,
-                                  const Kinks<2> &kinks,
-                                  const Pressure &P,
-                                  const dealii::Vector<double> *projected_p,
-                                  const unsigned int first,
-                                  const unsigned int last,
-                                  const unsigned int n_cells)
-{
-  const std::vector<Patch<2>> &patches = space.surface().patches();
-  const Side<2> &side = space.surface().side(patches[first]);
-  std::vector<double> cuts = cut_side(side, kinks, n_cells);
-  for (unsigned int tau = first; tau < last; ++tau)
-    cuts.push_back(patches[tau].upper[0]);
-  std::sort(cuts.begin(), cuts.end());
-  SampledFunction samples = projected_p == nullptr
-                              ? sample(p, side, cuts, 6)
-                              : sample(Functions::ZeroFunction<2>(), side, cuts, 2);
-  const SampledFunction ones =
-    sample(Functions::ConstantFunction<2>(1.), side, cuts, projected_p == nullptr ? 6 : 2);
-  unsigned int tau = first;
-  for (std::size_t q = 0; q < samples.arc_lengths.size(); ++q)
-  {
-    while (tau + 1 < last && samples.arc_lengths[q] > patches[tau].upper[0])
-      ++tau;
-    const double constant = (projected_p == nullptr ? 0. : (*projected_p)[tau]) - P[tau];
-    samples.weighted_values[q] += constant * ones.weighted_values[q];
-  }
-  return samples;
-}
-
 /** Returns the root of the sum of squares, none if one of them is unknown. */
 std::optional<double> hypot(const std::optional<double> &a, const std::optional<double> &b)
 {
   return a && b ? std::optional<double>(std::hypot(*a, *b)) : std::nullopt;
+}
+
+/** Returns the exact pressure at the points of a rule. */
+template <int dim>
+std::vector<double> pressure_on(const ContactSurface<dim> &surface,
+                                const Piece<dim> &piece,
+                                const SurfaceRule<dim> &rule)
+{
+  std::vector<double> p(rule.size());
+  surface.condition(piece).exact_pressure->value_list(rule.points, p);
+  return p;
 }
 
 /** The number of patches above which a side does not get the paper's norm: its cost grows like m³.
@@ -131,8 +105,10 @@ ExactPressure<2>::ExactPressure(const Scene<2> &scene)
   for (const unsigned int number : scene.contact_sides())
   {
     const Side<2> &side = scene.geometry.sides[number];
-    const SampledFunction p =
-      sample(*scene.boundary[number].exact_pressure, side, cut_side(side, scene.kinks, 4096), 8);
+    const Function<2> &exact = *scene.boundary[number].exact_pressure;
+    const SampledFunction p = sample(cut_side(side, scene.kinks, 4096), 8, [&](const double s) {
+      return exact.value(side.point(s));
+    });
     coefficients_[number] = spectral_norm_on(side).coefficients(p.arc_lengths, p.weighted_values);
   }
 }
@@ -141,13 +117,10 @@ template <int dim>
 dealii::Vector<double> ExactPressure<dim>::project(const MultiplierSpace<dim> &space) const
 {
   constexpr unsigned int n_points = dim == 2 ? 10 : 4;
-  const auto p_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
-    std::vector<double> p(rule.size());
-    space.surface().condition(piece).exact_pressure->value_list(rule.points, p);
-    return p;
-  };
-  return space.project(
-    integrate_against_multipliers(space, n_points, Grading::towards_kinks, p_on));
+  return space.project(integrate_against_multipliers(
+    space, n_points, Grading::towards_kinks, [&](const auto &piece, const auto &rule) {
+      return pressure_on(space.surface(), piece, rule);
+    }));
 }
 template dealii::Vector<double> ExactPressure<2>::project(const MultiplierSpace<2> &) const;
 template dealii::Vector<double> ExactPressure<3>::project(const MultiplierSpace<3> &) const;
@@ -170,30 +143,31 @@ DualNormErrors ExactPressure<2>::errors_on_side(const MultiplierSpace<2> &space,
     difference[i] = projected_p[first + i] - P[first + i];
   }
   const SpectralNorm norm = spectral_norm_on(side);
-  const dealii::Vector<double> &p = coefficients_.at(number);
+  const SpectralNorm::Modes &p = coefficients_.at(number);
   DualNormErrors errors;
   errors.spectral = norm.distance(p, ends, P_side);
-  errors.superclose_spectral = norm.distance(dealii::Vector<double>(p.size()), ends, difference);
+  errors.superclose_spectral = norm.distance(SpectralNorm::Modes(p.size()), ends, difference);
   if (m > max_slobodeckij_patches || !side.is_flat())
     return errors;
 
+  const Function<2> &exact = *scene_.boundary[number].exact_pressure;
+  const auto on_patch = [&](const dealii::Vector<double> &values, const double s) {
+    return values[std::lower_bound(ends.begin() + 1, ends.end() - 1, s) - ends.begin() - 1];
+  };
   std::array<double, 2> norms, superclose_norms;
   for (unsigned int g = 0; g < 2; ++g)
   {
+    // Points on every patch and on every cell of the grid.
     const SlobodeckijNorm grid(side.length(), (g + 1) * 8 * m);
-    const auto dual_norm = [&](const dealii::Vector<double> *projection) {
-      const SampledFunction q = sample_difference(space,
-                                                  *scene_.boundary[number].exact_pressure,
-                                                  scene_.kinks,
-                                                  P,
-                                                  projection,
-                                                  first,
-                                                  last,
-                                                  grid.n_cells());
-      return grid.dual_norm(q.arc_lengths, q.weighted_values);
-    };
-    norms[g] = dual_norm(nullptr);
-    superclose_norms[g] = dual_norm(&projected_p);
+    std::vector<double> cuts = cut_side(side, scene_.kinks, grid.n_cells());
+    cuts.insert(cuts.end(), ends.begin() + 1, ends.end());
+    std::sort(cuts.begin(), cuts.end());
+    const SampledFunction error = sample(
+      cuts, 6, [&](const double s) { return exact.value(side.point(s)) - on_patch(P_side, s); });
+    const SampledFunction superclose =
+      sample(cuts, 2, [&](const double s) { return on_patch(difference, s); });
+    norms[g] = grid.dual_norm(error.arc_lengths, error.weighted_values);
+    superclose_norms[g] = grid.dual_norm(superclose.arc_lengths, superclose.weighted_values);
   }
   errors.slobodeckij = extrapolate(norms);
   errors.superclose_slobodeckij = extrapolate(superclose_norms);
@@ -365,9 +339,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
   const Pressure projected_p(pressure.project(multipliers));
   const Displacement interpolant = interpolate_at_nodes(space, *scene.exact_displacement);
   const auto exact_p = [&](const Piece<2> &piece, const SurfaceRule<2> &rule) {
-    std::vector<double> p(rule.size());
-    multipliers.surface().condition(piece).exact_pressure->value_list(rule.points, p);
-    return p;
+    return pressure_on(multipliers.surface(), piece, rule);
   };
   const auto projection_error = [&](const Piece<2> &piece, const SurfaceRule<2> &rule) {
     std::vector<double> difference = exact_p(piece, rule);

@@ -14,32 +14,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace Signorini
 {
 namespace
 {
-/** The squares of the norms, of a cell or of the body. */
-struct Squares
+/** The squares of norms of the differences between u and u_h (value, gradient, energy), I^h u and
+ * u_h, and u and the patch interpolations over one and two generations. */
+enum Norm : unsigned int
 {
-  double l2 = 0.;
-  double h1_seminorm = 0.;
-  double energy = 0.;
-  double superclose = 0.;
-  /** The squares with one and two generations. */
-  std::array<double, 2> post = {};
-
-  Squares &operator+=(const Squares &other)
-  {
-    l2 += other.l2;
-    h1_seminorm += other.h1_seminorm;
-    energy += other.energy;
-    superclose += other.superclose;
-    for (unsigned int g = 0; g < post.size(); ++g)
-      post[g] += other.post[g];
-    return *this;
-  }
+  of_value,
+  of_gradient,
+  of_energy,
+  of_superclose,
+  of_post,
+  of_post4,
+  n_norms
 };
+using Squares = Tensor<1, n_norms>;
 
 /** The data that all threads read. */
 template <int dim>
@@ -52,43 +45,23 @@ struct Fields
   unsigned int n_points;
 };
 
-/** The exact solution at the quadrature points of a cell. */
+/** Returns a function of V^h at the points of a cell. */
 template <int dim>
-struct ExactValues
+FieldValues<dim> evaluate(const Displacement &U, const FEValues<dim> &values)
 {
-  void evaluate(const Function<dim> &exact, const std::vector<Point<dim>> &points)
-  {
-    values.resize(points.size(), dealii::Vector<double>(dim));
-    gradients.resize(points.size(), std::vector<Tensor<1, dim>>(dim));
-    exact.vector_value_list(points, values);
-    exact.vector_gradient_list(points, gradients);
-  }
-  Tensor<1, dim> value(const unsigned int q) const
-  {
-    Tensor<1, dim> u;
-    for (unsigned int c = 0; c < dim; ++c)
-      u[c] = values[q][c];
-    return u;
-  }
-  Tensor<2, dim> gradient(const unsigned int q) const
-  {
-    Tensor<2, dim> du;
-    for (unsigned int c = 0; c < dim; ++c)
-      du[c] = gradients[q][c];
-    return du;
-  }
-
-  std::vector<dealii::Vector<double>> values;
-  std::vector<std::vector<Tensor<1, dim>>> gradients;
-};
+  const FEValuesExtractors::Vector displacement(0);
+  FieldValues<dim> u = {std::vector<Tensor<1, dim>>(values.n_quadrature_points),
+                        std::vector<Tensor<2, dim>>(values.n_quadrature_points)};
+  values[displacement].get_function_values(U.entries(), u.values);
+  values[displacement].get_function_gradients(U.entries(), u.gradients);
+  return u;
+}
 
 /** Integrates over one cell after the other; every chunk of cells has its own object. */
 template <int dim>
 class ErrorIntegrals
 {
 public:
-  using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
-
   explicit ErrorIntegrals(const Fields<dim> &fields)
     : fields_(fields)
     , cell_values_(fields.space.mesh().mapping(),
@@ -98,50 +71,60 @@ public:
                    update_values | update_gradients | update_quadrature_points | update_JxW_values |
                      update_inverse_jacobians)
   {
-    const unsigned int n_generations =
-      std::min<unsigned int>(Squares().post.size(), fields.space.mesh().n_nested_ancestors());
+    const unsigned int n_generations = std::min(2U, fields.space.mesh().n_nested_ancestors());
     for (unsigned int g = 1; g <= n_generations; ++g)
       interpolations_.emplace_back(fields.space, QGauss<dim>(fields.n_points), g);
   }
-  Squares integrate(const CellIterator &cell)
+  Squares integrate(const typename DoFHandler<dim>::active_cell_iterator &cell)
   {
     const FEValues<dim> &values = cell_values_.reinit(cell);
-    const FEValuesExtractors::Vector displacement(0);
-    const unsigned int n = values.n_quadrature_points;
-    u_.resize(n);
-    du_.resize(n);
-    e_.resize(n);
-    de_.resize(n);
-    values[displacement].get_function_values(fields_.U.entries(), u_);
-    values[displacement].get_function_gradients(fields_.U.entries(), du_);
-    values[displacement].get_function_values(fields_.interpolant_minus_U.entries(), e_);
-    values[displacement].get_function_gradients(fields_.interpolant_minus_U.entries(), de_);
-    exact_.evaluate(*fields_.scene.exact_displacement, values.get_quadrature_points());
+    const auto u = exact(values.get_quadrature_points());
+    const auto u_h = evaluate(fields_.U, values), e = evaluate(fields_.interpolant_minus_U, values);
     Squares squares;
-    for (unsigned int q = 0; q < n; ++q)
+    for (const unsigned int q : values.quadrature_point_indices())
     {
-      const double weight = values.JxW(q);
-      const Tensor<2, dim> gradient = exact_.gradient(q) - du_[q];
+      const Tensor<2, dim> gradient = u.gradients[q] - u_h.gradients[q];
       const SymmetricTensor<2, dim> strain = symmetrize(gradient);
-      squares.l2 += (exact_.value(q) - u_[q]).norm_square() * weight;
-      squares.h1_seminorm += gradient.norm_square() * weight;
-      squares.energy +=
-        (fields_.scene.material->hooke(values.quadrature_point(q)) * strain) * strain * weight;
-      squares.superclose += (e_[q].norm_square() + de_[q].norm_square()) * weight;
+      const auto E = fields_.scene.material->hooke(values.quadrature_point(q));
+      squares[of_value] += (u.values[q] - u_h.values[q]).norm_square() * values.JxW(q);
+      squares[of_gradient] += gradient.norm_square() * values.JxW(q);
+      squares[of_energy] += (E * strain) * strain * values.JxW(q);
+      squares[of_superclose] +=
+        (e.values[q].norm_square() + e.gradients[q].norm_square()) * values.JxW(q);
     }
     for (unsigned int g = 0; g < interpolations_.size(); ++g)
-      squares.post[g] = distance(interpolations_[g].evaluate(fields_.U, cell, values), values);
+      squares[of_post + g] =
+        distance(u, interpolations_[g].evaluate(fields_.U, cell, values), values);
     return squares;
   }
 
 private:
+  /** Returns the exact solution at points. */
+  FieldValues<dim> exact(const std::vector<Point<dim>> &points)
+  {
+    values_.resize(points.size(), dealii::Vector<double>(dim));
+    gradients_.resize(points.size(), std::vector<Tensor<1, dim>>(dim));
+    fields_.scene.exact_displacement->vector_value_list(points, values_);
+    fields_.scene.exact_displacement->vector_gradient_list(points, gradients_);
+    FieldValues<dim> u;
+    for (std::size_t q = 0; q < points.size(); ++q)
+    {
+      u.values.emplace_back(make_array_view(values_[q].begin(), values_[q].end()));
+      u.gradients.emplace_back();
+      for (unsigned int c = 0; c < dim; ++c)
+        u.gradients[q][c] = gradients_[q][c];
+    }
+    return u;
+  }
   /** Returns ‖u - v‖_1² on the cell. */
-  double distance(const FieldValues<dim> &v, const FEValues<dim> &values) const
+  static double distance(const FieldValues<dim> &u,
+                         const FieldValues<dim> &v,
+                         const FEValues<dim> &values)
   {
     double square = 0.;
     for (const unsigned int q : values.quadrature_point_indices())
-      square += ((exact_.value(q) - v.values[q]).norm_square() +
-                 (exact_.gradient(q) - v.gradients[q]).norm_square()) *
+      square += ((u.values[q] - v.values[q]).norm_square() +
+                 (u.gradients[q] - v.gradients[q]).norm_square()) *
                 values.JxW(q);
     return square;
   }
@@ -149,13 +132,12 @@ private:
   const Fields<dim> &fields_;
   CellValues<dim> cell_values_;
   std::vector<PatchInterpolation<dim>> interpolations_;
-  ExactValues<dim> exact_;
-  std::vector<Tensor<1, dim>> u_, e_;
-  std::vector<Tensor<2, dim>> du_, de_;
+  std::vector<dealii::Vector<double>> values_;
+  std::vector<std::vector<Tensor<1, dim>>> gradients_;
 };
 
-/** Returns the sum over this rank's cells, added up in their order whatever the number of threads.
- */
+/** Returns the sums over all ranks; on each rank cells are added up in their order whatever the
+ * number of threads. */
 template <int dim>
 Squares integrate_errors(const Fields<dim> &fields)
 {
@@ -170,6 +152,8 @@ Squares integrate_errors(const Fields<dim> &fields)
       return squares;
     },
     [&sum](const Squares &squares) { sum += squares; });
+  const ArrayView<double> numbers(sum.begin_raw(), n_norms);
+  Utilities::MPI::sum<double>(numbers, fields.space.mesh().communicator(), numbers);
   return sum;
 }
 } // namespace
@@ -180,22 +164,18 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
                                                const Displacement &U,
                                                const unsigned int n_points)
 {
-  const MPI_Comm communicator = space.mesh().communicator();
   Displacement interpolant_minus_U = interpolate_at_nodes(space, *scene.exact_displacement);
   interpolant_minus_U -= U;
-  const Squares squares = integrate_errors<dim>({space, scene, U, interpolant_minus_U, n_points});
-  const auto root_of_sum = [&](const double square) {
-    return std::sqrt(Utilities::MPI::sum(square, communicator));
-  };
+  const Squares sum = integrate_errors<dim>({space, scene, U, interpolant_minus_U, n_points});
   DisplacementErrors errors;
-  errors.l2 = root_of_sum(squares.l2);
-  errors.h1 = root_of_sum(squares.l2 + squares.h1_seminorm);
-  errors.energy = root_of_sum(squares.energy);
-  errors.superclose_h1 = root_of_sum(squares.superclose);
+  errors.l2 = std::sqrt(sum[of_value]);
+  errors.h1 = std::sqrt(sum[of_value] + sum[of_gradient]);
+  errors.energy = std::sqrt(sum[of_energy]);
+  errors.superclose_h1 = std::sqrt(sum[of_superclose]);
   if (space.mesh().n_nested_ancestors() >= 1)
-    errors.post_h1 = root_of_sum(squares.post[0]);
+    errors.post_h1 = std::sqrt(sum[of_post]);
   if (space.mesh().n_nested_ancestors() >= 2)
-    errors.post4_h1 = root_of_sum(squares.post[1]);
+    errors.post4_h1 = std::sqrt(sum[of_post4]);
   if (!std::isfinite(errors.h1))
     throw InputError("the exact displacement or its gradient has no finite value at a quadrature "
                      "point, allowed: finite values on the whole body; give 'Displacement "
@@ -270,41 +250,27 @@ template PressureErrors compute_pressure_errors(const MultiplierSpace<3> &,
 
 namespace
 {
-/** The points of a composite Gauss rule on an edge. */
-struct EdgePoints
-{
-  explicit EdgePoints(const double length)
-  {
-    // These are two points for the half of a period of the highest mode.
-    constexpr unsigned int n_intervals = RectangleNorm::n_modes / 4, n_points = 8;
-    const QGauss<1> gauss(n_points);
-    for (unsigned int i = 0; i < n_intervals; ++i)
-      for (unsigned int q = 0; q < n_points; ++q)
-      {
-        positions.push_back(length * (i + gauss.point(q)[0]) / n_intervals);
-        weights.push_back(length * gauss.weight(q) / n_intervals);
-      }
-  }
-
-  std::vector<double> positions, weights;
-};
-
 FullMatrix<double> coefficients_on(const Side<3> &side, const Function<3> &p)
 {
+  // Two points for the half of a period of the highest mode.
+  const QIterated<1> rule(QGauss<1>(8), RectangleNorm::n_modes / 4);
   const std::array<double, 2> lengths = side.lengths();
-  const EdgePoints x(lengths[0]), y(lengths[1]);
-  FullMatrix<double> weighted(x.positions.size(), y.positions.size());
-  std::vector<Point<3>> points(y.positions.size());
-  std::vector<double> values(y.positions.size());
-  for (std::size_t a = 0; a < x.positions.size(); ++a)
+  std::array<std::vector<double>, 2> positions;
+  for (unsigned int d = 0; d < 2; ++d)
+    for (const Point<1> &s : rule.get_points())
+      positions[d].push_back(lengths[d] * s[0]);
+  FullMatrix<double> weighted(rule.size(), rule.size());
+  std::vector<Point<3>> points(rule.size());
+  std::vector<double> values(rule.size());
+  for (unsigned int a = 0; a < rule.size(); ++a)
   {
-    for (std::size_t b = 0; b < points.size(); ++b)
-      points[b] = side.point({x.positions[a], y.positions[b]});
+    for (unsigned int b = 0; b < rule.size(); ++b)
+      points[b] = side.point({positions[0][a], positions[1][b]});
     p.value_list(points, values);
-    for (std::size_t b = 0; b < points.size(); ++b)
-      weighted(a, b) = values[b] * x.weights[a] * y.weights[b];
+    for (unsigned int b = 0; b < rule.size(); ++b)
+      weighted(a, b) = values[b] * lengths[0] * rule.weight(a) * lengths[1] * rule.weight(b);
   }
-  return RectangleNorm(lengths).coefficients({{x.positions, y.positions}}, weighted);
+  return RectangleNorm(lengths).coefficients(positions, weighted);
 }
 } // namespace
 
@@ -328,8 +294,8 @@ DualNormErrors ExactPressure<3>::errors(const MultiplierSpace<3> &space, const P
     const RectangleNorm norm = rectangle_norm_on(grid);
     sum.spectral =
       std::hypot(sum.spectral, norm.distance(coefficients_.at(grid.side), values_on(grid, P)));
-    sum.superclose_spectral =
-      std::hypot(sum.superclose_spectral, norm.norm(values_on(grid, difference)));
+    sum.superclose_spectral = std::hypot(
+      sum.superclose_spectral, norm.distance(FullMatrix<double>(), values_on(grid, difference)));
   }
   return sum;
 }
@@ -386,7 +352,7 @@ double one_sided_distance(const std::vector<double> &from, const std::vector<dou
   double largest = 0.;
   for (const double s : from)
   {
-    double nearest = std::abs(s - to.front());
+    double nearest = std::numeric_limits<double>::infinity();
     for (const double t : to)
       nearest = std::min(nearest, std::abs(s - t));
     largest = std::max(largest, nearest);

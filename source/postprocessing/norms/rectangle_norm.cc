@@ -17,64 +17,41 @@ namespace
 /** The number of periods 2 n of modes that are summed one by one. */
 constexpr unsigned int n_periods = 16;
 
-/** The cosines on an edge that is divided into n equal intervals. */
-class EdgeModes
+/** The cosines on an edge that is divided into n equal intervals, mode i = 0, 1, ...: as many as
+ * are taken one by one, in whole periods 2 n. */
+struct EdgeModes
 {
-public:
-  /**
-   * Chooses the modes.
-   * @param at_least as many modes are taken one by one, and whole periods.
-   */
   EdgeModes(const double length, const unsigned int n, const unsigned int at_least)
-    : length_(length)
-    , n_(n)
-    , size_(2 * n * std::max(n_periods, (at_least + 2 * n - 1) / (2 * n)))
+    : end(0.)
   {
-  }
-  unsigned int size() const
-  {
-    return size_;
-  }
-  double frequency(const unsigned int i) const
-  {
-    return i * numbers::PI / length_;
-  }
-  /** Returns the mode p that equals mode i on the middles of the intervals; n if mode i vanishes
-   * there. */
-  unsigned int alias(const unsigned int i) const
-  {
-    const unsigned int rest = i % (2 * n_);
-    return rest <= n_ ? rest : 2 * n_ - rest;
-  }
-  /** Returns the coefficient of mode i of the function with the value cos(p π (a + 1/2)/n) on
-   * interval a, divided by the sum of the squares of these cosines. */
-  double amplitude(const unsigned int i) const
-  {
-    if (i == 0)
-      return std::sqrt(length_) / n_;
-    const double sign = i % (2 * n_) <= n_ ? 1. : -1.;
-    return sign * std::sqrt(2. / length_) * 2. / frequency(i) * sine(alias(i));
-  }
-  /** Returns the sum of amplitude² k² over the modes like p from size() on, for each unit of
-   * frequency. */
-  double density(const unsigned int p) const
-  {
-    return 8. * sine(p) * sine(p) / (numbers::PI * n_);
-  }
-  /** Returns the first frequency that is not summed by itself. */
-  double end() const
-  {
-    return frequency(size_);
+    const unsigned int period = 2 * n;
+    const unsigned int size = period * std::max(n_periods, (at_least + period - 1) / period);
+    for (unsigned int i = 0; i < size; ++i)
+    {
+      const unsigned int rest = i % period, p = std::min(rest, period - rest);
+      const double sign = rest <= n ? 1. : -1.;
+      frequency.push_back(i * numbers::PI / length);
+      alias.push_back(p % n);
+      amplitude.push_back(i == 0   ? std::sqrt(length) / n
+                          : p == n ? 0.
+                                   : sign * std::sqrt(2. / length) * 2. / frequency[i] *
+                                       std::sin(0.5 * p * numbers::PI / n));
+    }
+    for (unsigned int p = 0; p < n; ++p)
+      density.push_back(8. * std::pow(std::sin(0.5 * p * numbers::PI / n), 2) / (numbers::PI * n));
+    end = size * numbers::PI / length;
   }
 
-private:
-  double sine(const unsigned int p) const
-  {
-    return std::sin(0.5 * p * numbers::PI / n_);
-  }
-
-  double length_;
-  unsigned int n_, size_;
+  std::vector<double> frequency;
+  /** The mode p < n that equals mode i on the middles of the intervals, up to a factor. */
+  std::vector<unsigned int> alias;
+  /** The coefficient of mode i of the function with the value cos(p π (a + 1/2)/n) on interval a,
+   * divided by the sum of the squares of these cosines; zero where mode i vanishes there. */
+  std::vector<double> amplitude;
+  /** The sum of amplitude² k² over the modes like p from the end on, for each unit of frequency. */
+  std::vector<double> density;
+  /** The first frequency that is not summed by itself. */
+  double end;
 };
 
 /** Returns the integral of k^-2 (1 + a² + k²)^{-1/2} over k > K. */
@@ -141,27 +118,18 @@ FullMatrix<double> transform(const FullMatrix<double> &A,
   return result;
 }
 
-/** Adds the remainder of the modes beyond those of both edges. */
-void add_tails(const EdgeModes &first, const EdgeModes &second, FullMatrix<double> &sums)
+/** Returns the remainder of the modes of one edge with those beyond the end of the other. */
+FullMatrix<double> tail(const EdgeModes &along, const EdgeModes &across)
 {
-  const auto add = [&](const EdgeModes &along, const EdgeModes &across, const bool transposed) {
-    for (unsigned int i = 0; i < along.size(); ++i)
-    {
-      const unsigned int p = along.alias(i), n_p = transposed ? sums.n() : sums.m();
-      if (p == n_p)
-        continue;
-      const double factor =
-        std::pow(along.amplitude(i), 2) * edge_tail(along.frequency(i), across.end());
-      for (unsigned int q = 1; q < (transposed ? sums.m() : sums.n()); ++q)
-        (transposed ? sums(q, p) : sums(p, q)) += factor * across.density(q);
-    }
-  };
-  add(first, second, false);
-  add(second, first, true);
-  const double corner = corner_tail(first.end(), second.end());
-  for (unsigned int p = 1; p < sums.m(); ++p)
-    for (unsigned int q = 1; q < sums.n(); ++q)
-      sums(p, q) += corner * first.density(p) * second.density(q);
+  FullMatrix<double> sums(along.density.size(), across.density.size());
+  for (unsigned int i = 0; i < along.alias.size(); ++i)
+  {
+    const double factor =
+      std::pow(along.amplitude[i], 2) * edge_tail(along.frequency[i], across.end);
+    for (unsigned int q = 0; q < sums.n(); ++q)
+      sums(along.alias[i], q) += factor * across.density[q];
+  }
+  return sums;
 }
 } // namespace
 
@@ -193,47 +161,37 @@ RectangleNorm::Matrix RectangleNorm::eigenvalues(const Counts &n_patches,
 {
   const EdgeModes first(lengths_[0], n_patches[0], n_without);
   const EdgeModes second(lengths_[1], n_patches[1], n_without);
-  std::vector<double> squares(second.size());
-  for (unsigned int j = 0; j < second.size(); ++j)
-    squares[j] = std::pow(second.amplitude(j), 2);
-  Matrix sums(n_patches[0], n_patches[1]);
-  for (unsigned int i = 0; i < first.size(); ++i)
+  Matrix sums = tail(first, second);
+  sums.Tadd(1., tail(second, first));
+  const double corner = corner_tail(first.end, second.end);
+  for (unsigned int p = 0; p < sums.m(); ++p)
+    for (unsigned int q = 0; q < sums.n(); ++q)
+      sums(p, q) += corner * first.density[p] * second.density[q];
+  for (unsigned int i = 0; i < first.alias.size(); ++i)
   {
-    const unsigned int p = first.alias(i);
-    if (p == n_patches[0] || (p == 0 && i > 0))
-      continue;
-    const double square = std::pow(first.amplitude(i), 2);
-    const double one_and_k1 = 1. + std::pow(first.frequency(i), 2);
-    for (unsigned int j = i < n_without ? n_without : 0; j < second.size(); ++j)
-    {
-      const unsigned int q = second.alias(j);
-      if (q != n_patches[1])
-        sums(p, q) +=
-          square * squares[j] / std::sqrt(one_and_k1 + std::pow(second.frequency(j), 2));
-    }
+    const double square = std::pow(first.amplitude[i], 2);
+    const double one_and_k1 = 1. + std::pow(first.frequency[i], 2);
+    for (unsigned int j = i < n_without ? n_without : 0; square > 0. && j < second.alias.size();
+         ++j)
+      sums(first.alias[i], second.alias[j]) +=
+        square * std::pow(second.amplitude[j], 2) /
+        std::sqrt(one_and_k1 + std::pow(second.frequency[j], 2));
   }
-  add_tails(first, second, sums);
   return sums;
-}
-
-RectangleNorm::Matrix RectangleNorm::eigenvalues(const Counts &n_patches) const
-{
-  return eigenvalues(n_patches, 0);
 }
 
 double RectangleNorm::distance(const Matrix &f, const Matrix &values) const
 {
   const Counts n = {{static_cast<unsigned int>(values.m()), static_cast<unsigned int>(values.n())}};
   const Matrix Q = transform(cosine_transform(n[0]), values, cosine_transform(n[1]));
-  const EdgeModes first(lengths_[0], n[0], n_modes), second(lengths_[1], n[1], n_modes);
+  const EdgeModes first(lengths_[0], n[0], f.m()), second(lengths_[1], n[1], f.m());
   double square = 0.;
   for (unsigned int i = 0; i < f.m(); ++i)
     for (unsigned int j = 0; j < f.n(); ++j)
     {
-      const unsigned int p = first.alias(i), q = second.alias(j);
       const double q_H =
-        p == n[0] || q == n[1] ? 0. : first.amplitude(i) * second.amplitude(j) * Q(p, q);
-      const double k = std::hypot(first.frequency(i), second.frequency(j));
+        first.amplitude[i] * second.amplitude[j] * Q(first.alias[i], second.alias[j]);
+      const double k = std::hypot(first.frequency[i], second.frequency[j]);
       square += std::pow(f(i, j) - q_H, 2) / std::hypot(1., k);
     }
   const Matrix beyond = eigenvalues(n, f.m());
@@ -241,11 +199,6 @@ double RectangleNorm::distance(const Matrix &f, const Matrix &values) const
     for (unsigned int q = 0; q < n[1]; ++q)
       square += beyond(p, q) * Q(p, q) * Q(p, q);
   return std::sqrt(square);
-}
-
-double RectangleNorm::norm(const Matrix &values) const
-{
-  return distance(Matrix(), values);
 }
 
 RectangleNorm::Matrix

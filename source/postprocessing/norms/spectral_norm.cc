@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <memory>
 #include <vector>
@@ -107,23 +108,18 @@ TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<d
     const unsigned int n = element.n_dofs_per_cell();
     cell_matrix.reinit(n, n);
     indices.resize(n);
-    // The block is the same for every component.
-    for (unsigned int v = 0; v < n / dim; ++v)
-      for (unsigned int w = 0; w <= v; ++w)
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j <= i; ++j)
       {
-        const unsigned int i = element.component_to_system_index(0, v);
-        const unsigned int j = element.component_to_system_index(0, w);
+        if (element.system_to_component_index(i).first !=
+            element.system_to_component_index(j).first)
+          continue;
         double product = 0.;
         for (const unsigned int q : values.quadrature_point_indices())
           product += (values.shape_value(i, q) * values.shape_value(j, q) +
                       values.shape_grad(i, q) * values.shape_grad(j, q)) *
                      values.JxW(q);
-        for (unsigned int d = 0; d < dim; ++d)
-        {
-          const unsigned int i_d = element.component_to_system_index(d, v);
-          const unsigned int j_d = element.component_to_system_index(d, w);
-          cell_matrix(i_d, j_d) = cell_matrix(j_d, i_d) = product;
-        }
+        cell_matrix(i, j) = cell_matrix(j, i) = product;
       }
     cell->get_dof_indices(indices);
     space.constraints().distribute_local_to_global(cell_matrix, indices, A_1);
@@ -141,94 +137,56 @@ namespace
 {
 using numbers::PI;
 
-/**
- * Sums up amount * sin(k θ) (or cos) for k = 1..n_modes over many θ. With k = a + A b,
- *
- *     cos(k θ) = cos(a θ) cos(A b θ) - sin(a θ) sin(A b θ),
- *
- * and the sums over θ for all a and b are products of matrices.
- */
-template <bool sine>
-class Harmonics
+using Complex = std::complex<double>;
+using ComplexMatrix = LAPACKFullMatrix<Complex>;
+
+/** Returns e^{i j step θ}, j = 0, ..., n - 1 in rows, for the angles θ in columns. The numbers are
+ * rotated by step θ from row to row; their errors add up to 1e-16 per row only. */
+ComplexMatrix powers(const std::vector<double> &theta,
+                     const std::size_t first,
+                     const std::size_t last,
+                     const unsigned int step,
+                     const unsigned int n)
 {
-public:
-  explicit Harmonics(const unsigned int n_modes)
-    : n_modes_(n_modes)
-    , n_blocks_(n_modes / block + 1)
-    , products_(n_blocks_, block)
+  ComplexMatrix result(n, last - first);
+  for (std::size_t q = first; q < last; ++q)
   {
+    const Complex rotation = std::polar(1., step * theta[q]);
+    Complex power = 1.;
+    for (unsigned int j = 0; j < n; ++j, power *= rotation)
+      result(j, q - first) = power;
   }
-  void add(const double theta, const double amount)
+  return result;
+}
+
+/**
+ * Returns Σ amount e^{i k θ} for k = 0, ..., n_modes. With k = a + A b,
+ *
+ *     e^{i k θ} = e^{i a θ} e^{i A b θ},
+ *
+ * and the sums over θ for all a and b are a product of matrices.
+ */
+SpectralNorm::Modes sum_of_waves(const std::vector<double> &theta,
+                                 const std::vector<double> &amount,
+                                 const unsigned int n_modes)
+{
+  constexpr unsigned int A = 128, chunk = 256;
+  const unsigned int n_blocks = n_modes / A + 1;
+  ComplexMatrix sums(n_blocks, A);
+  for (std::size_t first = 0; first < theta.size(); first += chunk)
   {
-    theta_.push_back(theta);
-    amount_.push_back(amount);
-    if (theta_.size() == 256)
-      flush();
+    const std::size_t last = std::min<std::size_t>(first + chunk, theta.size());
+    ComplexMatrix coarse = powers(theta, first, last, A, n_blocks);
+    for (unsigned int b = 0; b < n_blocks; ++b)
+      for (std::size_t q = first; q < last; ++q)
+        coarse(b, q - first) *= amount[q];
+    coarse.mTmult(sums, powers(theta, first, last, 1, A), true);
   }
-
-  /** Adds the sum of mode k to sums[first + k - 1], for all modes. */
-  void add_to(dealii::Vector<double> &sums, const unsigned int first)
-  {
-    flush();
-    for (unsigned int k = 1; k <= n_modes_ && used_; ++k)
-      sums[first + k - 1] += products_(k / block, k % block);
-  }
-
-private:
-  /** The number A. */
-  static constexpr unsigned int block = 128;
-
-  /** Computes cos(i step θ) and sin(i step θ), row i. Unit vectors are rotated by step
-   * θ; their errors add up to 1e-16 per row only. */
-  void tabulate(const unsigned int step,
-                FullMatrix<double> &cosines,
-                FullMatrix<double> &sines) const
-  {
-    for (unsigned int q = 0; q < theta_.size(); ++q)
-    {
-      cosines(0, q) = 1.;
-      sines(0, q) = 0.;
-      cosines(1, q) = std::cos(step * theta_[q]);
-      sines(1, q) = std::sin(step * theta_[q]);
-    }
-    for (unsigned int i = 2; i < cosines.m(); ++i)
-      for (unsigned int q = 0; q < theta_.size(); ++q)
-      {
-        cosines(i, q) = cosines(i - 1, q) * cosines(1, q) - sines(i - 1, q) * sines(1, q);
-        sines(i, q) = sines(i - 1, q) * cosines(1, q) + cosines(i - 1, q) * sines(1, q);
-      }
-  }
-
-  void flush()
-  {
-    const unsigned int n = theta_.size();
-    if (n == 0)
-      return;
-    used_ = true;
-    FullMatrix<double> fine_cos(block, n), fine_sin(block, n);
-    FullMatrix<double> coarse_cos(n_blocks_, n), coarse_sin(n_blocks_, n);
-    tabulate(1, fine_cos, fine_sin);
-    tabulate(block, coarse_cos, coarse_sin);
-    for (unsigned int b = 0; b < n_blocks_; ++b)
-      for (unsigned int q = 0; q < n; ++q)
-      {
-        coarse_cos(b, q) *= amount_[q];
-        coarse_sin(b, q) *= sine ? amount_[q] : -amount_[q];
-      }
-    coarse_cos.mTmult(products_, sine ? fine_sin : fine_cos, true);
-    coarse_sin.mTmult(products_, sine ? fine_cos : fine_sin, true);
-    theta_.clear();
-    amount_.clear();
-  }
-
-  unsigned int n_modes_;
-  /** The number of values of b. */
-  unsigned int n_blocks_;
-  bool used_ = false;
-  /** The sum for k = a + A b in row b and column a. */
-  FullMatrix<double> products_;
-  std::vector<double> theta_, amount_;
-};
+  SpectralNorm::Modes modes(n_modes + 1);
+  for (unsigned int k = 0; k <= n_modes; ++k)
+    modes[k] = sums(k / A, k % A);
+  return modes;
+}
 } // namespace
 
 SpectralNorm::SpectralNorm(const double length, const bool closed)
@@ -238,11 +196,6 @@ SpectralNorm::SpectralNorm(const double length, const bool closed)
   // The highest frequency is the same for both kinds.
   , n_modes_(closed ? 4096 : 8192)
 {
-}
-
-unsigned int SpectralNorm::mode(const unsigned int coefficient) const
-{
-  return coefficient <= n_modes_ ? coefficient : coefficient - n_modes_;
 }
 
 double SpectralNorm::weight(const unsigned int k) const
@@ -258,85 +211,74 @@ unsigned int SpectralNorm::n_tail_modes(const unsigned int m) const
   return period < n_modes_ / 2 ? period * ((n_modes_ / 2) / period) : n_modes_ / 2;
 }
 
-double SpectralNorm::tail() const
+double SpectralNorm::weight_with_tail(const unsigned int k, const unsigned int m) const
 {
-  return 2. / length_ / std::pow(omega_, 3) / (2. * double(n_modes_) * (n_modes_ + 1.));
+  // q_k = (2/L)^{1/2} S_k/(k ω): the mean of S_k² over the last modes gives the rest of the sum.
+  const unsigned int n_last = n_tail_modes(m);
+  const double tail = 1. / (omega_ * 2. * double(n_modes_) * (n_modes_ + 1.));
+  return weight(k) + (k > n_modes_ - n_last ? tail * k * k / n_last : 0.);
 }
 
-SpectralNorm::Vector SpectralNorm::coefficients(const std::vector<double> &arc_lengths,
-                                                const std::vector<double> &weighted_values) const
+SpectralNorm::Modes SpectralNorm::normalised(Modes modes) const
 {
-  Vector sums(1 + (closed_ ? 2 : 1) * n_modes_);
-  Harmonics<false> cosines(n_modes_);
-  Harmonics<true> sines(n_modes_);
-  for (std::size_t q = 0; q < arc_lengths.size(); ++q)
-  {
-    sums[0] += weighted_values[q];
-    cosines.add(omega_ * arc_lengths[q], weighted_values[q]);
-    if (closed_)
-      sines.add(omega_ * arc_lengths[q], weighted_values[q]);
-  }
-  cosines.add_to(sums, 1);
-  sines.add_to(sums, 1 + n_modes_);
-  sums *= std::sqrt(2. / length_);
-  sums[0] /= std::sqrt(2.);
-  return sums;
+  modes[0] /= std::sqrt(2.);
+  for (Complex &mode : modes)
+    mode = std::sqrt(2. / length_) * (closed_ ? mode : mode.real());
+  return modes;
 }
 
-SpectralNorm::Vector SpectralNorm::coefficients_of_constants(const std::vector<double> &ends,
-                                                             const Vector &values) const
+SpectralNorm::Modes SpectralNorm::coefficients(const std::vector<double> &arc_lengths,
+                                               const std::vector<double> &weighted_values) const
 {
-  // ∫ q cos(k ω s) = -sum of jumps times sin / (k ω): on an open side the sines vanish at
-  // both ends. ∫ q sin = +sum of jumps times cos / (k ω).
-  Vector sums(1 + (closed_ ? 2 : 1) * n_modes_);
-  Harmonics<true> sines(n_modes_);
-  Harmonics<false> cosines(n_modes_);
-  for (unsigned int i = closed_ ? 0 : 1; i < values.size(); ++i)
+  std::vector<double> theta = arc_lengths;
+  for (double &angle : theta)
+    angle *= omega_;
+  return normalised(sum_of_waves(theta, weighted_values, n_modes_));
+}
+
+SpectralNorm::Modes SpectralNorm::coefficients_of_constants(const std::vector<double> &ends,
+                                                            const Vector &values) const
+{
+  // ∫ q e^{i k ω s} is -Σ jump e^{i k ω s}/(i k ω), with the jumps at both ends of the side.
+  std::vector<double> theta, jumps;
+  for (unsigned int i = 0; i <= values.size(); ++i)
   {
-    const double jump = values[i] - (i > 0 ? values[i - 1] : values[values.size() - 1]);
+    const double jump = (i < values.size() ? values[i] : 0.) - (i > 0 ? values[i - 1] : 0.);
     if (jump == 0.)
       continue;
-    sines.add(omega_ * ends[i], -jump);
-    if (closed_)
-      cosines.add(omega_ * ends[i], jump);
+    theta.push_back(omega_ * ends[i]);
+    jumps.push_back(jump);
   }
-  sines.add_to(sums, 1);
-  cosines.add_to(sums, 1 + n_modes_);
-  for (unsigned int c = 1; c < sums.size(); ++c)
-    sums[c] *= std::sqrt(2. / length_) / (mode(c) * omega_);
+  Modes modes = sum_of_waves(theta, jumps, n_modes_);
+  modes[0] = 0.;
+  for (unsigned int k = 1; k <= n_modes_; ++k)
+    modes[k] *= Complex(0., 1. / (k * omega_));
   for (unsigned int i = 0; i < values.size(); ++i)
-    sums[0] += values[i] * (ends[i + 1] - ends[i]) / std::sqrt(length_);
-  return sums;
+    modes[0] += values[i] * (ends[i + 1] - ends[i]);
+  return normalised(std::move(modes));
 }
 
-double SpectralNorm::distance(const Vector &f,
+double SpectralNorm::distance(const Modes &f,
                               const std::vector<double> &ends,
                               const Vector &values) const
 {
-  const Vector q_H = coefficients_of_constants(ends, values);
-  const unsigned int n_last = n_tail_modes(values.size());
-  double square = 0., mean = 0.;
-  for (unsigned int c = 0; c < q_H.size(); ++c)
-  {
-    const unsigned int k = mode(c);
-    square += weight(k) * (f[c] - q_H[c]) * (f[c] - q_H[c]);
-    // q_k = (2/L)^{1/2} S_k/(k ω): the mean of S_k² gives the rest of the sum.
-    if (k > n_modes_ - n_last)
-      mean += std::pow(q_H[c] * k * omega_, 2) * length_ / 2. / n_last;
-  }
-  return std::sqrt(square + tail() * mean);
+  const Modes q_H = coefficients_of_constants(ends, values);
+  double square = 0.;
+  for (unsigned int k = 0; k < q_H.size(); ++k)
+    square += weight(k) * std::norm(f[k] - q_H[k]) +
+              (weight_with_tail(k, values.size()) - weight(k)) * std::norm(q_H[k]);
+  return std::sqrt(square);
 }
 
-double SpectralNorm::primal_norm(const Vector &f, const unsigned int n_pieces) const
+double SpectralNorm::primal_norm(const Modes &f, const unsigned int n_pieces) const
 {
   const unsigned int n_last = n_tail_modes(n_pieces);
   double square = 0., mean = 0.;
-  for (unsigned int c = 0; c < f.size(); ++c)
+  for (unsigned int k = 0; k < f.size(); ++k)
   {
-    const unsigned int k = mode(c);
-    square += f[c] * f[c] / weight(k);
+    square += std::norm(f[k]) / weight(k);
     if (k > n_modes_ - n_last)
-      mean += std::pow(k, 4) * f[c] * f[c] / n_last;
+      mean += std::pow(k, 4) * std::norm(f[k]) / n_last;
   }
   // The sum of (k ω) k^-4 over k > K is about ω/(2 K²).
   return std::sqrt(square + omega_ * mean / (2. * double(n_modes_) * (n_modes_ + 1.)));
@@ -344,26 +286,22 @@ double SpectralNorm::primal_norm(const Vector &f, const unsigned int n_pieces) c
 
 FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &ends) const
 {
-  const unsigned int m = ends.size() - 1;
-  const unsigned int n_last = n_tail_modes(m);
-  FullMatrix<double> weighted(m, 1 + (closed_ ? 2 : 1) * n_modes_);
+  const unsigned int m = ends.size() - 1, n = n_modes_ + 1;
+  FullMatrix<double> weighted(m, closed_ ? 2 * n : n), gram(m, m);
   Vector unit(m);
   for (unsigned int i = 0; i < m; ++i)
   {
     unit = 0.;
     unit[i] = 1.;
-    const Vector q = coefficients_of_constants(ends, unit);
-    for (unsigned int c = 0; c < q.size(); ++c)
+    const Modes q = coefficients_of_constants(ends, unit);
+    for (unsigned int k = 0; k < n; ++k)
     {
-      const unsigned int k = mode(c);
-      double square = weight(k);
-      // The last modes count for the infinitely many after them, too.
-      if (k > n_modes_ - n_last)
-        square += tail() * std::pow(k * omega_, 2) * length_ / 2. / n_last;
-      weighted(i, c) = std::sqrt(square) * q[c];
+      const double root = std::sqrt(weight_with_tail(k, m));
+      weighted(i, k) = root * q[k].real();
+      if (closed_)
+        weighted(i, n + k) = root * q[k].imag();
     }
   }
-  FullMatrix<double> gram(m, m);
   weighted.mTmult(gram, weighted);
   return gram;
 }
@@ -391,16 +329,6 @@ FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface)
 
 // Lemma 1 as a number: a generalised eigenvalue problem on the contact boundary.
 
-namespace
-{
-LAPACKFullMatrix<double> to_lapack(const FullMatrix<double> &matrix)
-{
-  LAPACKFullMatrix<double> copy(matrix.m(), matrix.n());
-  copy = matrix;
-  return copy;
-}
-} // namespace
-
 template <int dim>
 double measure_inf_sup(const DisplacementSpace<dim> &space,
                        const MultiplierSpace<dim> &multipliers,
@@ -410,12 +338,14 @@ double measure_inf_sup(const DisplacementSpace<dim> &space,
   const TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
   const auto inverse = factorise(A_1, 1., linear_solver, contact_unknowns(condensed_D));
   double seconds = 0.;
-  auto DA_1D = to_lapack(make_compliance(*inverse, condensed_D, seconds)->dense());
-  auto S = to_lapack(dual_gram_matrix(multipliers));
+  const unsigned int m = multipliers.n_multipliers();
+  LAPACKFullMatrix<double> DA_1D(m), S(m);
+  DA_1D = make_compliance(*inverse, condensed_D, seconds)->dense();
+  S = dual_gram_matrix(multipliers);
   std::vector<dealii::Vector<double>> no_eigenvectors;
   DA_1D.compute_generalized_eigenvalues_symmetric(S, no_eigenvectors);
   double smallest = DA_1D.eigenvalue(0).real();
-  for (unsigned int i = 1; i < multipliers.n_multipliers(); ++i)
+  for (unsigned int i = 1; i < m; ++i)
     smallest = std::min(smallest, DA_1D.eigenvalue(i).real());
   return std::sqrt(std::max(smallest, 0.));
 }

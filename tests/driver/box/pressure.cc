@@ -120,7 +120,10 @@ void norms(Checks &checks)
   for (unsigned int i = 0; i < 6; ++i)
     for (unsigned int j = 0; j < 4; ++j)
       ones(i, j) = 1.;
-  checks.near("norm of one: the root of the area", norm.norm(ones), std::sqrt(a * b), 1e-14);
+  checks.near("norm of one: the root of the area",
+              norm.distance(RectangleNorm::Matrix(), ones),
+              std::sqrt(a * b),
+              1e-14);
   // What depends on one coordinate has the norm on the edge.
   RectangleNorm::Matrix across(6, 4), along(4, 6);
   Vector steps(6);
@@ -136,19 +139,21 @@ void norms(Checks &checks)
     for (unsigned int j = 0; j < 4; ++j)
       across(i, j) = along(j, i) = steps[i];
   }
-  const Vector none(8193);
+  const SpectralNorm::Modes none(8193);
   checks.near("steps along the first edge",
-              norm.norm(across) / (std::sqrt(b) * SpectralNorm(a).distance(none, ends_a, steps)),
+              norm.distance(RectangleNorm::Matrix(), across) /
+                (std::sqrt(b) * SpectralNorm(a).distance(none, ends_a, steps)),
               1.,
               1e-6);
   checks.near("steps along the second edge",
-              norm.norm(along) / (std::sqrt(a) * SpectralNorm(b).distance(none, ends_b, steps)),
+              norm.distance(RectangleNorm::Matrix(), along) /
+                (std::sqrt(a) * SpectralNorm(b).distance(none, ends_b, steps)),
               1.,
               1e-6);
   // cos(pi s/a) less these steps, on the rectangle and on the edge.
   RectangleNorm::Matrix f(RectangleNorm::n_modes, RectangleNorm::n_modes);
   f(1, 0) = std::sqrt(0.5 * a * b);
-  Vector f_on_edge(8193);
+  SpectralNorm::Modes f_on_edge(8193);
   f_on_edge[1] = std::sqrt(0.5 * a);
   checks.near("distance of steps from a cosine",
               norm.distance(f, across) /

@@ -236,9 +236,6 @@ void admissible(Checks &checks,
     checks.near(
       which + ": contact term", contact_term(s, lift), bound.contact_term, 1e-4 * bound.square());
     checks.between(which + ": sign", bound.contact_term, -1e-12 * bound.square(), 1e300);
-    if (dual)
-      checks.that(name + ": the smaller one is kept",
-                  bound.square() <= s.lift(false).bound()->square());
   }
 }
 

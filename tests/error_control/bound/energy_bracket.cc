@@ -121,7 +121,7 @@ void test_pins(Checks &checks)
                   gap("bottom: 0.001*x | left: -0.002 | right: -0.003 | top: -0.01"));
 }
 
-/** The lift does not depend on who solves with A: contact counts here, and the layer alone gives
+/** With few contact nodes the lift does not depend on who solves with A; the layer alone would give
  * 1.47 times the bound. */
 void test_solvers(Checks &checks)
 {

@@ -14,24 +14,6 @@ using dealii::Point;
 
 namespace
 {
-/** Gauss and Lobatto: (1 -+ 5^{-1/2})/2 for degree 3, (1 -+ (3/7)^{1/2})/2 for degree 4. */
-void nodes(Checks &checks)
-{
-  const std::vector<std::vector<double>> expected = {
-    {0., 1.},
-    {0., 0.5, 1.},
-    {0., 0.5 - std::sqrt(0.05), 0.5 + std::sqrt(0.05), 1.},
-    {0., 0.5 - 0.5 * std::sqrt(3. / 7.), 0.5, 0.5 + 0.5 * std::sqrt(3. / 7.), 1.}};
-  for (unsigned int degree = 1; degree <= 4; ++degree)
-  {
-    const std::vector<double> found = nodes_of_edge(degree);
-    double error = found.size() == degree + 1 ? 0. : 1.;
-    for (unsigned int i = 0; i <= degree && error == 0.; ++i)
-      error = std::max(error, std::abs(found[i] - expected[degree - 1][i]));
-    checks.near("nodes of degree " + std::to_string(degree), error, 0., 1e-14);
-  }
-}
-
 /** Values and derivatives of x^p from its values at the nodes, at nodes, inside and outside. */
 void tables(Checks &checks)
 {
@@ -100,7 +82,6 @@ int main(int argc, char **argv)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   dealii::deal_II_exceptions::disable_abort_on_exception();
   Checks checks;
-  nodes(checks);
   tables(checks);
   gradients(checks);
   return checks.exit_code();

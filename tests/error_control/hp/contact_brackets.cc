@@ -60,8 +60,6 @@ void two_sides(Checks &checks)
   check(
     checks, "inside", space, on(2, 0.25, 0.75), {{2, 0.25 - a, 0.25 + a}, {2, 0.75 - a, 0.75 + a}});
   check(checks, "up to the end of the side", space, on(0, 0.5, 2.), {{0, 0.5 - a, 0.5 + a}});
-  check(checks, "one node", space, on(2, 0.5, 0.6), {{2, 0.5 - a, 0.75 - a}});
-  check(checks, "the first node", space, on(2, 0., 0.125), {{2, a, 0.25 - a}});
   // The last two nodes of the first side and the first two of the second.
   auto both = on(0, 0.75, 1.);
   both.add(1., on(2, 0., 0.25));
@@ -107,13 +105,7 @@ void closed_side(Checks &checks)
         space,
         on(14. * h, 18. * h),
         {{side, 1.5 * h, 2.5 * h}, {side, 13.5 * h, 14.5 * h}});
-  check(checks,
-        "closed: from the start",
-        space,
-        on(16. * h, 18. * h),
-        {{side, 1.5 * h, 2.5 * h}, {side, 15.5 * h, 16.5 * h}});
   check(checks, "closed: the first node", space, on(0., h), {{side, 15.5 * h, 17.5 * h}});
-  check(checks, "closed: the last node", space, on(15. * h, 16. * h), {{side, 14.5 * h, 16.5 * h}});
 }
 } // namespace
 

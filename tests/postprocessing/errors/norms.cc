@@ -61,13 +61,7 @@ void polynomials(Checks &checks)
   const double l2 = 1. / 15. + 1. / 3. - 1. / 4. + 1. / 7.,
                seminorm = 4. / 9. + 1. / 5. + 1. + 9. / 5.;
   const std::string u = "x^2*y; x - y^3", du = "2*x*y; x^2; 1; -3*y^2";
-  for (const unsigned int number : {0U, 1U, 3U})
-    norms(checks,
-          "polynomial, level " + std::to_string(number),
-          OneLevel(scene("", u, du, ""), number),
-          l2,
-          seminorm,
-          1e-14);
+  norms(checks, "polynomial", OneLevel(scene("", u, du, ""), 1), l2, seminorm, 1e-14);
   norms(checks,
         "polynomial, distorted mesh",
         OneLevel(scene("set Distortion = 0.3\n", u, du, ""), 3),
@@ -95,13 +89,7 @@ void kinks(Checks &checks)
   const std::string u = "max(x - 0.3, 0); max(y - 0.45, 0)",
                     du = "x > 0.3 ? 1 : 0; 0; 0; y > 0.45 ? 1 : 0",
                     at = "set Kinks at x = 0.3\nset Kinks at y = 0.45\n";
-  for (const unsigned int number : {0U, 2U})
-    norms(checks,
-          "kinks, level " + std::to_string(number),
-          OneLevel(scene("", u, du, at), number),
-          l2,
-          seminorm,
-          1e-14);
+  norms(checks, "kinks", OneLevel(scene("", u, du, at), 0), l2, seminorm, 1e-14);
   norms(checks,
         "kinks, distorted mesh",
         OneLevel(scene("set Distortion = 0.3\n", u, du, at), 3),
@@ -161,11 +149,6 @@ void linear_pressure(Checks &checks)
     const std::string name = "linear pressure, patches " + std::to_string(n);
     checks.near(name + ": L2", found.l2, 1. / n / std::sqrt(12.), 1e-15);
     checks.near(name + ": recovered", found.post_l2, 0., 1e-14);
-    P = Pressure(n);
-    checks.near(name + ": P = 0",
-                compute_pressure_errors(level.multipliers(), P, 4).l2,
-                std::sqrt(7. / 3.),
-                1e-14);
   }
 }
 
@@ -225,7 +208,6 @@ void threads(Checks &checks)
   };
   const auto one = numbers(1);
   checks.that("two threads = one thread", numbers(2) == one);
-  checks.that("four threads = one thread", numbers(4) == one);
 }
 } // namespace
 

@@ -1,26 +1,98 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/error_control/contact_term/lift_field.h>
+#include <signorini/base/dealii.h>
+#include <signorini/error_control/contact_term/contact_trace.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
-#include <memory>
+#include <deal.II/fe/fe_values.h>
+
+#include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace Signorini
 {
-/** The method by which the w of a ContactBound was found. */
-enum class LiftMethod
+/**
+ * The lift w = w_h + Σ_F r_F(t) ψ_F n: a function of V^h with homogeneous essential conditions,
+ * and for each contact face F what it lacks inside the face.
+ *
+ * r_F vanishes at both ends of F; in the cell at F, t runs along F and η from F (0) to the opposite
+ * edge (1), and ψ_F = (1 - η/δ)_+ with δ ≤ 1. So w is continuous and vanishes on essential
+ * boundaries like w_h, whatever the shape of the cell.
+ *
+ * δ is the least of 1 and D divided by the height of the cell, D = (3 C_nn ∫ r² / (C_nt ∫
+ * r'²))^{1/2}, C_nn and C_nt the moduli of stretch along n and of shear at F: for r(t) (1 - y/D) n
+ * on a strip the energy is at most 1/2 (C_nn ∫ r²/D + C_nt D/3 ∫ r'²) + mixed terms, least
+ * for this D. Any δ is right.
+ */
+class LiftField
 {
-  /** The nodal values of a boundary layer, see layer_lift(). */
-  layer,
-  /** The solution of a small dual problem at the contact nodes, see dual_lift(). */
-  dual,
-  /** The same, with nodes raised so far that nothing is lacking inside of faces, see
-   * raised_values(). */
-  raised_dual
+public:
+  using CellIterator = DoFHandler<2>::active_cell_iterator;
+
+  /**
+   * Stores the functions. Space, scene and trace must outlive the object.
+   * @param remainders r_F in the order of trace.faces(), zero at 0 and 1; empty: all are zero.
+   */
+  LiftField(const DisplacementSpace<2> &space,
+            const Scene<2> &scene,
+            const ContactTrace &trace,
+            Displacement w_h,
+            std::vector<EdgeFunction> remainders = {});
+
+  const Displacement &w_h() const
+  {
+    return w_h_;
+  }
+  const std::vector<EdgeFunction> &remainders() const
+  {
+    return remainders_;
+  }
+  /** Returns w at a point of the reference cell. */
+  Tensor<1, 2> value(const CellIterator &cell, const Point<2> &reference) const;
+
+  /**
+   * Returns ∫_K ε(w):E:ε(w) for every active cell K (force x length per thickness), and zero
+   * for cells of other ranks.
+   *
+   * It is integrated by Gauss' formula on the parts of a cell on which w is a polynomial in
+   * reference coordinates. This is exact on parallelograms with constant E. Elsewhere the parts are
+   * also cut where kinks of the data cross edges of the cell. Where E varies by more than a factor
+   * of 1.5 in a cell (LawSampling), the cell is cut into m/4 parts per direction, too.
+   */
+  dealii::Vector<double> cell_energies() const;
+
+private:
+  /** The function r_F ψ_F of a contact face. */
+  struct Column
+  {
+    unsigned int face, face_no;
+    /** The number δ. */
+    double depth;
+  };
+
+  /** Calls visit(r_F ψ_F, its gradient in reference coordinates, n) for the faces of a cell. */
+  template <typename Visitor>
+  void visit_columns(const CellIterator &cell, const Point<2> &x, const Visitor &visit) const;
+  /** Returns the positions at which pieces of w or of the material begin and end in reference
+   * coordinate @p d, with those of @p n_equal parts. */
+  std::vector<double> cuts(const CellIterator &cell, unsigned int d, unsigned int n_equal) const;
+  /** Returns the energy on a cell. */
+  double energy(const CellIterator &cell, const FEValues<2> &values) const;
+
+  const DisplacementSpace<2> &space_;
+  const Scene<2> &scene_;
+  const ContactTrace &trace_;
+  Displacement w_h_;
+  std::vector<EdgeFunction> remainders_;
+  /** The columns by active cell index. */
+  std::multimap<unsigned int, Column> columns_;
 };
+
+/** Returns the modulus of stretch along the normal of a face divided by that of shear. */
+double stretch_to_shear(const Scene<2> &scene, const PenetrationFace &face);
 
 /** The contact part of the bound of the energy error, with its summands. */
 struct ContactBound
@@ -29,7 +101,6 @@ struct ContactBound
   double lift_energy = 0.;
   /** The integral ∫_{Γ_c} τ_n (ũ_n - g - w_n). It is not negative, up to rounding. */
   double contact_term = 0.;
-  LiftMethod method = LiftMethod::layer;
   /** The terms 2 ∫_F τ_n (ũ_n - g - w_n) of the faces, in the order of ContactSurface::faces().
    */
   std::vector<double> face_terms;
@@ -52,23 +123,15 @@ struct ContactBound
  *     c² = |||w|||² + 2 ∫_{Γ_c} τ_n (ũ_n - g - w_n)
  *
  * for a w in V (zero on clamped and prescribed sides, w_n = 0 on rollers) with w_n ≥ d := ũ_n - g
- * on Γ_c. The body is two-dimensional with straight sides.
+ * on Γ_c. The body is two-dimensional.
  *
- * w = w_h + Σ_F r_F ψ_F n, see LiftField. w_h in V^h satisfies w_{h,n} ≥ d at contact nodes.
- * On a face, d is replaced by a piecewise quadratic q ≥ d (EdgeFunction); with its chord Iq, b = q
- * - Iq and the linear function e = w_{h,n} - Iq ≥ 0,
- *
- *     r_F ≥ b - e,   r_F = 0 at both ends.
- *
- * Where the face presses, r_F = max(b - e, min(b, 0)): w_n = q where w_h touches at both ends,
- * since -2 τ_n (w_n - d) counts; elsewhere r_F = max(b - e, 0). Both are piecewise quadratic,
- * with breaks at the zeros of b and b - e as well. Hence w_n = Iq + e + r_F ≥ q ≥ d, and c² ≥ 0.
+ * w = w_h + Σ_F r_F ψ_F n, see LiftField. w_h in V^h satisfies w_{h,n} ≥ d at contact nodes, see
+ * nodal_lift(). On a face, d is replaced by a piecewise quadratic q ≥ d (EdgeFunction). Where the
+ * face presses, r_F = q - (chord of q), so that w_n = q where w_h touches at both ends, since -2
+ * τ_n (w_n - d) counts; elsewhere r_F ≥ (q - w_{h,n})_+. Hence w_n ≥ q ≥ d, and c² ≥ 0.
  *
  * The bound is exact up to rounding, the sampling of g (see interpolate_from_above()) and, with
  * moduli that vary or cells that are no parallelograms, the quadrature of |||w|||².
- *
- * Of the w_h, the cheap layer and the solutions of one or two small dual problems, the one with the
- * smallest c² is kept. The layer is not enough in bending, where it has to be thin.
  *
  * There is none where a held node needs w_n > 0: where contact reaches a clamped side with g < 0,
  * or is pushed into the foundation there. A gap that jumps costs energy but does no harm, since w_n
@@ -77,18 +140,16 @@ struct ContactBound
 class ContactLift
 {
 public:
-  /** The data of the dual problem: A⁻¹ and D. */
+  /** The data of nodal_lift(): A⁻¹ and D. */
   struct DualData
   {
     const StiffnessInverse &inverse;
     const Coupling &condensed_D;
-    /** The layer is kept without a dual problem if its c² is not above this value. */
-    double enough = 0.;
   };
 
   /**
    * Computes the bound. All arguments but @p dual must outlive the object. Collective.
-   * @param dual if it is empty, only the layer is tried.
+   * @param dual if it is empty, A⁻¹ is not used, see nodal_lift().
    * @param fields see ContactTrace.
    * @throws InputError where g has no value.
    */
@@ -99,8 +160,9 @@ public:
               const Pressure &P,
               const std::optional<DualData> &dual,
               const std::vector<FaceField> &fields = {});
+  ContactLift(const ContactLift &) = delete;
 
-  /** Returns the bound; none where no w exists or none was found, see no_bound(). */
+  /** Returns the bound; none where no w exists, see no_bound(). */
   const std::optional<ContactBound> &bound() const
   {
     return bound_;
@@ -111,11 +173,10 @@ public:
   {
     return no_bound_;
   }
-  /** Returns d along Γ_c, with its largest value and its place. Needs straight sides and degree
-   * one. */
+  /** Returns d along Γ_c, with its largest value and its place. */
   const ContactTrace &trace() const
   {
-    return *trace_;
+    return trace_;
   }
   /** Returns w. Needs bound(). */
   const LiftField &lift() const
@@ -124,16 +185,38 @@ public:
   }
 
 private:
-  void consider(Displacement w_h, LiftMethod method);
-  ContactBound evaluate(const LiftField &lift, LiftMethod method) const;
-
-  const DisplacementSpace<2> &space_;
-  const Scene<2> &scene_;
-  std::string no_bound_;
-  std::unique_ptr<const ContactTrace> trace_;
-  std::unique_ptr<const LiftField> lift_;
+  ContactTrace trace_;
+  std::optional<LiftField> lift_;
   std::optional<ContactBound> bound_;
+  std::string no_bound_;
 };
+
+/**
+ * Returns a w_h in V^h, zero on essential boundaries, with w_{h,n} ≥ required at all conditions of
+ * the trace. Where A⁻¹ is given by factors it minimises 1/2 a(w_h, w_h) - ∫ p_H w_{h,n}: u_h - w_h
+ * is the solution of the scene with conditions at nodes in place of means. With the matrix E of the
+ * conditions (w_n = Eᵀ w) and multipliers Q,
+ *
+ *     A w = D P - E Q,   Q ≤ 0,
+ *     V = Eᵀ A⁻¹ E Q - (Eᵀ A⁻¹ D P - required) ≤ 0,   Qᵀ V = 0,
+ *
+ * solved like the dual problem of the scene.
+ *
+ * Where A⁻¹ iterates, each column of Eᵀ A⁻¹ E costs a solve. With more than 200 contact nodes w_h
+ * takes the nodal values of the layer Σ ω (1 - y/D)_+ n of all contact sides, y the distance from
+ * the nearest contact node of the side, n and ω the normal and the value there: the required one
+ * next to pressing faces, its positive part elsewhere. On a strip with constant moduli, a layer of
+ * the depth D = (3 C_nn ∫ ω² / (C_nt ∫ ω'²))^{1/2} has the least bound of the energy; D is at most
+ * the shortest extent of the body. (In bending, where the layer has to be thin, c² would be several
+ * times larger on coarse meshes.)
+ *
+ * There is none where two contact sides meet in a very sharp corner. Collective.
+ */
+std::optional<Displacement> nodal_lift(const DisplacementSpace<2> &space,
+                                       const Scene<2> &scene,
+                                       const ContactTrace &trace,
+                                       const Pressure &P,
+                                       const std::optional<ContactLift::DualData> &dual);
 
 /** Returns |||z||| of a z in V^h that is zero on essential boundaries and has z_n = 1 on Γ_c;
  * none where contact meets a side that holds the body. contact_force_bound() bounds the error of

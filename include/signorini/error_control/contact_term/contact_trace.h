@@ -5,10 +5,11 @@
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/error_control/loads/edge_function.h>
-#include <signorini/error_control/loads/edge_mesh.h>
+
+#include <deal.II/base/polynomial.h>
 
 #include <array>
-#include <map>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,9 +41,8 @@ struct FaceField
 struct PenetrationFace
 {
   using Dofs = std::array<types::global_dof_index, 2>;
+  using Polynomial = Polynomials::Polynomial<double>;
 
-  /** The number of the face in the surface. */
-  unsigned int number;
   unsigned int side;
   Point<2> start, end;
   /** The outward unit normal. */
@@ -51,10 +51,13 @@ struct PenetrationFace
   /** The vector from the middle of the chord to that of the face. It is zero unless the face is
    * curved. */
   Tensor<1, 2> bulge;
-  /** The degrees of freedom of both ends. */
-  std::array<Dofs, 2> dofs;
-  /** The numbers of the conditions at both ends, see ContactTrace::conditions(). */
-  std::array<unsigned int, 2> conditions;
+  /** The nodes on the face, first the vertices 0 and 1: t, the degrees of freedom, and the
+   * polynomials that are 1 at one node and 0 at the others. */
+  std::vector<double> nodes;
+  std::vector<Dofs> dofs;
+  std::vector<Polynomial> basis;
+  /** The numbers of the conditions at the nodes, see ContactTrace::conditions(). */
+  std::vector<unsigned int> conditions;
   /** An interval on which p_H is constant, and whether p is below pressing_threshold(). The
    * intervals are sorted. */
   struct Pressed
@@ -63,7 +66,10 @@ struct PenetrationFace
     bool presses;
   };
   std::vector<Pressed> pressures;
-  FaceField field;
+  /** The components of ũ. */
+  std::array<Polynomial, 2> u;
+  /** τ_n at vertex 0 and vertex 1, if it is not p_H. */
+  std::optional<std::array<double, 2>> free_traction;
   /** The upper interpolant of d. */
   EdgeFunction d;
 
@@ -75,20 +81,18 @@ struct PenetrationFace
   double pressure(double t) const;
   double traction(const double t) const
   {
-    return field.traction ? (1. - t) * (*field.traction)[0] + t * (*field.traction)[1]
-                          : pressure(t);
+    return free_traction ? (1. - t) * (*free_traction)[0] + t * (*free_traction)[1] : pressure(t);
   }
   /** Returns whether p_H presses on a part of the face; presses_everywhere() whether on all parts.
    */
   bool presses() const;
   bool presses_everywhere() const;
-  /** Returns the component of a function of V^h at t. */
-  double component(const Displacement &V, double t, const Tensor<1, 2> &direction) const;
-  /** Returns v_n at t, with the normal of the face. */
-  double normal_value(const Displacement &V, const double t) const
-  {
-    return component(V, t, normal);
-  }
+  /** Returns v.direction on the face for a function of V^h. */
+  Polynomial trace(const Displacement &V, const Tensor<1, 2> &direction) const;
+  /** Calls visit(t, weight) for four Gauss points on each part of a function on the face; the
+   * weights are lengths. */
+  void for_each_point(const EdgeFunction &function,
+                      const std::function<void(double t, double weight)> &visit) const;
 };
 
 /** The condition w_n ≥ required at a contact node, for w in V^h with homogeneous essential
@@ -96,12 +100,22 @@ struct PenetrationFace
 struct NodeCondition
 {
   Tensor<1, 2> normal;
+  Point<2> point;
   SidePlace place;
+  /** The value d at the node, or, next to a face on which d is larger inside and nothing presses,
+   * that value: where contact was missed, a w_h that is wide costs much less energy than a function
+   * inside of the face. */
   double required;
   /** Whether a neighbouring face presses. */
   bool presses = false;
-  /** Whether w_n = 0 there for all such w, because another side holds the node. */
-  bool held = false;
+  /** The column of w -> w_n, condensed. It is empty where w_n = 0 for all such w, because another
+   * side holds the node. */
+  Coupling::Column column;
+
+  bool held() const
+  {
+    return column.empty();
+  }
 };
 
 /** The penetration d = ũ_n - g on Γ_c, face by face, with ũ = u_h or π^{2h} u_h. It also holds
@@ -129,12 +143,6 @@ public:
   const std::vector<NodeCondition> &conditions() const
   {
     return conditions_;
-  }
-  /** Returns the columns of w -> w_n for all conditions, condensed. They are empty where a node is
-   * held. */
-  const Coupling &normals() const
-  {
-    return normals_;
   }
   const ContactSurface<2> &surface() const
   {
@@ -166,23 +174,19 @@ public:
   {
     return place_of_largest_;
   }
-  /** Returns the reason why there is no w of finite energy, and the place; none if there is such a
-   * w. */
-  const std::optional<std::pair<std::string, SidePlace>> &obstacle() const
+  /** Returns a place where u_n - g > 0 and another side holds the body: no w of finite energy
+   * removes that. */
+  const std::optional<SidePlace> &obstacle() const
   {
     return obstacle_;
   }
 
 private:
   void find_faces(const Pressure &P, const std::vector<FaceField> &fields);
+  PenetrationFace make_face(const ContactFace<2> &contact, const FaceField &field) const;
   void find_conditions();
-  using ConditionsOfVertices = std::map<unsigned int, std::vector<unsigned int>>;
-  /** Returns the number of the condition at one end of a face, and makes it if it is new. */
-  unsigned int condition_at(const PenetrationFace &face,
-                            unsigned int end,
-                            ConditionsOfVertices &known);
   void sample();
-  void find_obstacle();
+  void require();
 
   const DisplacementSpace<2> &space_;
   const Scene<2> &scene_;
@@ -190,26 +194,8 @@ private:
   const Displacement &U_;
   std::vector<PenetrationFace> faces_;
   std::vector<NodeCondition> conditions_;
-  Coupling normals_;
   double max_ = 0.;
   SidePlace place_of_largest_;
-  std::optional<std::pair<std::string, SidePlace>> obstacle_;
+  std::optional<SidePlace> obstacle_;
 };
-
-/** Returns the contact edges on which p_H presses everywhere: all pieces face ∩ patch are below
- * pressing_threshold(). */
-std::vector<unsigned int> pressing_edges(const EdgeMesh &mesh,
-                                         const MultiplierSpace<2> &multipliers,
-                                         const Pressure &P);
-
-/** Returns τ_n at both ends of an edge, in the order of Edge::vertices (force/area). */
-std::array<double, 2> normal_tractions(const Edge &edge,
-                                       unsigned int number,
-                                       const std::vector<double> &moments);
-
-/** Returns whether τ_n pulls at an end of the edge. */
-inline bool pulls(const std::array<double, 2> &tractions)
-{
-  return tractions[0] > 0. || tractions[1] > 0.;
-}
 } // namespace Signorini

@@ -28,7 +28,7 @@ struct LineTable
 LineTable make_line_table(unsigned int degree, const std::vector<double> &points);
 
 /** Returns the nodes of an edge, ascending from 0 to 1. */
-const std::vector<double> &nodes_of_edge(unsigned int degree);
+std::vector<double> nodes_of_edge(unsigned int degree);
 
 /** The solution u_h on one cell as products of polynomials in the two reference coordinates. */
 class CellField

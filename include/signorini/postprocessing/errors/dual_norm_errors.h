@@ -53,7 +53,7 @@ private:
                                 unsigned int first,
                                 unsigned int last) const;
 
-  using Coefficients = std::conditional_t<dim == 2, dealii::Vector<double>, FullMatrix<double>>;
+  using Coefficients = std::conditional_t<dim == 2, SpectralNorm::Modes, FullMatrix<double>>;
 
   const Scene<dim> &scene_;
   std::map<unsigned int, Coefficients> coefficients_;

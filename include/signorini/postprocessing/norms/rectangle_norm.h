@@ -38,16 +38,14 @@ public:
   Matrix coefficients(const std::array<std::vector<double>, 2> &positions,
                       const Matrix &weighted_values) const;
 
-  /** Returns ‖f - q_H‖ for a function with the coefficients @p f, nothing beyond n_modes, and q_H
-   * with values on m(0) x m(1) equal patches. */
+  /** Returns ‖f - q_H‖ for a function with the coefficients @p f, nothing beyond n_modes (empty: f
+   * = 0), and q_H with values on m(0) x m(1) equal patches. */
   double distance(const Matrix &f, const Matrix &values) const;
 
-  /** Returns ‖q_H‖. */
-  double norm(const Matrix &values) const;
-
-  /** Returns λ_pq: ‖q_H‖² = sum λ_pq Q_pq² with Q_pq = Σ_ab q_ab cos(p π (a +
-   * 1/2)/n_1) cos(q π (b + 1/2)/n_2), where q_ab is the value on a patch. */
-  Matrix eigenvalues(const Counts &n_patches) const;
+  /** Returns λ_pq: ‖q_H‖² = sum λ_pq Q_pq² with Q_pq = Σ_ab q_ab cos(p π (a + 1/2)/n_1) cos(q π (b
+   * + 1/2)/n_2), where q_ab is the value on a patch; without the modes below @p n_without in both
+   * directions. */
+  Matrix eigenvalues(const Counts &n_patches, unsigned int n_without = 0) const;
 
   /**
    * Returns the Gram matrix of the characteristic functions of patches that are unions of n_1 x n_2
@@ -58,9 +56,6 @@ public:
   Matrix gram_matrix(const std::array<std::vector<unsigned int>, 2> &ends) const;
 
 private:
-  /** Returns the sums over all modes but those below @p n_without in both directions. */
-  Matrix eigenvalues(const Counts &n_patches, unsigned int n_without) const;
-
   std::array<double, 2> lengths_;
 };
 

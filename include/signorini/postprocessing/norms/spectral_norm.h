@@ -11,6 +11,7 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <complex>
 #include <vector>
 
 namespace Signorini
@@ -36,41 +37,42 @@ class SpectralNorm
 {
 public:
   using Vector = dealii::Vector<double>;
+  /** The coefficients q_k; on a closed side those of the cosine and of the sine of mode k. */
+  using Modes = std::vector<std::complex<double>>;
 
   explicit SpectralNorm(double length, bool closed = false);
 
-  /** Returns the coefficients q_k of a function given by its values times quadrature weights: the
-   * constant, the cosines, then, on a closed side, the sines. */
-  Vector coefficients(const std::vector<double> &arc_lengths,
-                      const std::vector<double> &weighted_values) const;
+  /** Returns the coefficients q_k of a function given by its values times quadrature weights. */
+  Modes coefficients(const std::vector<double> &arc_lengths,
+                     const std::vector<double> &weighted_values) const;
 
   /** Returns the coefficients of a piecewise constant function, values[i] from ends[i] to
    * ends[i+1]. */
-  Vector coefficients_of_constants(const std::vector<double> &ends, const Vector &values) const;
+  Modes coefficients_of_constants(const std::vector<double> &ends, const Vector &values) const;
 
   /** Returns ‖f - q_H‖ for a continuous f with the coefficients @p f and a piecewise constant q_H.
    */
-  double distance(const Vector &f, const std::vector<double> &ends, const Vector &values) const;
+  double distance(const Modes &f, const std::vector<double> &ends, const Vector &values) const;
 
   /** Returns the norm to which this one is dual, ‖f‖²_{1/2} = sum (1 + (k π/L)²)^{1/2} f_k², of a
    * continuous function with the coefficients @p f that is smooth on each of @p n_pieces intervals:
    * f_k ~ k^-2. The remainder beyond the modes is estimated by the mean of k⁴ f_k² over the last of
    * them. */
-  double primal_norm(const Vector &f, unsigned int n_pieces) const;
+  double primal_norm(const Modes &f, unsigned int n_pieces) const;
 
   /** Returns the Gram matrix of the characteristic functions of the intervals. */
   FullMatrix<double> gram_matrix(const std::vector<double> &ends) const;
 
 private:
-  /** Returns the number k of the mode of a coefficient. */
-  unsigned int mode(unsigned int coefficient) const;
   /** Returns (1 + (k ω)²)^{-1/2}. */
   double weight(unsigned int k) const;
+  /** Returns the weight of |q_k|² for constants on m intervals; the last modes count for the
+   * infinitely many after them, too. */
+  double weight_with_tail(unsigned int k, unsigned int m) const;
   /** Returns the number of the last modes that make a mean for m intervals. */
   unsigned int n_tail_modes(unsigned int m) const;
-  /** Returns the sum of weight(k) (2/L) (k ω)^{-2} over k > n_modes: times the mean of S_k² it
-   * is the remainder of piecewise constants. */
-  double tail() const;
+  /** Returns q_k for the integrals ∫ q e^{i k ω s}. */
+  Modes normalised(Modes modes) const;
 
   double length_;
   bool closed_;
