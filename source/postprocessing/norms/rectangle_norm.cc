@@ -162,11 +162,11 @@ RectangleNorm::Matrix RectangleNorm::eigenvalues(const Counts &n_patches,
   const EdgeModes first(lengths_[0], n_patches[0], n_without);
   const EdgeModes second(lengths_[1], n_patches[1], n_without);
   Matrix sums = tail(first, second);
-  sums.Tadd(1., tail(second, first));
+  const Matrix beyond_first = tail(second, first);
   const double corner = corner_tail(first.end, second.end);
   for (unsigned int p = 0; p < sums.m(); ++p)
     for (unsigned int q = 0; q < sums.n(); ++q)
-      sums(p, q) += corner * first.density[p] * second.density[q];
+      sums(p, q) += beyond_first(q, p) + corner * first.density[p] * second.density[q];
   for (unsigned int i = 0; i < first.alias.size(); ++i)
   {
     const double square = std::pow(first.amplitude[i], 2);
