@@ -146,7 +146,7 @@ inline Measured measure(const std::string &text, const std::vector<std::string> 
   measured.condition = condition_number(level.dual->C->dense());
   measured.psor = solve_by_psor(qp,
                                 dealii::Vector<double>(qp.size()),
-                                {solver.relaxation, solver.tolerance, solver.maximum_iterations})
+                                {solver.tolerance, solver.maximum_iterations, solver.relaxation})
                     .iterations;
   if (measured.condition > 0. && measured.condition < 1e14)
     measured.active_set = solve_by_active_set(qp, {}, {solver.tolerance, 1000}).iterations;
