@@ -400,13 +400,14 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
       geometry.holes,
       "Polygon: holes separated by '|', each 'circle cx,cy,r' or vertices as above (length). Their "
       "sides are hole0, hole1, ...");
-  add("Mesh size",
-      geometry.mesh_size,
-      "Polygon, and shapes from files (.step, .geo, ...): longest edge of the elements that level 0 "
-      "is made from (length); 0: as coarse as the shape allows, or a tenth of the diagonal of a "
-      "file's shape.",
-      Patterns::Double(0., 1e30),
-      "a number from 0 to 1e+30");
+  add(
+    "Mesh size",
+    geometry.mesh_size,
+    "Polygon, and shapes from files (.step, .geo, ...): longest edge of the elements that level 0 "
+    "is made from (length); 0: as coarse as the shape allows, or a tenth of the diagonal of a "
+    "file's shape.",
+    Patterns::Double(0., 1e30),
+    "a number from 0 to 1e+30");
   add("Centre", geometry.centre, "Of a half disc, a disc or a ring: x, y (length).");
   add("Radius",
       geometry.radius,
@@ -418,12 +419,13 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
       "Of a ring (length).",
       Patterns::Double(1e-30, 1e30),
       "a number from 1e-30 to 1e+30");
-  add("File",
-      geometry.file,
-      "Coarse mesh or shape that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...); all but text of "
-      ".msh, version 2.2 or 4.1, goes through the program gmsh. Looked for in the folder of the "
-      "parameter file, then in the working folder. Sides are the physical names of curves, or their "
-      "numbers where no curve has a name; other edges are the side rest.");
+  add(
+    "File",
+    geometry.file,
+    "Coarse mesh or shape that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...); all but text of "
+    ".msh, version 2.2 or 4.1, goes through the program gmsh. Looked for in the folder of the "
+    "parameter file, then in the working folder. Sides are the physical names of curves, or their "
+    "numbers where no curve has a name; other edges are the side rest.");
   add(
     "Arcs",
     geometry.arcs,
