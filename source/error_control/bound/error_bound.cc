@@ -228,6 +228,12 @@ LocatedBound compute_located_bound(const BoundData &data)
     return located;
   const EquilibratedStress stress(given, improvement_for(given.scene));
   const StressBound stress_data = stress.bound();
+  if (stress_data.lift_misfit > 0.02)
+  {
+    result.missing =
+      "the prescribed displacements jump, or vary too fast within the edge of a cell";
+    return located;
+  }
   const ContactLift lift = make_lift(data, fields_of(stress, false));
   result.penetration = lift.trace().max_penetration();
   result.place_of_penetration = name_of(lift.trace().place_of_largest(), given.scene);

@@ -3,7 +3,6 @@
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/contact_term/contact_lift.h>
-#include <signorini/error_control/loads/cell_rule.h>
 #include <signorini/error_control/loads/law_sampling.h>
 #include <signorini/error_control/stress/equilibrated_stress.h>
 
@@ -296,59 +295,5 @@ dealii::Vector<double> LiftField::cell_energies() const
     energies[cell->active_cell_index()] = energy(cell, values);
   }
   return energies;
-}
-
-// The part of the stress that the bound of π^{2h} u_h needs.
-
-void EquilibratedStress::integrate_patches(const CellState &state, CellIntegrals &result) const
-{
-  const unsigned int cell = state.cell;
-  const CellData &data = state.data;
-  const PatchBubbles::Coefficients b = bubbles_->on(cell);
-  const bool holds_back = bubbles_->holds_back(cell);
-  CompositeCell::Stresses dual{};
-  std::unique_ptr<const BubbleForm> own;
-  const BubbleForm *form = forms_->of(cell);
-  if (form == nullptr && !lift_.cells()[cell] && table_.constant_law() && data.shape.affine)
-  {
-    own = std::make_unique<const BubbleForm>(data.shape, state.laws[0]);
-    form = own.get();
-  }
-  if (form != nullptr)
-  {
-    const CellMisfit misfit = {state.u, stresses(cell, data), load(cell).slope};
-    result.squares.interpolated_part =
-      std::max(0., result.squares.misfit + form->change(b, misfit));
-    // There u_D - u_h = 0, and z is what is held back.
-    result.squares.interpolated_lift =
-      holds_back ? form->change(bubbles_->held_back(cell), CellMisfit{}) : 0.;
-    dual = form->dual(b);
-  }
-  else
-  {
-    UpperSum square(state.from_above), energy(state.from_above);
-    for (std::size_t i = 0; i < data.points.size(); ++i)
-    {
-      const StressPoint &point = data.points[i];
-      const Law &law = law_at(state.laws, i);
-      const BubbleGradients gradients = bubble_gradients(point);
-      const Components bubble_data = strain_of(gradients, b);
-      const Components e = sum(strain(cell, point, state.u), bubble_data);
-      const Components s = difference(law.stress(e), state.tau[i]);
-      square.add(point, contraction(s, law.strain(s)));
-      add_dual(point, bubble_data, dual);
-      if (!holds_back)
-        continue;
-      // u_D - π^{2h} u_h = (u_D - u_h) - b.
-      const Components z =
-        difference(lift_.strain(cell, point), strain_of(gradients, bubbles_->held_back(cell)));
-      energy.add(point, contraction(z, law.stress(z)));
-    }
-    result.squares.interpolated_part = square.value();
-    result.squares.interpolated_lift = holds_back ? energy.value() : result.squares.lift;
-  }
-  const CellMoments bubble_data = data.composite.transposed(dual);
-  for (unsigned int j = 0; j < bubble_data.size(); ++j)
-    result.interpolated_part[j] = result.misfit_data[j] + bubble_data[j];
 }
 } // namespace Signorini

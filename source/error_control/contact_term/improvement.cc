@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Conjugate gradients that bring the stress closer to that of the displacement.
 
-#include <signorini/error_control/loads/cell_rule.h>
 #include <signorini/error_control/stress/balance.h>
 #include <signorini/error_control/stress/equilibrated_stress.h>
 #include <signorini/error_control/stress/star_solver.h>
@@ -81,18 +80,20 @@ std::vector<unsigned int> pressing_edges(const EdgeMesh &mesh,
 }
 } // namespace
 
-EquilibratedStress::Residual
-EquilibratedStress::residual(const std::vector<CellIntegrals> &integrals) const
+EquilibratedStress::Residual EquilibratedStress::residual() const
 {
   Residual result;
   result.r.assign(moments_.size(), 0.);
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
-    const CellSquares &squares = integrals[c].squares;
-    result.square += squares.misfit;
-    result.interpolated_square += squares.interpolated_part;
-    result.energy += squares.stress;
-    add_moments(mesh_.cells()[c], integrals[c].misfit_data, result.r);
+    const CellIntegrals &cell = integrals_[c];
+    result.square += cell.misfit.value;
+    result.interpolated_square += cell.interpolated_part.value;
+    result.energy += cell.stress.value;
+    CellMoments force = cell.misfit.gradient;
+    for (double &value : force)
+      value *= -1.;
+    add_moments(mesh_.cells()[c], force, result.r);
   }
   if (!bubbles_)
     result.interpolated_square = std::numeric_limits<double>::infinity();
@@ -100,13 +101,12 @@ EquilibratedStress::residual(const std::vector<CellIntegrals> &integrals) const
 }
 
 std::vector<double> EquilibratedStress::improve(const ImprovementOptions &options,
-                                                const std::vector<CellIntegrals> &integrals,
                                                 const CellEnergies &energies)
 {
   std::vector<double> change(moments_.size(), 0.);
   if (options.max_steps == 0)
     return change;
-  Residual at_start = residual(integrals);
+  Residual at_start = residual();
   std::vector<unsigned int> free;
   if (bubbles_)
     free = pressing_edges(mesh_, data_.multipliers, data_.P);
@@ -116,7 +116,7 @@ std::vector<double> EquilibratedStress::improve(const ImprovementOptions &option
     // ∫_e b.δ τ n with δ τ n from its moments: what the residual of π^{2h} u_h has
     // more than that of u_h, for stresses without loads.
     for (unsigned int i = 0; i < 4; ++i)
-      at_start.r[4 * edge + i] += 2. / 3. * bubbles_->on_edge(edge)[i % 2];
+      at_start.r[4 * edge + i] += 2. / 3. * bubbles_->edges[edge][i % 2];
   }
   const std::vector<double> start = moments_;
   if (at_start.square > rounding * at_start.energy)
@@ -136,7 +136,7 @@ std::vector<double> EquilibratedStress::improve(const ImprovementOptions &option
       }
       for (const unsigned int edge : edges)
         for (const unsigned int vertex : mesh_.edges()[edge].vertices)
-          solver.renew(vertex, energies);
+          solver.renew(vertex);
     }
   }
   for (const unsigned int edge : free)
@@ -152,7 +152,7 @@ std::vector<unsigned int> EquilibratedStress::iterate(Residual left,
                                                       const std::vector<unsigned int> &free,
                                                       const ImprovementOptions &options)
 {
-  const Steps steps = improve_step_by_step(left, solver, energies, free, options);
+  const Steps steps = improve_step_by_step(left, solver, free, options);
   const std::size_t n_cells = mesh_.cells().size();
   if (!steps.pulling.empty() || left.square <= rounding * left.energy ||
       n_cells > options.max_cells_direct ||
@@ -169,7 +169,6 @@ std::vector<unsigned int> EquilibratedStress::iterate(Residual left,
 EquilibratedStress::Steps
 EquilibratedStress::improve_step_by_step(Residual &left,
                                          const StarSolver &solver,
-                                         const CellEnergies &energies,
                                          const std::vector<unsigned int> &free,
                                          const ImprovementOptions &options)
 {
@@ -180,7 +179,7 @@ EquilibratedStress::improve_step_by_step(Residual &left,
   steps_ = 0;
   while (rz > 0. && left.square > rounding * left.energy && steps_ < options.max_steps)
   {
-    multiply(mesh_, energies, p, q);
+    solver.multiply(p, q);
     const double alpha = rz / product(p, q), decrease = alpha * rz;
     if (!(decrease > 0.))
       return {{}, true};
@@ -210,7 +209,7 @@ double EquilibratedStress::normal_bubble(const unsigned int contact_face) const
 {
   const auto &face = data_.multipliers.surface().faces()[contact_face];
   const unsigned int edge = mesh_.edge_of_line(face.cell->face(face.face_no)->index());
-  return bubbles_->on_edge(edge) * mesh_.edges()[edge].normal;
+  return bubbles_->edges[edge] * mesh_.edges()[edge].normal;
 }
 
 std::vector<std::optional<std::array<double, 2>>> EquilibratedStress::free_tractions() const

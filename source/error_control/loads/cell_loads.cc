@@ -11,14 +11,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 namespace Signorini
 {
 namespace
 {
 using numbers::PI;
-using Vector2 = Tensor<1, 2>;
 
 /** Returns ρ/R for the discs about a point of the cell. */
 double roundness(const CellShape &shape, const Point<2> &x)
@@ -26,7 +24,7 @@ double roundness(const CellShape &shape, const Point<2> &x)
   double rho = std::numeric_limits<double>::max(), R = 0.;
   for (unsigned int k = 0; k < 4; ++k)
   {
-    const Vector2 edge = shape.corners[(k + 1) % 4] - shape.corners[k];
+    const Tensor<1, 2> edge = shape.corners[(k + 1) % 4] - shape.corners[k];
     rho = std::min(rho, cross(edge, x - shape.corners[k]) / edge.norm());
     R = std::max(R, x.distance(shape.corners[k]));
   }
@@ -56,8 +54,8 @@ double trace_constant(const Point<2> &a, const Point<2> &b, const Point<2> &P)
 double depth(const CellShape &shape, const unsigned int k)
 {
   const auto &a = shape.corners[k], &b = shape.corners[(k + 1) % 4];
-  const Vector2 along = (b - a) / a.distance(b);
-  const Vector2 left = shape.corners[(k + 3) % 4] - a, right = shape.corners[(k + 2) % 4] - b;
+  const Tensor<1, 2> along = (b - a) / a.distance(b);
+  const Tensor<1, 2> left = shape.corners[(k + 3) % 4] - a, right = shape.corners[(k + 2) % 4] - b;
   constexpr double rounding = 1e-12;
   if (left * along > rounding * left.norm() || right * along < -rounding * right.norm())
     return 0.;
@@ -98,239 +96,102 @@ OscillationConstants::OscillationConstants(const CellShape &shape)
 
 namespace
 {
-using Vector2 = Tensor<1, 2>;
-using Matrix2 = Tensor<2, 2>;
-
-Vector2 rotated(const Vector2 &a)
+/** Returns ∫ (x - c)(x - c)ᵀ over triangle k with its centre c. */
+Tensor<2, 2> second_moments(const CellShape &shape, const unsigned int k)
 {
-  return Vector2({-a[1], a[0]});
-}
-
-/** Returns the components of a in the basis g_1, g_2. */
-Vector2 in_basis(const Vector2 &a, const Vector2 &g1, const Vector2 &g2)
-{
-  return Vector2({cross(a, g2), cross(g1, a)}) / cross(g1, g2);
-}
-
-Vector2 g1_of(const CellShape &shape)
-{
-  return 0.5 * (shape.corners[1] - shape.corners[0]);
-}
-Vector2 g2_of(const CellShape &shape)
-{
-  return 0.5 * (shape.corners[3] - shape.corners[0]);
-}
-
-/** Returns ∫ (x - x_K)(x - x_K)ᵀ over the cell: per triangle A/12 times the sum over its
- * vertices, about its own centre. */
-Matrix2 second_moments(const CellShape &shape)
-{
-  Matrix2 sum;
-  for (unsigned int k = 0; k < 4; ++k)
-  {
-    const Point<2> centre = shape.centre(k);
-    for (const auto &v : {shape.corners[k], shape.corners[(k + 1) % 4], shape.crossing})
-      sum += shape.areas[k] / 12. * outer_product(v - centre, v - centre);
-    const Vector2 arm = centre - shape.centre();
-    sum += shape.areas[k] * outer_product(arm, arm);
-  }
+  Tensor<2, 2> sum;
+  for (const Point<2> &v : shape.triangle(k))
+    sum += shape.areas[k] / 12. * outer_product(v - shape.centre(k), v - shape.centre(k));
   return sum;
 }
 
-/** The linear force c + G (x - x_K) with the force and the first moments of the nodal forces. */
-struct LinearForce
+/** Returns the load of a cell, with the forces and f at the points of @p values. */
+CellLoad make_load(const CellShape &shape, const FEValues<2> &values, const Function<2> &force)
 {
-  LinearForce(const CellShape &shape, const std::array<Vector2, 4> &nodal)
-  {
-    const Point<2> centre = shape.centre();
+  const auto &points = values.get_quadrature_points();
+  std::vector<dealii::Vector<double>> f(points.size(), dealii::Vector<double>(2));
+  force.vector_value_list(points, f);
+  CellLoad load;
+  // Corners counter-clockwise; the shape functions of a vertex follow each other.
+  constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}};
+  for (std::size_t i = 0; i < points.size(); ++i)
     for (unsigned int a = 0; a < 4; ++a)
-    {
-      mean += nodal[a] / shape.area();
-      first_moments += outer_product(nodal[a], shape.corners[a] - centre);
-    }
-    gradient = first_moments * invert(second_moments(shape));
-  }
-  Vector2 mean;
-  Matrix2 first_moments, gradient;
-};
-
-/**
- * Sets the loads of the triangles.
- * @return the square of the L2-distance from the linear force.
- */
-double distribute(const CellShape &shape, const LinearForce &force, CellLoad &load)
-{
-  double moment = force.first_moments[1][0] - force.first_moments[0][1], inertia = 0.;
-  std::array<Vector2, 4> arms;
+      for (unsigned int c = 0; c < 2; ++c)
+        load.nodal[a][c] +=
+          f[i][c] * values.shape_value(2 * vertex_in_circle[a], i) * values.JxW(i);
+  // The linear force mean + gradient (x - centre) with the same force and first moments.
+  const Point<2> centre = shape.centre();
+  Tensor<1, 2> mean;
+  Tensor<2, 2> first_moments, inertia;
   for (unsigned int k = 0; k < 4; ++k)
   {
-    arms[k] = shape.centre(k) - shape.centre();
-    moment -= shape.areas[k] * cross(arms[k], force.gradient * arms[k]);
-    inertia += shape.areas[k] * arms[k].norm_square();
+    mean += load.nodal[k] / shape.area();
+    first_moments += outer_product(load.nodal[k], shape.corners[k] - centre);
+    const Tensor<1, 2> arm = shape.centre(k) - centre;
+    inertia += second_moments(shape, k) + shape.areas[k] * outer_product(arm, arm);
   }
-  const double omega = moment / inertia;
+  const Tensor<2, 2> gradient = first_moments * invert(inertia);
   double square = 0.;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    square +=
+      (Tensor<1, 2>({f[i][0], f[i][1]}) - mean - gradient * (points[i] - centre)).norm_square() *
+      values.JxW(i);
+  load.rest = std::sqrt(square);
+  load.constant.fill(mean);
+  if (shape.affine)
+  {
+    const Tensor<2, 2> A = shape.half_edges();
+    load.slope = invert(A) * gradient * A;
+    return load;
+  }
+  double moment = first_moments[1][0] - first_moments[0][1], rest = 0.;
   for (unsigned int k = 0; k < 4; ++k)
   {
-    const Vector2 turn = omega * rotated(arms[k]);
-    const Vector2 value = force.mean + force.gradient * arms[k] + turn;
-    load.constant[2 * k] = value[0];
-    load.constant[2 * k + 1] = value[1];
-    square += shape.areas[k] * turn.norm_square();
-    for (const auto &v : {shape.corners[k], shape.corners[(k + 1) % 4], shape.crossing})
-      square += shape.areas[k] / 12. * (force.gradient * (v - shape.centre(k))).norm_square();
+    const Tensor<1, 2> arm = shape.centre(k) - centre;
+    load.constant[k] += gradient * arm;
+    moment -= shape.areas[k] * cross(arm, gradient * arm);
+    rest += trace(gradient * second_moments(shape, k) * transpose(gradient));
   }
-  return square;
-}
-
-/** Returns whether finer quadrature gives the same load. */
-bool agree(const CellLoad &load, const CellLoad &finer)
-{
-  constexpr double tolerance = 1e-4;
-  double difference = 0., size = 0.;
-  for (unsigned int a = 0; a < 4; ++a)
-  {
-    difference = std::max(difference, (load.nodal[a] - finer.nodal[a]).norm());
-    size = std::max(size, load.nodal[a].norm());
-  }
-  return difference <= tolerance * size && finer.rest <= 1.01 * load.rest + tolerance * size;
-}
-
-/** Evaluates the body force at the Gauss points of cells. */
-class ForceSampler
-{
-public:
-  ForceSampler(const DisplacementSpace<2> &space,
-               const Scene<2> &scene,
-               const unsigned int n_points)
-    : force_(*scene.body_force)
-    , values_(space.mesh().mapping(),
-              space,
-              scene.kinks,
-              n_points,
-              update_values | update_quadrature_points | update_JxW_values)
-  {
-  }
-  template <typename CellIterator>
-  const ForceAtPoints &sample(const CellIterator &cell)
-  {
-    const FEValues<2> &values = values_.reinit(cell);
-    const auto &points = values.get_quadrature_points();
-    if (sample_.values.size() != points.size())
-    {
-      sample_.values.assign(points.size(), dealii::Vector<double>(2));
-      sample_.offsets.resize(points.size());
-      sample_.shape_values.resize(points.size());
-      sample_.weights.resize(points.size());
-    }
-    force_.vector_value_list(points, sample_.values);
-    for (unsigned int i = 0; i < points.size(); ++i)
-    {
-      sample_.offsets[i] = points[i] - cell->vertex(0);
-      sample_.weights[i] = values.JxW(i);
-      // Corners counter-clockwise; the shape functions of a vertex follow each other.
-      constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}};
-      for (unsigned int a = 0; a < 4; ++a)
-        sample_.shape_values[i][a] = values.shape_value(2 * vertex_in_circle[a], i);
-    }
-    return sample_;
-  }
-
-private:
-  const Function<2> &force_;
-  CellValues<2> values_;
-  ForceAtPoints sample_;
-};
-
-/** Returns the load of a cell, with the finer points where they are given and change it. */
-template <typename CellIterator>
-CellLoad checked_load(const CellShape &shape,
-                      const CellIterator &cell,
-                      ForceSampler &sampler,
-                      ForceSampler *const finer)
-{
-  const CellLoad load = make_load(shape, sampler.sample(cell));
-  if (finer == nullptr)
-    return load;
-  const CellLoad fine = make_load(shape, finer->sample(cell));
-  return agree(load, fine) ? load : fine;
+  load.rest += std::sqrt(rest + std::pow(load.add_couple(shape, moment), 2));
+  return load;
 }
 } // namespace
 
-Components CellLoad::stress(const CellShape &shape, const Point<2> &reference) const
+Components CellLoad::stress(const CellShape &shape, const Point<2> &at) const
 {
-  const double xi = reference[0], eta = reference[1];
-  const double s1 = -0.5 * slope[0] * (xi * xi - 1.) - slope[1] * xi * eta;
-  const double s2 = -0.5 * slope[3] * (eta * eta - 1.) - slope[2] * xi * eta;
-  const Vector2 g1 = g1_of(shape), g2 = g2_of(shape);
-  return {{s1 * g1[0] * g1[0] + s2 * g2[0] * g2[0],
-           s1 * g1[1] * g1[1] + s2 * g2[1] * g2[1],
-           s1 * g1[0] * g1[1] + s2 * g2[0] * g2[1]}};
+  const double xi = 2. * at[0] - 1., eta = 2. * at[1] - 1.;
+  Tensor<2, 2> s;
+  s[0][0] = -0.5 * slope[0][0] * (xi * xi - 1.) - slope[0][1] * xi * eta;
+  s[1][1] = -0.5 * slope[1][1] * (eta * eta - 1.) - slope[1][0] * xi * eta;
+  const Tensor<2, 2> A = shape.half_edges(), t = A * s * transpose(A);
+  return Components({t[0][0], t[1][1], t[0][1]});
 }
 
 CellMoments CellLoad::moments(const CellShape &shape) const
 {
-  // The traction times |e| on edge 0 is -2 J slope[2] ξ g_2, on edge 1 -2 J slope[1] η g_1, with
-  // the opposite sign of ξ and η along the opposite edges.
-  const Vector2 g1 = g1_of(shape), g2 = g2_of(shape);
-  const double J = cross(g1, g2);
-  const Vector2 first = J * slope[2] / 3. * g2, second = J * slope[1] / 3. * g1;
+  // The traction times |e| on edge 0 is -2 J slope[1][0] ξ g_2, on edge 1 -2 J slope[0][1] η g_1,
+  // with the opposite sign of ξ and η along the opposite edges, and g_i the columns of A.
+  const Tensor<2, 2> A = shape.half_edges();
   CellMoments result;
   for (unsigned int k = 0; k < 4; ++k)
     for (unsigned int c = 0; c < 2; ++c)
     {
-      const double sign = k < 2 ? 1. : -1.;
-      const double at_first_end = sign * (k % 2 == 0 ? first[c] : second[c]);
+      const unsigned int across = 1 - k % 2;
+      const double at_first_end =
+        (k < 2 ? 1. : -1.) * determinant(A) / 3. * slope[across][1 - across] * A[c][across];
       result[4 * k + c] = at_first_end;
       result[4 * k + 2 + c] = -at_first_end;
     }
   return result;
 }
 
-CellLoad make_load(const CellShape &shape, const ForceAtPoints &force)
+double CellLoad::add_couple(const CellShape &shape, const double moment)
 {
-  CellLoad load;
-  for (std::size_t i = 0; i < force.weights.size(); ++i)
-    for (unsigned int a = 0; a < 4; ++a)
-      for (unsigned int c = 0; c < 2; ++c)
-        load.nodal[a][c] += force.values[i][c] * force.shape_values[i][a] * force.weights[i];
-  const LinearForce linear(shape, load.nodal);
-  double square = 0.;
-  const Vector2 to_centre = shape.centre() - shape.corners[0];
-  for (std::size_t i = 0; i < force.weights.size(); ++i)
-  {
-    const Vector2 f_h = linear.mean + linear.gradient * (force.offsets[i] - to_centre);
-    const Vector2 f({force.values[i][0], force.values[i][1]});
-    square += (f - f_h).norm_square() * force.weights[i];
-  }
-  load.rest = std::sqrt(square);
-  if (shape.affine)
-  {
-    for (unsigned int k = 0; k < 4; ++k)
-      for (unsigned int c = 0; c < 2; ++c)
-        load.constant[2 * k + c] = linear.mean[c];
-    const Vector2 g1 = g1_of(shape), g2 = g2_of(shape);
-    const Vector2 along_xi = in_basis(linear.gradient * g1, g1, g2);
-    const Vector2 along_eta = in_basis(linear.gradient * g2, g1, g2);
-    load.slope = {{along_xi[0], along_eta[0], along_xi[1], along_eta[1]}};
-  }
-  else
-    load.rest += std::sqrt(distribute(shape, linear, load));
-  return load;
-}
-
-double add_couple(const CellShape &shape, const double moment, CellLoad &load)
-{
-  std::array<Vector2, 4> arms;
   double inertia = 0.;
   for (unsigned int k = 0; k < 4; ++k)
-  {
-    arms[k] = shape.centre(k) - shape.centre();
-    inertia += shape.areas[k] * arms[k].norm_square();
-  }
+    inertia += shape.areas[k] * (shape.centre(k) - shape.centre()).norm_square();
   for (unsigned int k = 0; k < 4; ++k)
-    for (unsigned int c = 0; c < 2; ++c)
-      load.constant[2 * k + c] += moment / inertia * rotated(arms[k])[c];
+    constant[k] -= moment / inertia * cross_product_2d(shape.centre(k) - shape.centre());
   return std::abs(moment) / std::sqrt(inertia);
 }
 
@@ -338,7 +199,6 @@ std::vector<Triangulation<2>::active_cell_iterator>
 cells_in_order(const DisplacementSpace<2> &space)
 {
   std::vector<Triangulation<2>::active_cell_iterator> cells;
-  cells.reserve(space.mesh().triangulation().n_active_cells());
   for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
     cells.push_back(cell);
   return cells;
@@ -351,33 +211,37 @@ std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
 {
   if (scene.body_force == nullptr)
     return {};
+  const Function<2> &force = *scene.body_force;
   const auto cells = cells_in_order(space);
   std::vector<CellLoad> loads(cells.size());
   // About 500000 points on the mesh, as long as these are more than the system has.
   const unsigned int n_fine = std::clamp<unsigned int>(std::sqrt(5e5 / cells.size()), 1, 96);
   // The rules of cells that are cut have that many points on each of up to hundreds of parts.
   constexpr unsigned int max_points_on_parts = 8;
-  const bool check = n_fine > n_points && !is_constant(*scene.body_force);
-  work_on_ranges(n_available_threads(space.mesh().communicator()),
-                 cells.size(),
-                 [&](const std::size_t begin, const std::size_t end) {
-                   ForceSampler sampler(space, scene, n_points);
-                   std::unique_ptr<ForceSampler> finer, finer_on_parts;
-                   if (check)
-                   {
-                     finer = std::make_unique<ForceSampler>(space, scene, n_fine);
-                     finer_on_parts = std::make_unique<ForceSampler>(
-                       space, scene, std::min(n_fine, max_points_on_parts));
-                   }
-                   for (std::size_t i = begin; i < end; ++i)
-                   {
-                     const bool is_cut = needs_cuts<2>(scene.kinks, cells[i]);
-                     loads[i] = checked_load(CellShape(mesh.cells()[i].corners),
-                                             cells[i],
-                                             sampler,
-                                             (is_cut ? finer_on_parts : finer).get());
-                   }
-                 });
+  const bool check = n_fine > n_points && !is_constant(force);
+  const auto work = [&](const std::size_t begin, const std::size_t end) {
+    const auto make_values = [&](const unsigned int n) {
+      return CellValues<2>(space.mesh().mapping(),
+                           space,
+                           scene.kinks,
+                           n,
+                           update_values | update_quadrature_points | update_JxW_values);
+    };
+    CellValues<2> values = make_values(n_points), finer = make_values(n_fine),
+                  finer_on_parts = make_values(std::min(n_fine, max_points_on_parts));
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const CellShape shape(mesh.cells()[i].corners);
+      loads[i] = make_load(shape, values.reinit(cells[i]), force);
+      if (!check)
+        continue;
+      CellValues<2> &fine_values = needs_cuts<2>(scene.kinks, cells[i]) ? finer_on_parts : finer;
+      const CellLoad fine = make_load(shape, fine_values.reinit(cells[i]), force);
+      if (!agree(loads[i].nodal, fine.nodal, loads[i].rest, fine.rest, shape.area()))
+        loads[i] = fine;
+    }
+  };
+  work_on_ranges(n_available_threads(space.mesh().communicator()), cells.size(), work);
   return loads;
 }
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The mesh as edges that carry tractions.
 
+#include <signorini/error_control/loads/composite_cell.h>
 #include <signorini/error_control/loads/edge_mesh.h>
 
 #include <deal.II/fe/mapping.h>
@@ -17,16 +18,9 @@ constexpr unsigned int none = static_cast<unsigned int>(-1);
 
 EdgeFreedom freedom_of(const Role role)
 {
-  switch (role)
-  {
-  case Role::clamped:
-  case Role::displacement:
+  if (role == Role::clamped || role == Role::displacement)
     return EdgeFreedom::any;
-  case Role::roller:
-    return EdgeFreedom::normal;
-  default:
-    return EdgeFreedom::none;
-  }
+  return role == Role::roller ? EdgeFreedom::normal : EdgeFreedom::none;
 }
 
 /** Sets the bulges of a cell. */
@@ -36,26 +30,20 @@ void find_bulges(const Mapping<2> &mapping,
 {
   const std::array<Point<2>, 5> middles = {
     {{0.5, 0.}, {1., 0.5}, {0.5, 1.}, {0., 0.5}, {0.5, 0.5}}};
-  const auto &x = here.corners;
-  const double size = x[0].distance(x[2]);
+  const CellShape flat(here.corners);
+  const double size = here.corners[0].distance(here.corners[2]);
   for (unsigned int i = 0; i < 5; ++i)
   {
-    const Tensor<1, 2> chord = i < 4 ? 0.5 * (x[i] - x[0]) + 0.5 * (x[(i + 1) % 4] - x[0])
-                                     : 0.25 * ((x[1] - x[0]) + (x[2] - x[0]) + (x[3] - x[0]));
-    here.bulges[i] = (mapping.transform_unit_to_real_cell(cell, middles[i]) - x[0]) - chord;
+    here.bulges[i] = mapping.transform_unit_to_real_cell(cell, middles[i]) - here.corners[0] -
+                     flat.offset(CellFunctions(middles[i]), false);
     here.is_curved = here.is_curved || here.bulges[i].norm() > 1e-12 * size;
   }
+  for (unsigned int k = 0; k < 4; ++k)
+    here.bulges[4] -= 0.5 * here.bulges[k];
   if (!here.is_curved)
     here.bulges = Bulges();
 }
 } // namespace
-
-std::string EdgeMesh::objection(const Mesh<2> &mesh)
-{
-  if (mesh.triangulation().has_hanging_nodes())
-    return "the mesh has hanging nodes";
-  return "";
-}
 
 EdgeMesh::EdgeMesh(const DisplacementSpace<2> &space, const Scene<2> &scene)
   : stars_(space.mesh().triangulation().n_vertices())
@@ -92,14 +80,11 @@ void EdgeMesh::collect_cells(const DisplacementSpace<2> &space, const Scene<2> &
       if (edge == none)
       {
         edge = edges_.size();
-        const Tensor<1, 2> d = here.corners[(k + 1) % 4] - here.corners[k];
-        Tensor<1, 2> normal;
-        normal[0] = d[1] / d.norm();
-        normal[1] = -d[0] / d.norm();
+        const Tensor<1, 2> d = here.edge_vector(k);
         Edge &new_edge = edges_.emplace_back(Edge{{{here.vertices[k], here.vertices[(k + 1) % 4]}},
                                                   EdgeFreedom::any,
                                                   Edge::no_side,
-                                                  normal,
+                                                  Tensor<1, 2>({d[1], -d[0]}) / d.norm(),
                                                   d.norm()});
         if (line->at_boundary())
         {
@@ -124,7 +109,7 @@ void EdgeMesh::collect_stars()
       neighbours[cells_[c].edges[k]][cells_[c].sign[k] > 0. ? 0 : 1] = {c, k};
       // Edge k is to the right of corner k: a star at the boundary begins with a boundary edge.
       CellCorner &start = first[cells_[c].vertices[k]];
-      if (start.cell == none || edges_[cells_[c].edges[k]].side != Edge::no_side)
+      if (start.cell == none || edges_[cells_[c].edges[k]].is_boundary())
         start = {c, k};
     }
   for (unsigned int v = 0; v < stars_.size(); ++v)

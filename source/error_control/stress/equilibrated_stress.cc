@@ -3,10 +3,9 @@
 
 #include <signorini/base/parallel.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
-#include <signorini/error_control/loads/cell_loads.h>
-#include <signorini/error_control/loads/cell_rule.h>
 #include <signorini/error_control/stress/balance.h>
 #include <signorini/error_control/stress/equilibrated_stress.h>
+#include <signorini/postprocessing/fields/patch_interpolation.h>
 #include <signorini/problem/scene/corners.h>
 
 #include <algorithm>
@@ -17,84 +16,56 @@ namespace Signorini
 {
 namespace
 {
-using Vector2 = Tensor<1, 2>;
-
-/** Adds half of the moments of a traction that is sampled at the points of an edge. */
-void add_edge(const std::array<EdgePoint, 2> &points,
-              const std::array<Vector2, 2> &tractions,
-              const unsigned int k,
-              CellMoments &moments)
-{
-  for (unsigned int i = 0; i < 2; ++i)
-    for (unsigned int c = 0; c < 2; ++c)
-    {
-      moments[4 * k + c] += 0.25 * (1. - points[i].position) * tractions[i][c];
-      moments[4 * k + 2 + c] += 0.25 * points[i].position * tractions[i][c];
-    }
-}
+/** The corners of a cell in [0,1]². */
+const std::array<Point<2>, 4> unit_corners = {{{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}}};
 } // namespace
 
 std::string EquilibratedStress::objection(const StressData &data)
 {
   if (data.space.max_element_degree() > 1)
     return "the displacement has a degree above one, and the bound is for bilinear elements";
-  std::string mesh_objection = EdgeMesh::objection(data.space.mesh());
-  if (!mesh_objection.empty())
-    return mesh_objection;
-  std::string support_objection = find_contradiction(data.scene);
-  if (!support_objection.empty())
-    return support_objection;
-  const auto prescribes = [](const BoundaryCondition<2> &condition) {
-    return condition.role == Role::displacement;
-  };
-  const auto &boundary = data.scene.boundary;
-  if (std::none_of(boundary.begin(), boundary.end(), prescribes))
-    return "";
-  const EdgeMesh mesh(data.space, data.scene);
-  const PrescribedLift lift(data.scene, mesh, data.U);
-  if (lift.max_misfit() > 0.02)
-    return "the prescribed displacements jump, or vary too fast within the edge of a cell";
-  return "";
+  if (data.space.mesh().triangulation().has_hanging_nodes())
+    return "the mesh has hanging nodes";
+  return find_contradiction(data.scene);
 }
 
 EquilibratedStress::EquilibratedStress(const StressData &data, const ImprovementOptions &options)
   : data_(data)
   , mesh_(data.space, data.scene)
   , lift_(data.scene, mesh_, data.U)
-  , table_(mesh_, data.scene, data.scene.body_force != nullptr, lift_)
+  , table_(mesh_, data.scene, lift_)
   , loads_(make_loads(data.space, data.scene, mesh_, data.n_points))
   , given_(given_tractions(data.space, data.scene, mesh_, data.multipliers, data.P, data.n_points))
 {
   if (data.space.mesh().has_parents() && !mesh_.is_curved())
-  {
-    bubbles_ = std::make_unique<const PatchBubbles>(data.space, mesh_, data.U);
-    forms_ = std::make_unique<const BubbleForms>(table_);
-  }
+    find_bubbles();
   const auto R = residuals();
   const std::vector<double> guess = mean_tractions();
   if (mesh_.is_curved())
   {
     balance_couples(R);
-    give_to_contact(mesh_, data.scene, EdgeMoments(mesh_, R, given_.moments, guess).rest(), given_);
+    give_to_contact(mesh_, data.scene, solve_stars(mesh_, R, given_.moments, guess).rest, given_);
   }
-  const EdgeMoments start(mesh_, R, given_.moments, guess);
-  moments_ = start.moments();
+  const EdgeMoments start = solve_stars(mesh_, R, given_.moments, guess);
+  moments_ = start.moments;
   double largest = 0.;
-  for (const auto &forces : R)
-    for (const Vector2 &force : forces)
+  for (const CornerForces &forces : R)
+    for (const Tensor<1, 2> &force : forces)
       largest = std::max(largest, force.norm());
-  for (std::size_t v = 0; v < start.rest().size(); ++v)
-    if (largest > 0.)
-      algebra_ =
-        std::max(algebra_, start.rest()[v].norm() * mesh_.stars()[v].cells.size() / largest);
-  balanced_ = balance_cells(mesh_, start.rest(), moments_);
+  for (std::size_t v = 0; v < start.rest.size() && largest > 0.; ++v)
+    algebra_ = std::max(algebra_, start.rest[v].norm() * mesh_.stars()[v].cells.size() / largest);
+  balanced_ = balance_cells(mesh_, start.rest, moments_);
   CellEnergies energies(table_, mesh_.cells().size());
-  const std::vector<CellIntegrals> integrals = integrate_all(energies);
-  const std::vector<double> change = improve(options, integrals, energies);
-  update(integrals, energies, change);
+  integrals_.resize(mesh_.cells().size());
+  work_on_ranges(
+    n_threads(), integrals_.size(), [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c)
+        integrals_[c] = integrate(c, false, &energies);
+    });
+  update(energies, improve(options, energies));
 }
 
-void EquilibratedStress::balance_couples(const std::vector<EdgeMoments::CornerForces> &R)
+void EquilibratedStress::balance_couples(const std::vector<CornerForces> &R)
 {
   loads_.resize(mesh_.cells().size());
   couples_.assign(mesh_.cells().size(), 0.);
@@ -106,7 +77,7 @@ void EquilibratedStress::balance_couples(const std::vector<EdgeMoments::CornerFo
     double moment = 0.;
     for (unsigned int a = 0; a < 4; ++a)
       moment -= cross(cell.corners[a] - cell.corners[0], R[c][a] + loads_[c].nodal[a]);
-    couples_[c] = add_couple(CellShape(cell.corners), moment, loads_[c]);
+    couples_[c] = loads_[c].add_couple(CellShape(cell.corners), moment);
   }
 }
 
@@ -115,22 +86,18 @@ double EquilibratedStress::geometry(const unsigned int cell, const double min_ei
   const EdgeCell &here = mesh_.cells()[cell];
   if (!here.is_curved)
     return 0.;
-  const CellShape shape(here.corners);
-  const auto points = edge_points(shape);
   const CornerValues u = displacement(here);
-  double sum = OscillationConstants(shape).body * couples_[cell];
+  double sum = table_.constants(cell).body * couples_[cell];
   for (unsigned int k = 0; k < 4; ++k)
   {
     const Edge &edge = mesh_.edges()[here.edges[k]];
-    if (edge.side == Edge::no_side || edge.freedom == EdgeFreedom::any)
+    if (!edge.is_boundary() || edge.is_held())
       continue;
-    const Vector2 t = (here.corners[(k + 1) % 4] - here.corners[k]) / edge.length;
-    const EdgePoint &point = points[k][0];
-    const Components s =
-      table_.law(here.corners[0] + point.offset).stress(strain_of(point.gradients, u));
-    const Vector2 along({s[0] * t[0] + s[2] * t[1], s[2] * t[0] + s[1] * t[1]});
-    sum += 4. * here.bulges[k].norm() / edge.length * along.norm() *
-           turning_constant(edge.length, shape.area() / edge.length);
+    const Tensor<2, 2> s =
+      stress_of_u(here, u, unit_corners[k] + 0.5 * (unit_corners[(k + 1) % 4] - unit_corners[k]));
+    sum += 4. * here.bulges[k].norm() / edge.length * (s * here.edge_vector(k)).norm() /
+           edge.length *
+           turning_constant(edge.length, CellShape(here.corners).area() / edge.length);
   }
   return sum / std::sqrt(min_eigenvalue);
 }
@@ -138,11 +105,6 @@ double EquilibratedStress::geometry(const unsigned int cell, const double min_ei
 unsigned int EquilibratedStress::n_threads() const
 {
   return n_available_threads(data_.space.mesh().communicator());
-}
-
-CellLoad EquilibratedStress::load(const unsigned int cell) const
-{
-  return loads_.empty() ? CellLoad() : loads_[cell];
 }
 
 EquilibratedStress::CornerValues EquilibratedStress::displacement(const EdgeCell &cell) const
@@ -162,12 +124,27 @@ EquilibratedStress::CornerValues EquilibratedStress::deformation(const EdgeCell 
   return values;
 }
 
-std::vector<EdgeMoments::CornerForces> EquilibratedStress::residuals()
+Tensor<2, 2> EquilibratedStress::stress_of_u(const EdgeCell &cell,
+                                             const CornerValues &u,
+                                             const Point<2> &at) const
+{
+  const CellShape shape(cell.corners);
+  const CellFunctions functions(at);
+  const Tensor<2, 2> inverse = invert(shape.jacobian(functions, false));
+  std::array<Tensor<1, 2>, 4> gradients;
+  for (unsigned int a = 0; a < 4; ++a)
+    gradients[a] = functions.gradients[a] * inverse;
+  const Law law = table_.law(cell.corners[0] + shape.offset(functions, false));
+  const Components s = law.stiffness * strain_of(gradients, u);
+  return Tensor<2, 2>({{s[0], s[2]}, {s[2], s[1]}});
+}
+
+std::vector<CornerForces> EquilibratedStress::residuals()
 {
   constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}};
   const double unit = stiffness_unit(data_.space, *data_.scene.material);
   const auto cells = cells_in_order(data_.space);
-  std::vector<EdgeMoments::CornerForces> R(cells.size());
+  std::vector<CornerForces> R(cells.size());
   std::vector<double> energies(cells.size(), 0.);
   work_on_ranges(n_threads(), cells.size(), [&](const std::size_t begin, const std::size_t end) {
     CellStiffness<2> stiffness(data_.space, data_.scene);
@@ -194,76 +171,185 @@ std::vector<EdgeMoments::CornerForces> EquilibratedStress::residuals()
 std::vector<double> EquilibratedStress::mean_tractions() const
 {
   std::vector<double> moments(mesh_.n_moments(), 0.);
-  for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
+  for (const EdgeCell &cell : mesh_.cells())
   {
-    const EdgeCell &cell = mesh_.cells()[c];
-    const auto on_edges = table_.on_edges(c);
     const CornerValues u = deformation(cell);
-    CellMoments here{};
+    CellMoments here;
+    std::array<Tensor<2, 2>, 4> s;
+    // Laws may jump on edges.
+    for (unsigned int a = 0; a < 4; ++a)
+      s[a] = stress_of_u(cell, u, unit_corners[a] + 0.01 * (Point<2>(0.5, 0.5) - unit_corners[a]));
     for (unsigned int k = 0; k < 4; ++k)
     {
-      const Vector2 d = cell.corners[(k + 1) % 4] - cell.corners[k];
-      std::array<Vector2, 2> tractions;
-      for (unsigned int i = 0; i < 2; ++i)
+      const Tensor<1, 2> normal = cross_product_2d(cell.edge_vector(k));
+      const Tensor<1, 2> first = s[k] * normal, last = s[(k + 1) % 4] * normal;
+      // At the boundary there is no other side.
+      const double share = mesh_.edges()[cell.edges[k]].is_boundary() ? 1. : 0.5;
+      for (unsigned int c = 0; c < 2; ++c)
       {
-        const EdgePoint &point = on_edges[k][i];
-        const Components s =
-          table_.law(cell.corners[0] + point.offset).stress(strain_of(point.gradients, u));
-        tractions[i] = Vector2({s[0] * d[1] - s[2] * d[0], s[2] * d[1] - s[1] * d[0]});
-        // At the boundary there is no other side.
-        if (mesh_.edges()[cell.edges[k]].side != Edge::no_side)
-          tractions[i] *= 2.;
+        here[4 * k + c] = share * (2. * first[c] + last[c]) / 6.;
+        here[4 * k + 2 + c] = share * (first[c] + 2. * last[c]) / 6.;
       }
-      add_edge(on_edges[k], tractions, k, here);
     }
     add_moments(cell, here, moments);
   }
   return moments;
 }
 
-CompositeCell::Stresses EquilibratedStress::stresses(const unsigned int cell,
-                                                     const CellData &data) const
+void EquilibratedStress::find_bubbles()
 {
-  CellMoments moments = moments_on(mesh_.cells()[cell], moments_);
-  if (loads_.empty())
-    return data.composite.stress(moments);
-  const CellMoments load_moments = loads_[cell].moments(data.shape);
-  for (unsigned int j = 0; j < moments.size(); ++j)
-    moments[j] -= load_moments[j];
-  return data.composite.stress(moments, loads_[cell].constant);
+  bubbles_.emplace();
+  bubbles_->edges.resize(mesh_.edges().size());
+  const std::vector<Point<2>> middles = {{0.5, 0.}, {1., 0.5}, {0.5, 1.}, {0., 0.5}, {0.5, 0.5}};
+  PatchInterpolation<2> interpolation(data_.space, Quadrature<2>(middles));
+  const double rounding = 1e-13 * data_.U.linfty_norm();
+  unsigned int number = 0;
+  for (const auto &cell : data_.space.dofs().active_cell_iterators())
+  {
+    const std::vector<Tensor<1, 2>> &values = interpolation.values(data_.U, cell);
+    const EdgeCell &here = mesh_.cells()[number++];
+    const CornerValues u = displacement(here);
+    Tensor<1, 2> in_cell = values[4] - 0.25 * (u[0] + u[1] + u[2] + u[3]);
+    for (unsigned int k = 0; k < 4; ++k)
+    {
+      const Tensor<1, 2> in_middle = values[k] - 0.5 * (u[k] + u[(k + 1) % 4]);
+      in_cell -= 0.5 * in_middle;
+      if (!mesh_.edges()[here.edges[k]].is_held() || in_middle.norm() > rounding)
+        bubbles_->edges[here.edges[k]] = in_middle;
+    }
+    bubbles_->cells.push_back(in_cell);
+  }
+}
+
+CellVector EquilibratedStress::data_of(const unsigned int cell) const
+{
+  const EdgeCell &here = mesh_.cells()[cell];
+  CellVector data{};
+  const CornerValues u = deformation(here);
+  for (unsigned int i = 0; i < 8; ++i)
+    data[i] = u[i / 2][i % 2];
+  if (bubbles_)
+    for (unsigned int k = 0; k <= 4; ++k)
+      if (k == 4 || !mesh_.edges()[here.edges[k]].is_held())
+        for (unsigned int c = 0; c < 2; ++c)
+          data[CellColumns::bubbles + 2 * k + c] =
+            k == 4 ? bubbles_->cells[cell][c] : bubbles_->edges[here.edges[k]][c];
+  data[CellColumns::lift] = lift_.cells()[cell] ? 1. : 0.;
+  const CellMoments moments = moments_on(here, moments_);
+  std::copy(moments.begin(), moments.end(), data.begin() + CellColumns::moments);
+  if (!loads_.empty())
+  {
+    for (unsigned int i = 0; i < CompositeCell::n_loads; ++i)
+      data[CellColumns::loads + i] = loads_[cell].constant[i / 2][i % 2];
+    for (unsigned int i = 0; i < 4; ++i)
+      data[CellColumns::slope + i] = loads_[cell].slope[i / 2][i % 2];
+  }
+  return data;
 }
 
 std::vector<Components> EquilibratedStress::stress(const unsigned int cell,
-                                                   const CellData &data) const
+                                                   const CellBasis &basis) const
 {
-  const CompositeCell::Stresses linear = stresses(cell, data);
-  std::vector<Components> values;
-  values.reserve(data.points.size());
-  for (const StressPoint &point : data.points)
-  {
-    Components s = stress_at(linear, point.triangle, point.psi);
-    if (!loads_.empty() && data.shape.affine)
-    {
-      const Components more = loads_[cell].stress(data.shape, point.reference);
-      for (unsigned int i = 0; i < 3; ++i)
-        s[i] += more[i];
-    }
-    values.push_back(s);
-  }
+  const CellVector data = data_of(cell);
+  std::vector<Components> values(basis.points.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    for (unsigned int c = 0; c < 3; ++c)
+      for (unsigned int j = CellColumns::moments; j < CellColumns::end; ++j)
+        values[i][c] -= basis.points[i].components[c][j] * data[j];
   return values;
 }
 
-double EquilibratedStress::oscillation(const unsigned int cell,
-                                       const double min_eigenvalue,
-                                       OscillationTable &table) const
+double EquilibratedStress::interpolated_lift(const unsigned int cell,
+                                             const CellMatrix &A,
+                                             const bool from_above) const
+{
+  // u_D - π^{2h} u_h = (u_D - u_h) - b, b with the coefficients that are held back.
+  const EdgeCell &here = mesh_.cells()[cell];
+  CellVector rest{};
+  rest[CellColumns::lift] = lift_.cells()[cell] ? 1. : 0.;
+  for (unsigned int k = 0; k < 4; ++k)
+    if (mesh_.edges()[here.edges[k]].is_held())
+      for (unsigned int c = 0; c < 2; ++c)
+        rest[CellColumns::bubbles + 2 * k + c] = -bubbles_->edges[here.edges[k]][c];
+  CellMatrix::Values lift = A.zero();
+  A.add(rest, CellColumns::bubbles, CellColumns::moments, lift);
+  return A.square(lift, from_above);
+}
+
+EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned int cell,
+                                                                const bool from_above,
+                                                                CellEnergies *const energies) const
+{
+  std::optional<CellMatrix> own;
+  const CellMatrix &A = table_.matrix(cell, own);
+  const CellVector data = data_of(cell);
+  CellIntegrals result;
+  result.is_resolved = A.is_resolved();
+  result.min_eigenvalue = A.min_eigenvalue();
+  const auto square = [&](const CellMatrix::Values &y) {
+    return Square{A.square(y, from_above), A.moments_of(y)};
+  };
+  CellMatrix::Values y = A.zero();
+  A.add(data, CellColumns::moments, CellColumns::end, y);
+  result.stress = square(y);
+  A.add(data, 0, CellColumns::bubbles, y);
+  if (lift_.cells()[cell])
+  {
+    CellMatrix::Values lift = A.zero();
+    A.add(data, CellColumns::lift, CellColumns::moments, lift);
+    result.lift = A.square(lift, from_above);
+    A.add(data, CellColumns::lift, CellColumns::moments, y);
+  }
+  result.misfit = square(y);
+  if (bubbles_)
+  {
+    A.add(data, CellColumns::bubbles, CellColumns::lift, y);
+    result.interpolated_part = square(y);
+    const auto &edges = mesh_.cells()[cell].edges;
+    if (std::any_of(edges.begin(), edges.end(), [&](const unsigned int edge) {
+          return mesh_.edges()[edge].is_held();
+        }))
+      result.interpolated_lift = interpolated_lift(cell, A, from_above);
+  }
+  if (energies != nullptr && !energies->is_shared(cell))
+    (*energies)(cell) = A.energy();
+  return result;
+}
+
+void EquilibratedStress::update(const CellEnergies &energies, const std::vector<double> &change)
+{
+  // Where more digits than that are lost, the cell is integrated again.
+  constexpr double min_share = 1e-3;
+  work_on_ranges(
+    n_threads(), integrals_.size(), [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c)
+      {
+        CellIntegrals &here = integrals_[c];
+        const CellMoments b = moments_on(mesh_.cells()[c], change), Sb = multiply(energies(c), b);
+        bool digits_lost = !here.is_resolved;
+        for (Square *const square : {&here.misfit, &here.interpolated_part, &here.stress})
+        {
+          const double before = square->value;
+          for (unsigned int j = 0; j < b.size(); ++j)
+            square->value += b[j] * (Sb[j] + 2. * square->gradient[j]);
+          digits_lost = digits_lost || square->value < min_share * before;
+        }
+        if (digits_lost)
+          here = integrate(c, true);
+      }
+    });
+}
+
+double EquilibratedStress::oscillation(const unsigned int cell, const double min_eigenvalue) const
 {
   const auto &edges = mesh_.cells()[cell].edges;
-  double force_rest = loads_.empty() ? 0. : loads_[cell].rest, edge_rest = 0.;
-  for (const unsigned int edge : edges)
-    edge_rest += given_.normal_rest[edge] + given_.shear_rest[edge];
-  if (force_rest == 0. && edge_rest == 0.)
+  const double force_rest = loads_.empty() ? 0. : loads_[cell].rest;
+  const auto has_rest = [&](const unsigned int edge) {
+    return given_.normal_rest[edge] + given_.shear_rest[edge] > 0.;
+  };
+  if (force_rest == 0. && std::none_of(edges.begin(), edges.end(), has_rest))
     return 0.;
-  const OscillationConstants &constants = table(table_.shape_of(cell), mesh_.cells()[cell].corners);
+  const OscillationConstants constants = table_.constants(cell);
   double sum = constants.body * force_rest;
   for (unsigned int k = 0; k < 4; ++k)
     sum += constants.normal[k] * given_.normal_rest[edges[k]] +
@@ -272,63 +358,49 @@ double EquilibratedStress::oscillation(const unsigned int cell,
 }
 
 double EquilibratedStress::support_work(const unsigned int number,
-                                        const Vector2 &c,
-                                        Vector2 &force) const
+                                        const Tensor<1, 2> &c,
+                                        Tensor<1, 2> &force) const
 {
   const EdgeCell &cell = mesh_.cells()[number];
-  const auto is_held = [&](const unsigned int k) {
-    const Edge &edge = mesh_.edges()[cell.edges[k]];
-    return edge.side != Edge::no_side && edge.freedom == EdgeFreedom::any;
-  };
-  if (!is_held(0) && !is_held(1) && !is_held(2) && !is_held(3))
-    return 0.;
   const CellMoments moments = moments_on(cell, moments_);
   const CornerValues u = displacement(cell);
   double work = lift_.work(number, moments);
-  for (unsigned int k = 0; k < 4; ++k)
-    if (is_held(k))
-      for (unsigned int end = 0; end < 2; ++end)
-        for (unsigned int d = 0; d < 2; ++d)
-        {
-          const double moment = moments[4 * k + 2 * end + d];
-          work += moment * (u[(k + end) % 4][d] - c[d]);
-          force[d] += moment;
-        }
+  for (unsigned int j = 0; j < moments.size(); ++j)
+    if (mesh_.edges()[cell.edges[j / 4]].is_held())
+    {
+      work += moments[j] * (u[(j / 4 + j % 4 / 2) % 4][j % 2] - c[j % 2]);
+      force[j % 2] += moments[j];
+    }
   return work;
 }
 
 StressBound EquilibratedStress::bound() const
 {
   StressBound result;
+  result.lift_misfit = lift_.max_misfit();
   result.algebra = algebra_;
   result.balanced = balanced_;
   result.steps = steps_;
   result.restarts = restarts_;
   result.translation = displacement(mesh_.cells()[0])[0];
-  OscillationTable constants(table_.n_shapes());
   double lift_square = 0., patch_square = 0., patch_lift_square = 0.;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
-    const CellSquares &squares = squares_[c];
-    const double misfit = std::sqrt(squares.misfit);
-    const double rest = oscillation(c, squares.min_eigenvalue, constants);
+    const CellIntegrals &cell = integrals_[c];
+    const double misfit = std::sqrt(cell.misfit.value), norm = std::sqrt(cell.stress.value);
+    const double rest = oscillation(c, cell.min_eigenvalue);
+    const double geometry_part = geometry(c, cell.min_eigenvalue);
     result.misfit.push_back(misfit);
     result.oscillation.push_back(rest);
-    const double geometry_part = geometry(c, squares.min_eigenvalue);
     result.geometry_square += geometry_part * geometry_part;
     result.square += std::pow(misfit + rest + geometry_part, 2);
     result.oscillation_square += rest * rest;
-    const double norm = std::sqrt(squares.stress);
     const double work = support_work(c, result.translation, result.support_force);
     result.complementary_energy.lower += 0.5 * std::pow(std::max(0., norm - rest), 2) - work;
     result.complementary_energy.upper += 0.5 * std::pow(norm + rest, 2) - work;
-    lift_square += squares.lift;
-    if (bubbles_)
-    {
-      const double interpolated_part = std::sqrt(squares.interpolated_part) + rest;
-      patch_square += interpolated_part * interpolated_part;
-      patch_lift_square += squares.interpolated_lift;
-    }
+    lift_square += cell.lift;
+    patch_square += std::pow(std::sqrt(cell.interpolated_part.value) + rest, 2);
+    patch_lift_square += cell.interpolated_lift;
   }
   result.lift = std::sqrt(lift_square);
   if (bubbles_)

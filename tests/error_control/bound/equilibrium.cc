@@ -105,7 +105,7 @@ public:
               (value(x + 3. * e) - value(x - 3. * e))) /
              (60. * step);
     }
-    return {{d[0][0], d[1][1], d[0][1] + d[1][0]}};
+    return Components({d[0][0], d[1][1], d[0][1] + d[1][0]});
   }
 
 private:
@@ -131,21 +131,18 @@ void add_cell(const EquilibratedStress &stress,
               Work &work)
 {
   const EdgeCell &cell = stress.mesh().cells()[c];
-  const Signorini::CellData data(CellShape(cell.corners), {false, true}, {});
+  const CellShape shape(cell.corners);
+  const dealii::QWitherdenVincentSimplex<2> rule(6);
+  const CellBasis basis(shape, rule);
   const CellLoad load = stress.load(c);
-  const std::vector<Components> tau = stress.stress(c, data);
-  const Vector2 g1 = 0.5 * (cell.corners[1] - cell.corners[0]);
-  const Vector2 g2 = 0.5 * (cell.corners[3] - cell.corners[0]);
-  for (std::size_t i = 0; i < data.points.size(); ++i)
+  const std::vector<Components> tau = stress.stress(c, basis);
+  for (std::size_t i = 0; i < tau.size(); ++i)
   {
-    const StressPoint &point = data.points[i];
+    const CellBasis::PointOfCell &point = basis.points[i];
     const dealii::Point<2> x = cell.corners[0] + point.offset;
+    const Vector2 xi = 2. * shape.reference(point.offset) - dealii::Point<2>(1., 1.);
+    const Vector2 f = load.constant[i / rule.size()] + shape.half_edges() * (load.slope * xi);
     const Components e = field.strain(x);
-    const double xi = point.reference[0], eta = point.reference[1];
-    Vector2 f = g1 * (load.slope[0] * xi + load.slope[1] * eta) +
-                g2 * (load.slope[2] * xi + load.slope[3] * eta);
-    for (unsigned int d = 0; d < 2; ++d)
-      f[d] += load.constant[2 * point.triangle + d];
     for (unsigned int l = 0; l < 3; ++l)
       work.add(point.weight * tau[i][l] * e[l]);
     work.add(-point.weight * (f * field.value(x)));
@@ -183,12 +180,7 @@ void add_edges(const EquilibratedStress &stress,
     {
       const double s = rule.point(i)[0];
       const Vector2 v = field.value(a + s * (b - a));
-      for (unsigned int d = 0; d < 2; ++d)
-      {
-        const double first = moments[4 * e + d], second = moments[4 * e + 2 + d];
-        const double t = (4. * first - 2. * second) * (1. - s) + (4. * second - 2. * first) * s;
-        work.add(-t * v[d] * rule.weight(i));
-      }
+      work.add(-(linear_traction(&moments[4 * e], s) * v) * rule.weight(i));
     }
   }
 }
@@ -267,18 +259,13 @@ void contact_tractions(Checks &checks, const std::string &name, const Answer &an
     if (!is_free_contact(stress, answer.level.scene, e))
       continue;
     ++n_free;
-    Vector2 first, second;
-    for (unsigned int d = 0; d < 2; ++d)
+    for (const double end : {0., 1.})
     {
-      first[d] = stress.moments()[4 * e + d];
-      second[d] = stress.moments()[4 * e + 2 + d];
+      const Vector2 t = linear_traction(&stress.moments()[4 * e], end);
+      largest = std::max(largest, t.norm());
+      shear = std::max(shear, std::abs(cross(edge.normal, t)));
+      pull = std::max(pull, t * edge.normal);
     }
-    largest = std::max({largest, first.norm(), second.norm()});
-    shear =
-      std::max({shear, std::abs(cross(edge.normal, first)), std::abs(cross(edge.normal, second))});
-    // The linear traction with these moments at both ends, times the length.
-    pull = std::max(
-      {pull, (4. * first - 2. * second) * edge.normal, (4. * second - 2. * first) * edge.normal});
   }
   checks.that(name + ": free contact edges", n_free > 0);
   checks.near(name + ": no shear", shear, 0., 1e-14 * largest);

@@ -2,13 +2,11 @@
 // The bound of the stress is a bound, close to the error; exact for patch tests; and twice the sum
 // of the two energies.
 
-#include <signorini/discretization/elasticity/integration.h>
-#include <signorini/error_control/loads/cell_loads.h>
 #include <signorini/error_control/stress/equilibrated_stress.h>
 
 #include <cmath>
 
-#include "one_level.h"
+#include "energy_errors.h"
 #include "tests.h"
 
 using namespace Signorini;
@@ -44,35 +42,6 @@ struct Bounded
   StressBound bound;
 };
 
-/** |||u - u_h||| with the exact solution of the scene. */
-double energy_error(const OneLevel &level, const Displacement &U)
-{
-  const dealii::FEValuesExtractors::Vector displacement(0);
-  CellValues<2> all_values(level.space().mesh().mapping(),
-                           level.space(),
-                           level.scene.kinks,
-                           6,
-                           dealii::update_gradients | dealii::update_quadrature_points |
-                             dealii::update_JxW_values);
-  double square = 0.;
-  for (const auto &cell : level.space().dofs().active_cell_iterators())
-  {
-    const auto &values = all_values.reinit(cell);
-    std::vector<dealii::SymmetricTensor<2, 2>> strain(values.n_quadrature_points);
-    values[displacement].get_function_symmetric_gradients(U.entries(), strain);
-    for (unsigned int q = 0; q < strain.size(); ++q)
-    {
-      const auto &x = values.quadrature_point(q);
-      dealii::Tensor<2, 2> exact;
-      for (unsigned int c = 0; c < 2; ++c)
-        exact[c] = level.scene.exact_displacement->gradient(x, c);
-      const dealii::SymmetricTensor<2, 2> e = strain[q] - dealii::symmetrize(exact);
-      square += (e * (level.scene.material->hooke(x) * e)) * values.JxW(q);
-    }
-  }
-  return std::sqrt(square);
-}
-
 std::string section(const std::string &name, const std::string &lines)
 {
   return "subsection " + name + "\n" + lines + "\nend\n";
@@ -84,7 +53,7 @@ void effectivity(Checks &checks)
   for (const unsigned int number : {3U, 4U, 5U, 6U})
   {
     const Bounded c2(entry("Scene", "Name", "C2"), number);
-    const double error = energy_error(c2.level, c2.solution.U);
+    const double error = energy_errors(c2.level, c2.solution.U).strain_of_u_h;
     const double largest = number == 3 ? 1.15 : (number == 4 ? 1.05 : 1.02);
     checks.between(
       "C2, level " + std::to_string(number), std::sqrt(c2.bound.square) / error, 1., largest);
@@ -171,7 +140,7 @@ void prescribed(Checks &checks)
   {
     const Bounded answer(text, number);
     const std::string name = "prescribed, level " + std::to_string(number);
-    const double error = energy_error(answer.level, answer.solution.U);
+    const double error = energy_errors(answer.level, answer.solution.U).strain_of_u_h;
     checks.between(name,
                    (std::sqrt(answer.bound.square) + answer.bound.lift) / error,
                    1.,

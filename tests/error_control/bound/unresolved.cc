@@ -190,14 +190,15 @@ int main(int argc, char **argv)
     add(scenes);
   // The levels of a scene one after the other share its reference.
   std::map<std::string, std::size_t> first;
-  for (const Unresolved::Given &given : scenes)
+  for (const Unresolved::Given &given : scenes.all)
     first.emplace(key_of_reference(given), first.size());
-  std::stable_sort(
-    scenes.begin(), scenes.end(), [&](const Unresolved::Given &a, const Unresolved::Given &b) {
-      return first.at(key_of_reference(a)) < first.at(key_of_reference(b));
-    });
+  std::stable_sort(scenes.all.begin(),
+                   scenes.all.end(),
+                   [&](const Unresolved::Given &a, const Unresolved::Given &b) {
+                     return first.at(key_of_reference(a)) < first.at(key_of_reference(b));
+                   });
   Test test;
-  for (const Unresolved::Given &given : scenes)
+  for (const Unresolved::Given &given : scenes.all)
     test.check(given);
   return test.exit_code();
 }

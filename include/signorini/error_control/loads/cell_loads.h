@@ -4,8 +4,9 @@
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/composite_cell.h>
 
+#include <algorithm>
 #include <array>
-#include <optional>
+#include <cmath>
 #include <vector>
 
 namespace Signorini
@@ -52,34 +53,6 @@ struct OscillationConstants
   std::array<double, 4> edge, normal;
 };
 
-/** The constants of cells, computed once for cells that share a shape. */
-class OscillationTable
-{
-public:
-  /**
-   * Makes an empty table.
-   * @param n_shared the number of shapes that cells share.
-   */
-  explicit OscillationTable(const unsigned int n_shared)
-    : shared_(n_shared)
-  {
-  }
-  /** Returns the constants of a cell with the given number of its shape, which is below n_shared if
-   * it is shared. They are valid until the next call. */
-  const OscillationConstants &operator()(const unsigned int shape,
-                                         const std::array<Point<2>, 4> &corners)
-  {
-    std::optional<OscillationConstants> &known = shape < shared_.size() ? shared_[shape] : own_;
-    if (!known || shape >= shared_.size())
-      known.emplace(CellShape(corners));
-    return *known;
-  }
-
-private:
-  std::vector<std::optional<OscillationConstants>> shared_;
-  std::optional<OscillationConstants> own_;
-};
-
 /** Returns the norm of a stress with the shear 1 - 2 x/L on the edge [0,L] of a rectangle with
  * depth d: that of Airy's function L x/L (1 - x/L) chi(y), chi = y (1 - y/d)², which vanishes with
  * its normal derivative at y = d. Its square is 4 L³/(30 d) + 4 L d/45 + 4 d³/(105 L); d is at most
@@ -93,53 +66,63 @@ struct CellLoad
   /** The nodal forces ∫ f φ_i at the four corners, with the quadrature of the system. */
   std::array<Tensor<1, 2>, 4> nodal;
   /** The loads d_k, the part of f_h that is constant on triangle k. */
-  CompositeCell::Loads constant{};
-  /** The linear part of f_h on parallelograms. With the half edges g_1 = (x_1 - x_0)/2 and g_2 =
-   * (x_3 - x_0)/2 and the coordinates ξ, η in [-1,1], it is g_1 (slope[0] ξ + slope[1] η) +
-   * g_2 (slope[2] ξ + slope[3] η). */
-  std::array<double, 4> slope{};
+  std::array<Tensor<1, 2>, 4> constant;
+  /** The linear part of f_h on parallelograms: A slope ξ with A = CellShape::half_edges() and the
+   * coordinates ξ in [-1,1]². */
+  Tensor<2, 2> slope;
   /** The norm ‖f - f_h‖_{L2(K)}. f - f_h has neither force nor moment. */
   double rest = 0.;
 
-  /** Returns the components of a stress whose divergence is minus the linear part of f_h. */
-  Components stress(const CellShape &shape, const Point<2> &reference) const;
+  /** Returns the components of a stress whose divergence is minus the linear part of f_h, at a
+   * point of [0,1]². */
+  Components stress(const CellShape &shape, const Point<2> &at) const;
   /** Returns the moments of the tractions of that stress on the edges of the cell. The tractions
    * are linear along edges. */
   CellMoments moments(const CellShape &shape) const;
+  /**
+   * Adds a rotation about the centre, constant on triangles, with the given moment.
+   * @return the norm of the rotation in L2(K).
+   */
+  double add_couple(const CellShape &shape, double moment);
 };
-
-/** The values of a force density f at points of a cell. */
-struct ForceAtPoints
-{
-  std::vector<Tensor<1, 2>> offsets;
-  std::vector<std::array<double, 4>> shape_values;
-  std::vector<double> weights;
-  std::vector<dealii::Vector<double>> values;
-};
-
-/** Returns the load of a cell. f_h is the L2-projection of f onto linear functions on
- * parallelograms. On other cells it is constant on each of the four triangles: the value of that
- * projection at its centre, plus a multiple of the rotation of centres, such that the moment of f_h
- * is that of f. */
-CellLoad make_load(const CellShape &shape, const ForceAtPoints &force);
-
-/**
- * Adds a rotation about the centre, constant on triangles, with the given moment.
- * @return the norm of the rotation in L2(K).
- */
-double add_couple(const CellShape &shape, double moment, CellLoad &load);
-
-/** Returns all active cells in their order, which is that of EdgeMesh::cells(). */
-std::vector<Triangulation<2>::active_cell_iterator>
-cells_in_order(const DisplacementSpace<2> &space);
 
 /** Returns the loads of all cells, with @p n_points Gauss points per direction as in the system;
  * empty without a body force. On meshes below 500000/n_points² cells a rule of about 500000 points
  * checks them, with at most 96 per direction and 8 on the parts of cells that are cut, and takes
  * their place in cells where nodal forces differ by more than 10^-4. Then EdgeMoments leave a rest,
- * which balance_cells() removes. */
+ * which balance_cells() removes.
+ *
+ * f_h is the L2-projection of f onto linear functions on parallelograms. On other cells it is
+ * constant on each of the four triangles: the value of that projection at its centre, plus a
+ * multiple of the rotation of centres, such that the moment of f_h is that of f. */
 std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
                                  const Scene<2> &scene,
                                  const EdgeMesh &mesh,
                                  unsigned int n_points);
+
+/**
+ * Returns whether finer quadrature gives the same forces up to 10^-4, and no larger rest.
+ * @param measure the length or area on which they act.
+ */
+template <std::size_t n>
+bool agree(const std::array<Tensor<1, 2>, n> &forces,
+           const std::array<Tensor<1, 2>, n> &finer,
+           const double rest,
+           const double finer_rest,
+           const double measure)
+{
+  constexpr double tolerance = 1e-4;
+  double difference = 0., size = 0.;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    difference = std::max(difference, (forces[i] - finer[i]).norm());
+    size = std::max(size, forces[i].norm());
+  }
+  return difference <= tolerance * size &&
+         finer_rest <= 1.01 * rest + tolerance * size / std::sqrt(measure);
+}
+
+/** Returns all active cells in their order, which is that of EdgeMesh::cells(). */
+std::vector<Triangulation<2>::active_cell_iterator>
+cells_in_order(const DisplacementSpace<2> &space);
 } // namespace Signorini

@@ -10,8 +10,9 @@
 
 namespace Signorini
 {
-/** A 2-D stress (s11, s22, s12) or strain (e11, e22, 2 e12): s:e is their scalar product. */
-using Components = std::array<double, 3>;
+/** A 2-D stress (s11, s22, s12) or strain (e11, e22, 2 e12): s * e is their scalar product. */
+using Components = Tensor<1, 3>;
+using Triangle = std::array<Point<2>, 3>;
 
 /** Returns a1 b2 - a2 b1. */
 inline double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
@@ -19,25 +20,52 @@ inline double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
   return a[0] * b[1] - a[1] * b[0];
 }
 
-/** The corners and diagonals of a convex quadrilateral. */
+inline double twice_area(const Triangle &x)
+{
+  return cross(x[1] - x[0], x[2] - x[0]);
+}
+
+/** Returns the barycentric coordinates of a point. */
+inline std::array<double, 3> barycentric(const Triangle &x, const Point<2> &point)
+{
+  std::array<double, 3> lambda;
+  for (unsigned int v = 0; v < 3; ++v)
+    lambda[v] = twice_area({{point, x[(v + 1) % 3], x[(v + 2) % 3]}}) / twice_area(x);
+  return lambda;
+}
+
+/**
+ * The nine hierarchical functions of degree two at a point of [0,1]², as values and gradients: the
+ * bilinear functions of the corners; 4 s (1 - s) (1 - d) for every edge, with the position s along
+ * it and the depth d behind it; and the bubble of the cell. Corners and edges are in the order of
+ * EdgeCell.
+ */
+struct CellFunctions
+{
+  explicit CellFunctions(const Point<2> &at);
+
+  static constexpr unsigned int n_corners = 4, n_functions = 9;
+  std::array<double, n_functions> values;
+  std::array<Tensor<1, 2>, n_functions> gradients;
+};
+
+/** The corners and diagonals of a convex quadrilateral, and its maps from [0,1]². */
 struct CellShape
 {
-  explicit CellShape(const std::array<Point<2>, 4> &corners);
-  /** Takes the corners of a cell, and the bulges if it is curved. */
-  explicit CellShape(const EdgeCell &cell);
+  explicit CellShape(const std::array<Point<2>, 4> &corners, const Bulges &bulges = {});
+  explicit CellShape(const EdgeCell &cell)
+    : CellShape(cell.corners, cell.bulges)
+  {
+  }
 
   std::array<Point<2>, 4> corners;
-  Bulges bulges{};
-  bool is_curved = false;
-  /** The point z in which the diagonals meet: x_c = z + t (x_0 - z) for c = 2 with t = -p, and so
-   * on. */
+  Bulges bulges;
+  /** Whether there are bulges; whether the cell is a parallelogram without any. */
+  bool is_curved, affine;
+  /** The point in which the diagonals meet. */
   Point<2> crossing;
-  /** The ratios in x_2 = z - p (x_0 - z) and x_3 = z - q (x_1 - z). */
-  double p, q;
-  /** The areas of the triangles (x_k, x_{k+1}, z). */
+  /** The areas of the four triangles. */
   std::array<double, 4> areas;
-  /** Whether the cell is a parallelogram. */
-  bool affine;
 
   double area() const
   {
@@ -45,11 +73,41 @@ struct CellShape
   }
   /** Returns the longest diagonal or edge. */
   double diameter() const;
+  /** Returns the triangle (x_k, x_{k+1}, z) with the crossing z. */
+  Triangle triangle(const unsigned int k) const
+  {
+    return {{corners[k], corners[(k + 1) % 4], crossing}};
+  }
   /** Returns the centre of mass of triangle k. */
-  Point<2> centre(unsigned int k) const;
+  Point<2> centre(const unsigned int k) const
+  {
+    return crossing + ((corners[k] - crossing) + (corners[(k + 1) % 4] - crossing)) / 3.;
+  }
   /** Returns the centre of mass of the cell. */
   Point<2> centre() const;
+  /** Returns the matrix with the columns (x_1 - x_0)/2 and (x_3 - x_0)/2. */
+  Tensor<2, 2> half_edges() const;
+  /** Returns the vector from corner 0 to the image of a point in [0,1]²: bilinear, or with bulges.
+   */
+  Tensor<1, 2> offset(const CellFunctions &functions, bool with_bulges) const;
+  /** Returns the Jacobian of the same map. */
+  Tensor<2, 2> jacobian(const CellFunctions &functions, bool with_bulges) const;
+  /** Returns the point in [0,1]² whose bilinear image has the given offset, by Newton's method. */
+  Point<2> reference(const Tensor<1, 2> &offset) const;
 };
+
+/** Returns the strain of Σ_i u_i φ_i from the gradients of φ_i. */
+template <std::size_t n_values, std::size_t n_gradients>
+Components strain_of(const std::array<Tensor<1, 2>, n_gradients> &gradients,
+                     const std::array<Tensor<1, 2>, n_values> &u)
+{
+  Components e;
+  for (std::size_t i = 0; i < n_values; ++i)
+    e += Components({gradients[i][0] * u[i][0],
+                     gradients[i][1] * u[i][1],
+                     gradients[i][1] * u[i][0] + gradients[i][0] * u[i][1]});
+  return e;
+}
 
 /**
  * The stresses of the composite quadrilateral of Johnson and Mercier (Numer. Math. 30 (1978)
@@ -57,58 +115,33 @@ struct CellShape
  * cell, with continuous tractions.
  *
  * Such a stress is determined by the moments of its tractions on the four edges and by the loads
- * d_k with div τ + d_k = 0 on triangle k, if they are in balance. It is stored as the components
- * at the mid-points of the edges of the triangles: entry 9 k + 3 m + i is component i on triangle k
- * opposite vertex m of (x_k, x_{k+1}, z).
+ * d_k with div τ + d_k = 0 on triangle k, if they are in balance. It is stored as its components at
+ * the corners of the triangles: entry 9 k + 3 m + i is component i on triangle k at its corner m.
  *
  * The equations are solved on the affine image of the cell whose crossing is the origin and whose
  * corners 0 and 1 are the unit points. With F the matrix of the map and τ = F τ' Fᵀ, moments
- * are det(F) F b' and loads F d'. So thin cells are as good as squares, and all parallelograms have
- * the same equations.
+ * are det(F) F b' and loads F d'. So thin cells are as good as squares.
  */
 class CompositeCell
 {
 public:
-  static constexpr unsigned int n_stresses = 36, n_moments = 16, n_loads = 8;
-  using Stresses = std::array<double, n_stresses>;
-  using Loads = std::array<double, n_loads>;
+  /** The degree of stresses and of tractions on edges. */
+  static constexpr unsigned int degree = 1;
+  static constexpr unsigned int n_stresses = 4 * 3 * (degree + 1) * (degree + 2) / 2;
+  static constexpr unsigned int n_moments = 4 * 2 * (degree + 1);
+  static constexpr unsigned int n_loads = 4 * degree * (degree + 1);
+  static constexpr unsigned int n_data = n_moments + n_loads;
 
   explicit CompositeCell(const CellShape &shape);
 
-  /** Returns the stress with the given moments of tractions and loads, which are in balance. */
-  Stresses stress(const CellMoments &moments, const Loads &loads) const;
-  /** Returns the stress with the given moments, without loads. */
-  Stresses stress(const CellMoments &moments) const;
-  /** Applies the transpose of stress(moments). */
-  CellMoments transposed(const Stresses &values) const;
-
-  /** Returns the stress with the moment @p j equal to one, moments first, then loads. Only sums of
+  /** Returns the entry of a stress by the number of the moment or load that is one. Only sums of
    * columns whose moments and loads are in balance have a meaning. */
-  const Stresses &column(const unsigned int j) const
+  double operator()(const unsigned int entry, const unsigned int data) const
   {
-    return columns_[j];
+    return matrix_[entry][data];
   }
 
 private:
-  std::array<Stresses, n_moments + n_loads> columns_;
+  std::array<std::array<double, n_data>, n_stresses> matrix_;
 };
-
-/** Returns ψ_m, m = 0, 1, 2, at a point with barycentric coordinates λ. ψ_m is the linear
- * function that is one at the mid-point opposite vertex m and zero at the others. */
-inline std::array<double, 3> midpoint_functions(const std::array<double, 3> &lambda)
-{
-  return {{1. - 2. * lambda[0], 1. - 2. * lambda[1], 1. - 2. * lambda[2]}};
-}
-
-/** Returns the components of the stress on triangle k at a point with the values ψ. */
-inline Components stress_at(const CompositeCell::Stresses &stresses,
-                            const unsigned int k,
-                            const std::array<double, 3> &psi)
-{
-  Components s;
-  for (unsigned int i = 0; i < 3; ++i)
-    s[i] = psi[0] * stresses[9 * k + i] + psi[1] * stresses[9 * k + 3 + i] +
-           psi[2] * stresses[9 * k + 6 + i];
-  return s;
-}
 } // namespace Signorini

@@ -4,10 +4,11 @@
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <boost/container/small_vector.hpp>
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace Signorini
@@ -37,10 +38,30 @@ struct Edge
   double length;
 
   static constexpr unsigned int no_side = static_cast<unsigned int>(-1);
+
+  bool is_boundary() const
+  {
+    return side != no_side;
+  }
+  /** Returns whether displacements are prescribed on the edge. */
+  bool is_held() const
+  {
+    return is_boundary() && freedom == EdgeFreedom::any;
+  }
+  /** Returns the projection onto the tractions that the edge may carry. */
+  Tensor<2, 2> projection() const
+  {
+    Tensor<2, 2> P;
+    if (freedom == EdgeFreedom::any)
+      P = unit_symmetric_tensor<2>();
+    else if (freedom == EdgeFreedom::normal)
+      P = outer_product(normal, normal);
+    return P;
+  }
 };
 
 /** The difference between the biquadratic image of a cell and the bilinear one with the same
- * corners: in the middles of the edges, counter-clockwise, and in the centre. */
+ * corners, as coefficients of the bubbles of CellFunctions. */
 using Bulges = std::array<Tensor<1, 2>, 5>;
 
 /** A quadrilateral with its corners and edges counter-clockwise; edge k runs from corner k to
@@ -57,6 +78,12 @@ struct EdgeCell
   /** The bulges of the cell, zero unless it is curved by more than rounding. */
   Bulges bulges{};
   bool is_curved = false;
+
+  /** Returns the vector along edge k. */
+  Tensor<1, 2> edge_vector(const unsigned int k) const
+  {
+    return corners[(k + 1) % 4] - corners[k];
+  }
 };
 
 /** A corner of a cell. */
@@ -111,9 +138,6 @@ class EdgeMesh
 {
 public:
   EdgeMesh(const DisplacementSpace<2> &space, const Scene<2> &scene);
-
-  /** Returns the reason why a mesh has no moments of tractions, one sentence; empty if it has. */
-  static std::string objection(const Mesh<2> &mesh);
 
   const std::vector<EdgeCell> &cells() const
   {
@@ -171,6 +195,15 @@ private:
   std::vector<Star> stars_;
   std::vector<std::array<types::global_dof_index, 2>> dofs_;
 };
+
+/** Returns at position s in [0,1], times the length of the edge, the linear traction with the
+ * moments moments[0] and moments[1] (components) at s = 0, and the two others at s = 1. */
+inline Tensor<1, 2> linear_traction(const double *const moments, const double s)
+{
+  const double first = 4. - 6. * s, second = 6. * s - 2.;
+  return Tensor<1, 2>(
+    {first * moments[0] + second * moments[2], first * moments[1] + second * moments[3]});
+}
 
 /** The 16 moments of the tractions on a cell at its edges: edge by edge, first at corner k, then at
  * corner k + 1. */

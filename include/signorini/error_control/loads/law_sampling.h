@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/error_control/loads/cell_rule.h>
+#include <signorini/error_control/loads/composite_cell.h>
 
 #include <array>
 #include <cstddef>
@@ -10,6 +10,14 @@
 
 namespace Signorini
 {
+/** A part of one of the triangles of a cell. */
+struct TrianglePart
+{
+  Triangle corners;
+  /** Whether data is smooth on it. */
+  bool resolved = true;
+};
+
 /**
  * Finds where Hooke's tensor varies inside of cells, and divides their triangles there.
  *
@@ -23,12 +31,12 @@ namespace Signorini
 class LawSampling
 {
 public:
-  /** The features of the tensor that are compared between points. */
-  using Features = std::array<double, 8>;
+  /** A point with the features of the tensor that are compared: the norms of the tensor and of its
+   * inverse, and the shares of its entries in the norm. */
   struct Sample
   {
     Point<2> x;
-    Features features;
+    std::array<double, 8> features;
   };
   using Samples = std::vector<Sample>;
 
@@ -43,12 +51,14 @@ public:
   /** Returns whether the tensor varies by more than a factor of 1.5. */
   static bool varies(const Samples &samples);
   /**
-   * Divides a triangle into parts.
+   * Appends the parts of a triangle to @p parts.
+   * @param samples points in the triangle and outside of it.
    * @param least the length below which edges are not divided.
    */
-  std::vector<RulePart> divide(const RulePart::Triangle &whole,
-                               const Samples &samples,
-                               double least) const;
+  void divide(const Triangle &whole,
+              const Samples &samples,
+              double least,
+              std::vector<TrianglePart> &parts) const;
 
 private:
   Sample sample(const Point<2> &x) const;

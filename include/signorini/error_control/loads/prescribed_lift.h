@@ -2,9 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/error_control/loads/cell_rule.h>
+#include <signorini/error_control/loads/composite_cell.h>
 
-#include <functional>
 #include <map>
 #include <vector>
 
@@ -37,33 +36,24 @@ public:
   }
   /** Returns the lines through the ends of the pieces of edges: z is smooth between them. */
   std::vector<KinkLine<2>> lines(unsigned int cell, const EdgeCell &place) const;
-  /** Returns the strain (e11, e22, 2 e12) of z at a point of a cell. */
-  Components strain(unsigned int cell, const StressPoint &point) const;
+  /** Returns the strain (e11, e22, 2 e12) of z at a point of [0,1]². */
+  Components strain(unsigned int cell, const CellShape &shape, const Point<2> &at) const;
   /** Returns ∫_e t.r over the prescribed edges of a cell, for the linear t with the given
    * moments. */
   double work(unsigned int cell, const CellMoments &moments) const;
 
 private:
-  using Values = std::vector<Tensor<1, 2>>;
-  using Rest = std::function<Tensor<1, 2>(double)>;
   /** The values of r at the points of interpolation on the equal pieces of edge k, from corner k
    * on. */
   struct EdgeRest
   {
-    EdgeRest(unsigned int k, unsigned int n_pieces, const Rest &r);
-
     /** Returns r(s), or its derivative. */
     Tensor<1, 2> evaluate(double s, bool derivative) const;
-    double largest() const;
 
     unsigned int k;
-    std::vector<Values> pieces;
+    std::vector<std::vector<Tensor<1, 2>>> pieces;
   };
-  /** Interpolates r, with as many pieces as necessary. */
-  EdgeRest interpolate(unsigned int k, const Rest &r, unsigned int n_scanned);
 
-  /** The largest displacement. */
-  double scale_;
   std::vector<bool> cells_;
   std::map<unsigned int, std::vector<EdgeRest>> rests_;
   double max_misfit_ = 0.;

@@ -30,13 +30,17 @@ GivenTractions given_tractions(const DisplacementSpace<2> &space,
                                const Pressure &P,
                                unsigned int n_points);
 
-/** Adds EdgeMoments::rest() at the vertices of contact edges to their given tractions. On curved
- * contact sides this rest is the difference between p_H n on arcs and on chords: the moments are
- * then those of the system. */
-void give_to_contact(const EdgeMesh &mesh,
-                     const Scene<2> &scene,
-                     const std::vector<Tensor<1, 2>> &rest,
-                     GivenTractions &given);
+/** The forces R_K^i at the corners of a cell. */
+using CornerForces = std::array<Tensor<1, 2>, 4>;
+
+/** Moments of tractions around all vertices. */
+struct EdgeMoments
+{
+  /** The moments, see EdgeMesh. */
+  std::vector<double> moments;
+  /** The rest at every vertex, per cell: the moments around a cell balance R_K^i - rest(i). */
+  std::vector<Tensor<1, 2>> rest;
+};
 
 /**
  * Solves, for every vertex i, the equations b_i^e - b_i^e' = R_K^i for its cells K, with e and e'
@@ -47,42 +51,16 @@ void give_to_contact(const EdgeMesh &mesh,
  * The equations can be solved if Σ_K R_K^i is balanced by given tractions: the Galerkin rows. The
  * rest that rounding or an iterative solver leaves is divided among the cells of the vertex.
  */
-class EdgeMoments
-{
-public:
-  using Vector2 = Tensor<1, 2>;
-  /** The forces R_K^i at the corners of a cell. */
-  using CornerForces = std::array<Vector2, 4>;
+EdgeMoments solve_stars(const EdgeMesh &mesh,
+                        const std::vector<CornerForces> &R,
+                        const std::vector<double> &given,
+                        const std::vector<double> &guess);
 
-  /**
-   * Solves the equations of all vertices.
-   * @param guess moments of any tractions.
-   */
-  EdgeMoments(const EdgeMesh &mesh,
-              const std::vector<CornerForces> &R,
-              const std::vector<double> &given,
-              const std::vector<double> &guess);
-
-  /** Returns the moments, see EdgeMesh. */
-  const std::vector<double> &moments() const
-  {
-    return moments_;
-  }
-  /** Returns the rest at every vertex, per cell: the moments around a cell balance R_K^i - rest(i).
-   */
-  const std::vector<Vector2> &rest() const
-  {
-    return rest_;
-  }
-
-private:
-  void solve(unsigned int vertex,
-             const std::vector<CornerForces> &R,
-             const std::vector<double> &given,
-             const std::vector<double> &guess);
-
-  const EdgeMesh &mesh_;
-  std::vector<double> moments_;
-  std::vector<Vector2> rest_;
-};
+/** Adds EdgeMoments::rest at the vertices of contact edges to their given tractions. On curved
+ * contact sides this rest is the difference between p_H n on arcs and on chords: the moments are
+ * then those of the system. */
+void give_to_contact(const EdgeMesh &mesh,
+                     const Scene<2> &scene,
+                     const std::vector<Tensor<1, 2>> &rest,
+                     GivenTractions &given);
 } // namespace Signorini

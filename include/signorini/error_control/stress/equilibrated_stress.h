@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -76,9 +75,6 @@ inline double contact_force_bound(const double error_bound, const double lift_no
   return error_bound * lift_norm;
 }
 
-class CellEnergies;
-class StarSolver;
-
 /** The bound of the error of a displacement by a stress in equilibrium. All values are energies
  * (force x length per thickness) or roots of energies. */
 struct StressBound
@@ -115,6 +111,9 @@ struct StressBound
   /** The translation c, which is the displacement of a corner of the body, and the force
    * ∫_{Γ_D} τ n. */
   Tensor<1, 2> translation, support_force;
+  /** The largest difference between a prescribed displacement and its interpolation on an edge,
+   * relative to PrescribedLift's rest there. */
+  double lift_misfit = 0.;
   /** The largest force at a vertex that the linear solver left unbalanced, relative to the largest
    * force that a cell exerts on a vertex. */
   double algebra = 0.;
@@ -200,10 +199,13 @@ public:
   {
     return std::sqrt(std::max(0., energy_));
   }
-  /** Returns the components of τ at the points of a cell. */
-  std::vector<Components> stress(unsigned int cell, const CellData &data) const;
+  /** Returns the components of τ at the points of a basis of the cell. */
+  std::vector<Components> stress(unsigned int cell, const CellBasis &basis) const;
   /** Returns f_h of a cell; zero without a body force. */
-  CellLoad load(unsigned int cell) const;
+  CellLoad load(const unsigned int cell) const
+  {
+    return loads_.empty() ? CellLoad() : loads_[cell];
+  }
   /** Returns τ_n at vertex 0 and vertex 1 for every face of the contact surface where τ_n is a
    * free linear function, none where it is p_h. */
   std::vector<std::optional<std::array<double, 2>>> free_tractions() const;
@@ -219,66 +221,54 @@ private:
   /** Returns the displacement relative to corner 0: large translations have rounding errors, but no
    * strain. */
   CornerValues deformation(const EdgeCell &cell) const;
+  /** Returns σ(u_h) at a point of [0,1]². */
+  Tensor<2, 2> stress_of_u(const EdgeCell &cell, const CornerValues &u, const Point<2> &at) const;
   /** Returns R_K^i = ∫_K σ_h:grad φ_i - ∫_K f φ_i, with the quadrature of the system;
    * sets energy_. */
-  std::vector<EdgeMoments::CornerForces> residuals();
+  std::vector<CornerForces> residuals();
   /** Returns the moments of the mean of σ_h n from both sides of edges. */
   std::vector<double> mean_tractions() const;
-  /** Returns the strain (e11, e22, 2 e12) of u_h + z. */
-  Components strain(unsigned int cell, const StressPoint &point, const CornerValues &u) const;
-  /** The integrals over a cell: the squares of the misfits of u_h + z and of π^{2h} u_h + z', the
-   * square of τ, and the energies of z and z'. */
-  struct CellSquares
+  /** Sets bubbles_. Needs Mesh::has_parents(). */
+  void find_bubbles();
+  /** Returns the numbers of a cell, see CellColumns. */
+  CellVector data_of(unsigned int cell) const;
+  /** The square of a norm, and half of its gradient g with respect to the moments: after a change b
+   * it is value + 2 g.b + bᵀ S b. */
+  struct Square
   {
-    double misfit = 0., interpolated_part = 0., stress = 0., lift = 0., interpolated_lift = 0.;
-    double min_eigenvalue = 0.;
+    double value = 0.;
+    CellMoments gradient{};
   };
-  /** The integrals as functions of a change b of the moments: misfit - 2 misfit_data.b + bᵀ S b,
-   * the same for patches, and stress + 2 stress_data.b + bᵀ S b. */
+  /** The integrals over a cell: the squares of the misfits of u_h + z and of π^{2h} u_h + z', and
+   * of the norm of τ, and the energies of z and z'. */
   struct CellIntegrals
   {
-    CellSquares squares;
-    CellMoments misfit_data{}, interpolated_part{}, stress_data{};
-    /** Whether the law is resolved. If it is not, squares are taken from above and are no such
-     * functions. */
+    Square misfit, interpolated_part, stress;
+    double lift = 0., interpolated_lift = 0.;
+    double min_eigenvalue = 0.;
+    /** Whether the law is resolved. If it is not, squares are taken from above and have no
+     * gradients. */
     bool is_resolved = true;
-  };
-  /** The data of integrals over a cell. */
-  struct CellState
-  {
-    unsigned int cell;
-    const CellData &data;
-    const std::vector<Law> &laws;
-    /** The stress at the points. */
-    std::vector<Components> tau;
-    CornerValues u;
-    /** Whether squares are taken from above where the law is not resolved, see UpperSum. */
-    bool from_above;
   };
   /**
    * Integrates over a cell.
    * @param energies receives S, unless it is null.
    */
   CellIntegrals integrate(unsigned int cell,
-                          CellScratch &room,
                           bool from_above,
                           CellEnergies *energies = nullptr) const;
-  /** Adds the integrals for π^{2h} u_h; needs those for u_h. */
-  void integrate_patches(const CellState &state, CellIntegrals &result) const;
-  /** Integrates over all cells, with all threads; sets @p energies. */
-  std::vector<CellIntegrals> integrate_all(CellEnergies &energies) const;
-  /** Sets the squares after the change of the moments. */
-  void update(const std::vector<CellIntegrals> &integrals,
-              const CellEnergies &energies,
-              const std::vector<double> &change);
+  /** Returns the energy of z'. */
+  double interpolated_lift(unsigned int cell, const CellMatrix &A, bool from_above) const;
+  /** Sets the integrals after the change of the moments. */
+  void update(const CellEnergies &energies, const std::vector<double> &change);
   /** Adds the couple that makes the loads of curved cells balance the residuals: V^h of curved
    * cells holds rotations up to the bulges only. */
-  void balance_couples(const std::vector<EdgeMoments::CornerForces> &R);
+  void balance_couples(const std::vector<CornerForces> &R);
   /** Returns the part that the polygon adds to osc_K: that of the couple, and that of the tractions
    * on an edge which is no chord. */
   double geometry(unsigned int cell, double min_eigenvalue) const;
   /** Returns osc_K. */
-  double oscillation(unsigned int cell, double min_eigenvalue, OscillationTable &table) const;
+  double oscillation(unsigned int cell, double min_eigenvalue) const;
   /** Returns ∫_{Γ_D} τ n.(u_D - c) on the edges of a cell; adds ∫_{Γ_D} τ n to @p
    * force. */
   double support_work(unsigned int cell, const Tensor<1, 2> &c, Tensor<1, 2> &force) const;
@@ -286,9 +276,7 @@ private:
    * Brings the moments closer to those of the best stress.
    * @return their change.
    */
-  std::vector<double> improve(const ImprovementOptions &options,
-                              const std::vector<CellIntegrals> &integrals,
-                              const CellEnergies &energies);
+  std::vector<double> improve(const ImprovementOptions &options, const CellEnergies &energies);
   /** The residual of the improvement: minus the gradient of half the square of the misfit. */
   struct Residual
   {
@@ -299,7 +287,7 @@ private:
     /** The square of the norm of τ. */
     double energy = 0.;
   };
-  Residual residual(const std::vector<CellIntegrals> &integrals) const;
+  Residual residual() const;
   /** The end of the steps of the improvement. */
   struct Steps
   {
@@ -320,10 +308,8 @@ private:
   /** Takes steps of conjugate gradients; keeps @p left up to date. */
   Steps improve_step_by_step(Residual &left,
                              const StarSolver &solver,
-                             const CellEnergies &energies,
                              const std::vector<unsigned int> &free,
                              const ImprovementOptions &options);
-  CompositeCell::Stresses stresses(unsigned int cell, const CellData &data) const;
 
   StressData data_;
   EdgeMesh mesh_;
@@ -333,10 +319,16 @@ private:
   /** The norms in L2(K) of the couples that curved cells need. */
   std::vector<double> couples_;
   GivenTractions given_;
-  std::unique_ptr<const PatchBubbles> bubbles_;
-  std::unique_ptr<const BubbleForms> forms_;
+  /** The coefficients of π^{2h} u_h - u_h, see CellFunctions, for edges and cells; empty where
+   * there is no π^{2h} u_h. On held edges π^{2h} u_h is not u_D, either, and PrescribedLift makes
+   * up for u_D - u_h: there they are held back. */
+  struct Bubbles
+  {
+    std::vector<Tensor<1, 2>> edges, cells;
+  };
+  std::optional<Bubbles> bubbles_;
   std::vector<double> moments_;
-  std::vector<CellSquares> squares_;
+  std::vector<CellIntegrals> integrals_;
   double energy_ = 0.;
   double algebra_ = 0.;
   bool balanced_ = false;
