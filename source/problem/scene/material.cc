@@ -251,7 +251,11 @@ std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression
     const Expression<dim> &, const Expression<dim> &, PlaneState, const Point<dim> &);             \
   template std::shared_ptr<const Material<dim>> make_general(const std::vector<Expression<dim>> &, \
                                                              const std::vector<Expression<dim>> &, \
-                                                             const Point<dim> &);
+                                                             const Point<dim> &);                  \
+  template std::shared_ptr<const Material<dim>> make_piecewise(                                    \
+    const std::vector<std::shared_ptr<const Material<dim>>> &,                                     \
+    const std::function<unsigned int(const Point<dim> &)> &,                                       \
+    const Point<dim> &);
 SIGNORINI_INSTANTIATE(2)
 SIGNORINI_INSTANTIATE(3)
 #undef SIGNORINI_INSTANTIATE
