@@ -65,15 +65,15 @@ std::string help_text(const po::options_description &options)
   return text.str();
 }
 
-po::options_description describe_options()
+po::options_description describe_options(CommandLine &command_line)
 {
   po::options_description options("options");
   options.add_options() //
     ("set",
-     po::value<std::vector<std::string>>()->value_name("'Subsection/Parameter=value'"),
+     po::value(&command_line.overrides)->value_name("'Subsection/Parameter=value'"),
      "override a parameter, or one constant by Constants/NAME=value; may be repeated") //
     ("sweep",
-     po::value<std::vector<std::string>>()->value_name("'Subsection/Parameter=v1, v2, ...'"),
+     po::value(&command_line.sweeps)->value_name("'Subsection/Parameter=v1, v2, ...'"),
      "run the scene for each value, in directories named by the values, and write one table, "
      "sweep.csv; several sweeps: all combinations") //
     ("output",
@@ -87,10 +87,13 @@ po::options_description describe_options()
   return options;
 }
 
-po::variables_map parse(const int argc, char **argv, const po::options_description &visible)
+po::variables_map parse(const int argc,
+                        char **argv,
+                        const po::options_description &visible,
+                        CommandLine &command_line)
 {
   po::options_description all;
-  all.add(visible).add_options()("scene", po::value<std::vector<std::string>>());
+  all.add(visible).add_options()("scene", po::value(&command_line.parameter_files));
   po::positional_options_description positional;
   positional.add("scene", -1);
   po::variables_map values;
@@ -101,6 +104,7 @@ po::variables_map parse(const int argc, char **argv, const po::options_descripti
     po::store(
       po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
       values);
+    po::notify(values);
   }
   catch (const po::error &error)
   {
@@ -136,9 +140,9 @@ std::vector<std::string> choose_directories(const std::vector<std::string> &file
 
 CommandLine read_command_line(const int argc, char **argv)
 {
-  const po::options_description options = describe_options();
-  const po::variables_map values = parse(argc, argv, options);
   CommandLine command_line;
+  const po::options_description options = describe_options(command_line);
+  const po::variables_map values = parse(argc, argv, options, command_line);
   if (values.count("help") > 0)
     command_line.text = help_text(options);
   else if (values.count("version") > 0)
@@ -150,16 +154,9 @@ CommandLine read_command_line(const int argc, char **argv)
   if (!command_line.text.empty())
     return command_line;
 
-  if (values.count("scene") == 0)
+  if (command_line.parameter_files.empty())
     throw InputError("command line: no parameter file is given, allowed: signorini [options] "
                      "SCENE.prm ... (see --help).");
-  command_line.parameter_files = values["scene"].as<std::vector<std::string>>();
-  const auto all_of = [&](const char *option) {
-    return values.count(option) > 0 ? values[option].as<std::vector<std::string>>()
-                                    : std::vector<std::string>();
-  };
-  command_line.overrides = all_of("set");
-  command_line.sweeps = all_of("sweep");
   command_line.directories =
     choose_directories(command_line.parameter_files,
                        values.count("output") > 0 ? values["output"].as<std::string>() : "results",

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <iostream>
 #include <new>
-#include <optional>
 #include <system_error>
 #include <unistd.h>
 
@@ -22,7 +21,6 @@ namespace
 using namespace Signorini;
 
 constexpr int other_error = 3;
-constexpr const char *out_of_memory = "out of memory: there is not enough for this computation.";
 
 void complain(const std::string &sentence)
 {
@@ -102,40 +100,33 @@ int fail_alone(const std::string &sentence)
   return other_error;
 }
 
-/** Calls run() and catches all exceptions. @return the exit code. */
-int run_safely(const CommandLine &command_line)
+/** Returns the sentence about an exception that nobody expected. */
+std::string describe(const std::exception &error)
 {
-  try
-  {
-    return run(command_line, MPI_COMM_WORLD);
-  }
-  catch (const std::bad_alloc &)
-  {
-    return fail_alone(out_of_memory);
-  }
-  catch (const std::system_error &error)
-  {
-    return fail_alone(error.code() == std::errc::resource_unavailable_try_again
-                        ? "out of memory: there is no room for another thread."
-                        : std::string("an unexpected error occurred: ") + error.what());
-  }
-  catch (const std::exception &error)
-  {
-    return fail_alone(std::string("an unexpected error occurred: ") + error.what());
-  }
+  // Where there is no room for another thread, a system_error is thrown.
+  const auto *const system_error = dynamic_cast<const std::system_error *>(&error);
+  const bool is_memory =
+    dynamic_cast<const std::bad_alloc *>(&error) != nullptr ||
+    (system_error != nullptr && system_error->code() == std::errc::resource_unavailable_try_again);
+  return is_memory ? "out of memory: there is not enough for this computation."
+                   : std::string("an unexpected error occurred: ") + error.what();
 }
 
 /** Starts MPI and runs all scenes. @return the exit code. */
 int start_and_run(int argc, char **argv, const CommandLine &command_line)
 {
   const std::vector<int> signals = ending_signals();
-  std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
-  {
-    const MPIStartGuard start;
-    mpi.emplace(argc, argv, 1);
-  }
+  configure_single_process();
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   handle_signals(signals);
-  return run_safely(command_line);
+  try
+  {
+    return run(command_line, MPI_COMM_WORLD);
+  }
+  catch (const std::exception &error)
+  {
+    return fail_alone(describe(error));
+  }
 }
 } // namespace
 
@@ -159,9 +150,9 @@ int main(int argc, char **argv)
     complain(error.what());
     return 1;
   }
-  catch (const std::bad_alloc &)
+  catch (const std::exception &error)
   {
-    complain(out_of_memory);
+    complain(describe(error));
     // Threads of the BLAS may be waiting for memory forever, and exit() for these threads.
     _exit(other_error);
   }

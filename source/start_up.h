@@ -12,17 +12,10 @@ namespace Signorini
 void check_surroundings();
 
 /**
- * While an object of this class lives, MPI is being started. If MPI ends the process, which it does
- * with many lines on stderr, one line appears instead, with the first of MPI's messages, and the
- * exit code is 3. Otherwise what was printed on stderr appears when the object's life ends. At most
- * one lives at a time.
+ * Sets up Open MPI for a process that no launcher has started: it needs no daemon, no network, no
+ * shared memory and no picture of the machine, which take as long to start as a small scene to
+ * solve. Nor does it need a folder of its session: all such processes would share one, and one that
+ * ends would remove it while another makes it. Settings of the user for these stay.
  */
-class MPIStartGuard
-{
-public:
-  MPIStartGuard();
-  ~MPIStartGuard();
-  MPIStartGuard(const MPIStartGuard &) = delete;
-  MPIStartGuard &operator=(const MPIStartGuard &) = delete;
-};
+void configure_single_process();
 } // namespace Signorini

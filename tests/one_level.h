@@ -58,13 +58,13 @@ inline std::string entry(const std::string &section,
 }
 
 /** A displacement as a function of x. */
-using Field = Signorini::FieldFunction::Field;
+using Field = Signorini::FieldFunction<2>::Field;
 
 /** Returns the field's values at all nodes, on every rank. */
 inline Signorini::Displacement nodal_values(const Signorini::DisplacementSpace<2> &space,
                                             const Field &field)
 {
-  return interpolate_at_nodes(space, Signorini::FieldFunction(field));
+  return interpolate_at_nodes(space, Signorini::FieldFunction<2>(field));
 }
 
 /** Returns random numbers in the rows of A, the same ones on any number of ranks. */

@@ -62,29 +62,18 @@ void agree(MPI_Comm communicator, const std::function<void()> &work)
   {
     work();
   }
-  catch (const InputError &error)
-  {
-    outcome = Outcome::input_error;
-    message = error.what();
-  }
-  catch (const WritingError &error)
-  {
-    outcome = Outcome::writing_error;
-    message = error.what();
-  }
-  catch (const ComputationError &error)
-  {
-    outcome = Outcome::computation_error;
-    message = error.what();
-  }
-  catch (const std::bad_alloc &)
-  {
-    outcome = Outcome::out_of_memory;
-  }
   catch (const std::exception &error)
   {
-    outcome = Outcome::other_error;
     message = error.what();
+    outcome = Outcome::other_error;
+    if (dynamic_cast<const InputError *>(&error) != nullptr)
+      outcome = Outcome::input_error;
+    if (dynamic_cast<const ComputationError *>(&error) != nullptr)
+      outcome = Outcome::computation_error;
+    if (dynamic_cast<const WritingError *>(&error) != nullptr)
+      outcome = Outcome::writing_error;
+    if (dynamic_cast<const std::bad_alloc *>(&error) != nullptr)
+      outcome = Outcome::out_of_memory;
   }
   const auto outcomes =
     Utilities::MPI::all_gather(communicator, std::make_pair(static_cast<int>(outcome), message));

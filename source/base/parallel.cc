@@ -6,10 +6,11 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <boost/serialization/string.hpp>
+
 #include <algorithm>
 #include <cstdlib>
 #include <dlfcn.h>
-#include <limits>
 #include <thread>
 
 namespace Signorini
@@ -79,24 +80,11 @@ LibraryThreads::~LibraryThreads()
 
 std::vector<std::string> gather_texts(std::string text, MPI_Comm communicator)
 {
-  const int rank = static_cast<int>(Utilities::MPI::this_mpi_process(communicator));
-  const int n_ranks = static_cast<int>(Utilities::MPI::n_mpi_processes(communicator));
-  const auto sizes = Utilities::MPI::all_gather(communicator, text.size());
-  if (*std::max_element(sizes.begin(), sizes.end()) > std::numeric_limits<int>::max())
-    throw ComputationError("A rank's part of a file has more than 2 GiB; more ranks, 'VTU = "
-                           "none' or 'Compliance = false' avoid that.");
-  const auto size = [&](const int r) { return static_cast<int>(sizes[static_cast<unsigned>(r)]); };
-  if (rank != 0)
-  {
-    MPI_Send(text.data(), size(rank), MPI_CHAR, 0, 0, communicator);
-    return {};
-  }
-  std::vector<std::string> texts = {std::move(text)};
-  for (int r = 1; r < n_ranks; ++r)
-  {
-    texts.emplace_back(sizes[static_cast<unsigned>(r)], ' ');
-    MPI_Recv(texts.back().data(), size(r), MPI_CHAR, r, 0, communicator, MPI_STATUS_IGNORE);
-  }
-  return texts;
+  // Messages of MPI count by int, and deal.II gathers all texts in one of them.
+  constexpr double max_size = 2e9;
+  if (Utilities::MPI::sum(static_cast<double>(text.size()), communicator) > max_size)
+    throw ComputationError("A file has more than 2 GB; 'VTU = none' or 'Compliance = false' avoid "
+                           "that.");
+  return Utilities::MPI::gather(communicator, text);
 }
 } // namespace Signorini

@@ -3,6 +3,8 @@
 
 #include <signorini/base/text.h>
 
+#include <boost/algorithm/string.hpp>
+
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -11,26 +13,16 @@ namespace Signorini
 {
 std::string trim(const std::string &text)
 {
-  const char *blanks = " \t\r\n";
-  const auto first = text.find_first_not_of(blanks);
-  if (first == std::string::npos)
-    return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  return boost::trim_copy_if(text, boost::is_any_of(" \t\r\n"));
 }
 
 std::vector<std::string> split_words(const std::string &text)
 {
+  const auto separators = boost::is_any_of(" \t,");
+  const std::string trimmed = boost::trim_copy_if(text, separators);
   std::vector<std::string> words;
-  std::string word;
-  for (const char c : text + " ")
-    if (c == ' ' || c == '\t' || c == ',')
-    {
-      if (!word.empty())
-        words.push_back(word);
-      word.clear();
-    }
-    else
-      word += c;
+  if (!trimmed.empty())
+    boost::split(words, trimmed, separators, boost::token_compress_on);
   return words;
 }
 
@@ -82,30 +74,33 @@ bool read_numbers(const std::string &text, std::vector<double> &numbers)
   return true;
 }
 
+namespace
+{
+/** Returns the first position from i on, in steps of +1 or -1, that is not inside a character of
+ * UTF-8. */
+std::size_t whole_character(const std::string &text, std::size_t i, const int step)
+{
+  while (i > 0 && i < text.size() && (text[i] & 0xC0) == 0x80)
+    i += step;
+  return i;
+}
+} // namespace
+
 std::string shorten(const std::string &text)
 {
   constexpr std::size_t longest = 120, beginning = 80, ending = 30;
   if (text.size() <= longest)
     return text;
-  // Do not cut inside a character of UTF-8.
-  const auto is_continued = [&](const std::size_t i) { return (text[i] & 0xC0) == 0x80; };
-  std::size_t first = beginning, last = text.size() - ending;
-  while (first > 0 && is_continued(first))
-    --first;
-  while (last < text.size() && is_continued(last))
-    ++last;
-  return text.substr(0, first) + " ... " + text.substr(last);
+  return text.substr(0, whole_character(text, beginning, -1)) + " ... " +
+         text.substr(whole_character(text, text.size() - ending, 1));
 }
 
 std::string shorten_path(const std::string &path)
 {
   constexpr std::size_t longest = 100, ending = 60;
-  if (path.size() <= longest)
-    return path;
-  std::size_t first = path.size() - ending;
-  while (first < path.size() && (path[first] & 0xC0) == 0x80)
-    ++first;
-  return "..." + path.substr(first);
+  return path.size() <= longest
+           ? path
+           : "..." + path.substr(whole_character(path, path.size() - ending, 1));
 }
 
 std::string quote(const std::string &text)
@@ -124,9 +119,6 @@ std::string number_text(const double number)
 
 std::string join(const std::vector<std::string> &words, const std::string &separator)
 {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-    text += (i == 0 ? "" : separator) + words[i];
-  return text;
+  return boost::join(words, separator);
 }
 } // namespace Signorini

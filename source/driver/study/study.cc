@@ -209,15 +209,12 @@ void require_one_rank(const Given<Option> &given,
                       const std::vector<Option> &serial_options,
                       const unsigned int n_ranks)
 {
-  const auto is_serial = [&](const Option value) {
-    return std::find(serial_options.begin(), serial_options.end(), value) != serial_options.end();
-  };
-  std::vector<std::string> allowed;
-  for (const auto &[other, name] : option_names<Option>())
-    if (!is_serial(other))
-      allowed.push_back(name);
-  if (n_ranks > 1 && is_serial(given))
-    refuse(given, "on " + std::to_string(n_ranks) + " processes", "on several: " + join(allowed));
+  if (n_ranks == 1 || std::count(serial_options.begin(), serial_options.end(), given.value) == 0)
+    return;
+  std::vector<std::string> allowed = option_names(typeid(Option));
+  for (const Option serial : serial_options)
+    allowed.erase(std::find(allowed.begin(), allowed.end(), to_text(serial)));
+  refuse(given, "on " + std::to_string(n_ranks) + " processes", "on several: " + join(allowed));
 }
 
 /** Returns "with NAME 'option'". */

@@ -7,11 +7,11 @@
 
 #include <deal.II/base/numbers.h>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 
 #include "catalogue_scenes.h"
+#include "manufactured.h"
 
 namespace Signorini
 {
@@ -27,70 +27,53 @@ struct StressFunction
 
 using StressFunctionOf = std::function<StressFunction(const Complex &)>;
 
-constexpr double lambda = 1., mu = 1., kappa = (lambda + 3. * mu) / (lambda + mu);
-
-/** The uncut displacement w with its gradient d. */
-struct UncutField
+/** Returns u = (1 - y^2) w. The second derivatives of w are left out, because -div sigma(w) = 0. */
+Jets2 field(const StressFunctionOf &Z, const Jets2 &at)
 {
-  std::array<double, 2> w;
-  std::array<std::array<double, 2>, 2> d;
-};
-
-UncutField uncut_field(const StressFunction &Z, const double y)
-{
-  constexpr double m = 2. * mu, a = (kappa - 1.) / 2., b = (kappa + 1.) / 2.;
+  // On the branch cut the value from above is meant: not -0.
+  const double y = std::abs(at[1].value);
+  const StressFunction f = Z(Complex(at[0].value, y));
   // y Z' -> 0 on y = 0, also where Z' has a pole.
-  const Complex ydZ = y > 0. ? y * Z.dZ : Complex(0.);
-  return {{(a * Z.Zh.real() - y * Z.Z.imag()) / m, (b * Z.Zh.imag() - y * Z.Z.real()) / m},
-          {{{{(a * Z.Z.real() - ydZ.imag()) / m, (-b * Z.Z.imag() - ydZ.real()) / m}},
-            {{(b * Z.Z.imag() - ydZ.real()) / m, (a * Z.Z.real() + ydZ.imag()) / m}}}}};
+  const Complex ydZ = y > 0. ? y * f.dZ : Complex(0.);
+  const Jet2 w1(
+    f.Zh.real() / 4. - y * f.Z.imag() / 2.,
+    Tensor<1, 2>({f.Z.real() / 4. - ydZ.imag() / 2., -3. * f.Z.imag() / 4. - ydZ.real() / 2.}));
+  const Jet2 w2(
+    3. * f.Zh.imag() / 4. - y * f.Z.real() / 2.,
+    Tensor<1, 2>({3. * f.Z.imag() / 4. - ydZ.real() / 2., f.Z.real() / 4. + ydZ.imag() / 2.}));
+  const Jet2 cut = 1. - at[1] * at[1];
+  return {cut * w1, cut * w2};
 }
 
-/** Returns c(y) w with c = 1 - y^2, and f = -div sigma(c w). */
-FieldAtPoint cut_off(const UncutField &uncut, const double y)
+using RealFunction = std::function<double(double)>;
+
+Scene<2> westergaard_scene(const StressFunctionOf &Z,
+                           const RealFunction &pressure,
+                           const RealFunction &gap,
+                           const std::vector<double> &transitions)
 {
-  const auto &w = uncut.w;
-  const auto &d = uncut.d;
-  const double c = 1. - y * y, c1 = -2. * y, c2 = -2.;
-  const double div = d[0][0] + d[1][1];
-  const double s12 = mu * (d[0][1] + d[1][0]), s22 = lambda * div + 2. * mu * d[1][1];
-  FieldAtPoint field;
-  for (unsigned int i = 0; i < 2; ++i)
-  {
-    field.u[i] = c * w[i];
-    field.du[i] = {c * d[i][0], c * d[i][1] + c1 * w[i]};
-  }
-  field.f = {-c1 * (s12 + lambda * d[1][0] + mu * d[0][1]) - c2 * mu * w[0],
-             -c1 * (s22 + lambda * d[1][1] + mu * (d[1][1] + div)) -
-               c2 * (lambda + 2. * mu) * w[1]};
-  return field;
+  Scene<2> scene = contact_scene<2>(
+    make_rectangle({0., 0.}, {1., 1.}, {1, 1}),
+    isotropic<2>(),
+    "top",
+    "bottom",
+    [gap](const Point<2> &x) { return gap(x[0]); },
+    [pressure](const Point<2> &x) { return pressure(x[0]); });
+  set_exact_solution<2>(scene, [Z](const Jets2 &x) { return field(Z, x); });
+  scene.kinks = lines_at<2>({{transitions, {}}});
+  return scene;
 }
 
-Field field_of(const StressFunctionOf &Z)
+double flat(const double)
 {
-  return [Z](const Point<2> &x) {
-    // +0.0: on the branch cut the value from above is meant.
-    return cut_off(uncut_field(Z(Complex(x[0], std::abs(x[1]))), x[1]), x[1]);
-  };
-}
-
-Scene<2> make_westergaard_scene(const StressFunctionOf &Z,
-                                const Profile &pressure,
-                                const Profile &gap,
-                                const std::vector<double> &transitions)
-{
-  return make_manufactured_scene(
-    field_of(Z), make_lame_material(lambda, mu), gap, pressure, transitions);
+  return 0.;
 }
 
 /** Returns g = u_n + (x - xi)_+/2: open behind xi. */
-Profile opening_gap(const StressFunctionOf &Z, const double xi)
+RealFunction opening_gap(const StressFunctionOf &Z, const double xi)
 {
-  const Field field = field_of(Z);
-  return [=](const double x) { return -field(Point<2>(x, 0.)).u[1] + 0.5 * std::max(x - xi, 0.); };
+  return [=](const double x) { return -field(Z, {x, 0.})[1].value + 0.5 * std::max(x - xi, 0.); };
 }
-
-const Profile flat = [](const double) { return 0.; };
 
 /** Returns Z = i c0 (z-xi)^s, which has p = -c0 sin(pi s) (xi-x)_+^s. */
 StressFunctionOf power(const double c0, const double xi, const double s)
@@ -103,13 +86,29 @@ StressFunctionOf power(const double c0, const double xi, const double s)
   };
 }
 
-/** Returns the true singularity of a contact end: p = -(xi-x)_+^{1/2}, flat foundation. */
+/** A3: Z = -(2i/pi) (z-xi) log(z-xi). */
+Scene<2> make_a3()
+{
+  constexpr double A = 2., xi = numbers::SQRT1_2;
+  const StressFunctionOf Z = [=](const Complex &z) {
+    const Complex t = z - xi, factor(0., -A / numbers::PI);
+    if (t == Complex(0.))
+      return StressFunction{};
+    const Complex logarithm = std::log(t);
+    return StressFunction{
+      factor * t * t * (logarithm / 2. - 0.25), factor * t * logarithm, factor * (logarithm + 1.)};
+  };
+  return westergaard_scene(
+    Z, [](const double x) { return -A * std::max(xi - x, 0.); }, opening_gap(Z, xi), {xi});
+}
+
+/** B1, B1q and B1t: the true singularity of a contact end. */
 Scene<2> make_b1_at(const double xi)
 {
-  return make_westergaard_scene(power(1., xi, 0.5),
-                                [=](const double x) { return -std::sqrt(std::max(xi - x, 0.)); },
-                                flat,
-                                {xi});
+  return westergaard_scene(power(1., xi, 0.5),
+                           [=](const double x) { return -std::sqrt(std::max(xi - x, 0.)); },
+                           flat,
+                           {xi});
 }
 
 /** B2 and B3: contact on (a, b), c0 = 2. */
@@ -130,77 +129,104 @@ StressFunction two_ends(const Complex &z)
           i * c0 * R,
           i * c0 * t / R};
 }
-} // namespace
 
-// A3: Z = -(iA/pi) (z-xi) log(z-xi), A = 2, xi = 1/sqrt(2): p = -A (xi-x)_+ has a kink.
-Scene<2> make_a3()
-{
-  constexpr double A = 2., xi = numbers::SQRT1_2;
-  const StressFunctionOf Z = [=](const Complex &z) {
-    const Complex t = z - xi, factor(0., -A / numbers::PI);
-    if (t == Complex(0.))
-      return StressFunction{};
-    const Complex logarithm = std::log(t);
-    return StressFunction{
-      factor * t * t * (logarithm / 2. - 0.25), factor * t * logarithm, factor * (logarithm + 1.)};
-  };
-  return make_westergaard_scene(
-    Z, [](const double x) { return -A * std::max(xi - x, 0.); }, opening_gap(Z, xi), {xi});
-}
-
-Scene<2> make_b1()
-{
-  return make_b1_at(numbers::SQRT1_2);
-}
-
-// B1q: the transition is always at the same place in its patch: in the middle (patches odd in
-// number).
-Scene<2> make_b1q()
-{
-  return make_b1_at(0.5);
-}
-
-// B1t: the transition is one or two thirds into its patch on every level.
-Scene<2> make_b1t()
-{
-  return make_b1_at(1. / 3.);
-}
-
-// B2: p = -c0 sqrt((x-a)(b-x))_+ on a flat foundation.
 Scene<2> make_b2()
 {
-  return make_westergaard_scene(two_ends, ellipse, flat, {a, b});
+  return westergaard_scene(two_ends, ellipse, flat, {a, b});
 }
 
-// B3: Hertz' pressure, exact for the parabolic gap (kappa+1) c0 (x-middle)^2/(8 mu).
+/** B3: Hertz' pressure, exact for the parabolic gap (kappa+1) c0 (x-middle)^2/(8 mu). */
 Scene<2> make_b3()
 {
   const StressFunctionOf Z = [](const Complex &z) {
     const Complex i(0., 1.), t = z - middle;
-    StressFunction hertz = two_ends(z);
-    hertz.Zh -= i * c0 / 2. * t * t;
-    hertz.Z -= i * c0 * t;
-    hertz.dZ -= i * c0;
-    return hertz;
+    const StressFunction f = two_ends(z);
+    return StressFunction{f.Zh - i * c0 / 2. * t * t, f.Z - i * c0 * t, f.dZ - i * c0};
   };
-  return make_westergaard_scene(
-    Z,
-    ellipse,
-    [](const double x) { return (kappa + 1.) * c0 * (x - middle) * (x - middle) / (8. * mu); },
-    {a, b});
+  return westergaard_scene(
+    Z, ellipse, [](const double x) { return 3. / 8. * c0 * (x - middle) * (x - middle); }, {a, b});
 }
 
-// B4: weaker than the true singularity, s = 1/4, c0 = 2, xi = 1/2.
+/** B4: weaker than the true singularity, s = 1/4. */
 Scene<2> make_b4()
 {
   constexpr double xi = 0.5, s = 0.25;
   const StressFunctionOf Z = power(2., xi, s);
-  return make_westergaard_scene(Z,
-                                [](const double x) {
-                                  return -2. * std::sin(numbers::PI * s) *
-                                         std::pow(std::max(xi - x, 0.), s);
-                                },
-                                opening_gap(Z, xi),
-                                {xi});
+  return westergaard_scene(Z,
+                           [](const double x) {
+                             return -2. * std::sin(numbers::PI * s) *
+                                    std::pow(std::max(xi - x, 0.), s);
+                           },
+                           opening_gap(Z, xi),
+                           {xi});
+}
+
+/** Returns the text of a scene: all but gap, stress function and pressure is common. */
+std::string describe(const std::string &gap, const std::string &Z_and_p)
+{
+  return "Body      the unit square 0 < x < 1, 0 < y < 1\n"
+         "Material  E = 2.5, nu = 0.25 (lambda = mu = 1), plane strain\n"
+         "Boundary  clamped at y = 1, contact at y = 0, traction sigma(u) n on x = 0 and x = 1\n"
+         "Load      body force -div sigma(u)\n"
+         "Gap       " +
+         gap +
+         "\n"
+         "Exact u   u1 = (1 - y^2) (Re Zh/2 - y Im Z)/2, u2 = (1 - y^2) (3 Im Zh/2 - y Re Z)/2\n" +
+         Z_and_p;
+}
+
+std::string describe_b1(const std::string &xi)
+{
+  return describe("0",
+                  "Z         i (z-xi)^(1/2), xi = " + xi +
+                    ", with z = x + i y\n"
+                    "Zh        the integral of Z from xi\n"
+                    "Exact p   -(xi-x)_+^(1/2)\n");
+}
+} // namespace
+
+std::vector<CatalogueEntry<2>> westergaard_scenes()
+{
+  return {
+    {"A3",
+     "contact pressure with a kink where contact ends",
+     describe("-u2(x,0) + (x-xi)_+/2",
+              "Z         -(2 i/pi) (z-xi) log(z-xi), xi = 1/sqrt(2), with z = x + i y\n"
+              "Zh        the integral of Z from xi\n"
+              "Exact p   -2 (xi-x)_+\n"),
+     make_a3},
+    {"B1",
+     "the true singularity of a contact end: square root pressure, flat foundation",
+     describe_b1("1/sqrt(2)"),
+     []() { return make_b1_at(numbers::SQRT1_2); }},
+    // The transition is always in the middle of its patch (patches odd in number).
+    {"B1q", "as B1, contact ends at x = 1/2", describe_b1("1/2"), []() { return make_b1_at(0.5); }},
+    // The transition is one or two thirds into its patch on every level.
+    {"B1t",
+     "as B1, contact ends at x = 1/3",
+     describe_b1("1/3"),
+     []() { return make_b1_at(1. / 3.); }},
+    {"B2",
+     "square root pressure at both ends of the contact zone, flat foundation",
+     describe("0",
+              "Z         2 i R, R = (z-a)^(1/2) (z-b)^(1/2), with z = x + i y\n"
+              "Zh        the integral of Z from b\n"
+              "Exact p   -2 ((x-a) (b-x))_+^(1/2), a = 1/sqrt(10), b = e/4\n"),
+     make_b2},
+    {"B3",
+     "Hertz' contact: elliptic pressure on a parabolic foundation",
+     describe("3/4 (x-m)^2, m = (a+b)/2",
+              "Z         2 i (R - (z-m)), m = (a+b)/2, R = (z-a)^(1/2) (z-b)^(1/2), with z = "
+              "x + i y\n"
+              "Zh        the integral of Z from b, minus i (b-a)^2/4\n"
+              "Exact p   -2 ((x-a) (b-x))_+^(1/2), a = 1/sqrt(10), b = e/4\n"),
+     make_b3},
+    {"B4",
+     "a contact end with a stronger singularity, pressure like the fourth root",
+     describe("-u2(x,0) + (x-xi)_+/2",
+              "Z         2 i (z-xi)^(1/4), xi = 1/2, with z = x + i y\n"
+              "Zh        the integral of Z from xi\n"
+              "Exact p   -sqrt(2) (xi-x)_+^(1/4)\n"),
+     make_b4}};
 }
 } // namespace Signorini

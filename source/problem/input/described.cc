@@ -20,7 +20,7 @@ class SceneReader
 {
 public:
   explicit SceneReader(const Given<std::string> &constants)
-    : constants_(read_constants(constants.value, constants.where()))
+    : constants(read_constants(constants.value, constants.where()))
   {
   }
 
@@ -38,7 +38,7 @@ public:
     std::vector<Expression<dim>> expressions;
     expressions.reserve(n);
     for (const std::string &part : parts)
-      expressions.emplace_back(part, constants_, entry.where());
+      expressions.emplace_back(part, constants, entry.where());
     return expressions;
   }
   std::vector<Expression<dim>> components(const Given<std::string> &given,
@@ -55,13 +55,7 @@ public:
     return std::make_shared<ExpressionFunction<dim>>(components(text, n, entry));
   }
 
-  const Constants &constants() const
-  {
-    return constants_;
-  }
-
-private:
-  Constants constants_;
+  const Constants constants;
 };
 
 /** Refuses entries that a law does not use: they contradict it. */
@@ -82,52 +76,33 @@ void refuse_foreign_moduli(const MaterialParameters &given)
                        ", found Law = " + to_text(given.law.value) + ".");
 }
 
-/** Reads the expressions of moduli, with plausible values on the body. */
-template <int dim>
-std::vector<Expression<dim>> read_moduli(const Given<std::string> &entry,
-                                         const unsigned int n,
-                                         const SceneReader<dim> &reader,
-                                         const Geometry<dim> &geometry)
-{
-  std::vector<Expression<dim>> expressions = reader.components(entry, n);
-  check_moduli(expressions, geometry);
-  return expressions;
-}
-
-/** Reads the moduli of the stress normal to the plane; empty in plane stress. */
-std::vector<Expression<2>> read_moduli_across(const MaterialParameters &given,
-                                              const unsigned int n,
-                                              const SceneReader<2> &reader,
-                                              const Geometry<2> &geometry)
-{
-  return given.moduli_across.value.empty() ? std::vector<Expression<2>>()
-                                           : read_moduli(given.moduli_across, n, reader, geometry);
-}
-
 template <int dim>
 std::shared_ptr<const Material<dim>> read_one_material(const MaterialParameters &given,
                                                        const SceneReader<dim> &reader,
                                                        const Geometry<dim> &geometry)
 {
+  // Reads n expressions with plausible values on the body; entries across the plane may be empty.
+  const auto moduli = [&](const Given<std::string> &entry, const unsigned int n) {
+    if (&entry == &given.moduli_across && entry.value.empty())
+      return std::vector<Expression<dim>>();
+    std::vector<Expression<dim>> expressions = reader.components(entry, n);
+    check_moduli(expressions, geometry);
+    return expressions;
+  };
   const Point<dim> reference = geometry.inner_point();
+  if (given.law == MaterialLaw::general)
+    return make_general<dim>(
+      moduli(given.hooke_tensor, dim == 2 ? 6 : 21), moduli(given.moduli_across, 3), reference);
   if constexpr (dim == 2)
-  {
-    if (given.law == MaterialLaw::general)
-      return make_general(read_moduli(given.hooke_tensor, 6, reader, geometry),
-                          read_moduli_across(given, 3, reader, geometry),
-                          reference);
     if (given.law == MaterialLaw::orthotropic)
-      return make_orthotropic(read_moduli(given.orthotropic_moduli, 4, reader, geometry),
+      return make_orthotropic(moduli(given.orthotropic_moduli, 4),
                               given.orientation,
-                              read_moduli_across(given, 2, reader, geometry),
+                              moduli(given.moduli_across, 2),
                               reference);
-  }
-  else if (given.law == MaterialLaw::general)
-    return make_general_3d(read_moduli(given.hooke_tensor, 21, reader, geometry), reference);
-  const Expression<dim> youngs_modulus =
-    read_moduli(given.youngs_modulus, 1, reader, geometry).front();
-  const Expression<dim> poissons_ratio = reader.components(given.poissons_ratio, 1).front();
-  return make_isotropic<dim>(youngs_modulus, poissons_ratio, given.plane_state, reference);
+  return make_isotropic<dim>(moduli(given.youngs_modulus, 1).front(),
+                             reader.components(given.poissons_ratio, 1).front(),
+                             given.plane_state,
+                             reference);
 }
 
 /** Reads the material; where the body has regions, an entry may have a text for each of them:
@@ -172,83 +147,51 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
 
 /** Gives sides their roles; a side has one role only. */
 template <int dim>
-class RoleReader
-{
-public:
-  explicit RoleReader(Scene<dim> &scene)
-    : scene_(scene)
-    , entries_(scene.geometry.sides.size())
-  {
-    scene_.boundary.resize(scene.geometry.sides.size());
-  }
-
-  /** Gives a side its role. @p entry is the one that names the side. */
-  BoundaryCondition<dim> &assign(const std::string &name, const Role role, const Entry &entry)
-  {
-    const std::size_t side = scene_.geometry.find_side(name);
-    if (side == scene_.geometry.sides.size())
-      throw InputError(entry.where() + ": found the side " + quote(name) +
-                       ", allowed: " + join(scene_.geometry.described_sides()) + ".");
-    if (entries_[side] != nullptr)
-      throw InputError(entry.where() + ": the side '" + name + "' is listed in " +
-                       entries_[side]->name + " already; every side has exactly one role.");
-    entries_[side] = &entry;
-    scene_.boundary[side].role = role;
-    return scene_.boundary[side];
-  }
-
-private:
-  Scene<dim> &scene_;
-  /** The entry that named each side; null for a side without a role. */
-  std::vector<const Entry *> entries_;
-};
-
-template <int dim>
 void read_boundary(const BoundaryParameters &given,
                    const LoadParameters &load,
                    const SceneReader<dim> &reader,
                    Scene<dim> &scene)
 {
   const std::vector<std::string> sides = scene.geometry.side_names();
-  const std::string allowed = "a side (" + join(scene.geometry.described_sides()) + ")";
-  RoleReader<dim> roles(scene);
-  const auto assign = [&](const Given<std::string> &names, const Role role) {
-    for (const std::string &name : split_words(names))
+  scene.boundary.resize(sides.size());
+  // The entry that named each side; null for a side without a role.
+  std::vector<const Entry *> entries(sides.size());
+  const auto assign =
+    [&](const std::string &name, const Role role, const Entry &entry) -> BoundaryCondition<dim> & {
+    const std::size_t side = scene.geometry.find_side(name);
+    if (side == sides.size())
+      throw InputError(entry.where() + ": found the side " + quote(name) +
+                       ", allowed: " + join(sides) + ".");
+    if (entries[side] != nullptr)
+      throw InputError(entry.where() + ": the side '" + name + "' is listed in " +
+                       entries[side]->name + " already; every side has exactly one role.");
+    entries[side] = &entry;
+    scene.boundary[side].role = role;
+    return scene.boundary[side];
+  };
+  for (const auto &[names, role] : {std::pair{&given.clamped, Role::clamped},
+                                    {&given.rollers, Role::roller},
+                                    {&given.contact, Role::contact}})
+    for (const std::string &name : split_words(*names))
     {
       const std::vector<std::string> called = sides_called(name, sides);
       for (const std::string &side : called.empty() ? std::vector<std::string>{name} : called)
-        roles.assign(side, role, names);
+        assign(side, role, *names);
     }
-  };
-  assign(given.clamped, Role::clamped);
-  assign(given.rollers, Role::roller);
-  assign(given.contact, Role::contact);
-  const auto assign_data = [&](const Given<std::string> &list, const Role role) {
-    for (const auto &[name, text] : read_side_list(list.value, list.where(), sides, allowed))
-      roles.assign(name, role, list).data = reader.function(text, dim, list);
-  };
-  assign_data(given.displacement, Role::displacement);
-  assign_data(given.traction, Role::traction);
+  for (const auto &[list, role] :
+       {std::pair{&given.displacement, Role::displacement}, {&given.traction, Role::traction}})
+    for (const auto &[name, text] : read_side_list(list->value, list->where(), sides))
+      assign(name, role, *list).data = reader.function(text, dim, *list);
   if constexpr (dim == 2)
   {
     scene.plates = read_plates(given.plates, load, scene.geometry);
     for (const Plate &plate : scene.plates)
-      roles.assign(scene.geometry.sides[plate.side].name(), Role::displacement, given.plates).data =
+      assign(sides[plate.side], Role::displacement, given.plates).data =
         plate_displacement(plate, PlateMotion{plate.travel, 0.});
   }
   if (scene.contact_sides().empty())
     throw InputError(given.contact.where() +
-                     ": no contact side is given, allowed: one or more of " +
-                     join(scene.geometry.described_sides()) + ".");
-}
-
-template <int dim>
-std::vector<std::string> names_of_contact_sides(const Scene<dim> &scene)
-{
-  std::vector<std::string> names;
-  for (const unsigned int side : scene.contact_sides())
-    names.push_back(scene.geometry.sides[side].name());
-  return names;
+                     ": no contact side is given, allowed: one or more of " + join(sides) + ".");
 }
 
 /** Reads the gaps of all contact sides: rigid obstacles or expressions. */
@@ -260,14 +203,12 @@ void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Sce
   if constexpr (dim == 2)
   {
     const bool moves = parameters.load_cases.cases.value.find("shift") != std::string::npos;
-    read_foundation(given, reader.constants(), moves, scene);
+    read_foundation(given, reader.constants, moves, scene);
     gaps = gaps_without_foundation(given, scene);
   }
   else
-    gaps = read_contact_list(given.gap.value,
-                             given.gap.where(),
-                             scene.geometry.side_names(),
-                             names_of_contact_sides(scene));
+    gaps = read_contact_list(
+      given.gap.value, given.gap.where(), scene.geometry.side_names(), contact_side_names(scene));
   for (const auto &[side, text] : gaps)
     scene.boundary[scene.geometry.find_side(side)].data = reader.function(text, 1, given.gap);
 }
@@ -281,7 +222,7 @@ void read_exact_pressure(const Given<std::string> &given,
   if (given.value.empty())
     return;
   for (const auto &[side, text] : read_contact_list(
-         given.value, given.where(), scene.geometry.side_names(), names_of_contact_sides(scene)))
+         given.value, given.where(), scene.geometry.side_names(), contact_side_names(scene)))
     scene.boundary[scene.geometry.find_side(side)].exact_pressure =
       std::make_shared<ExpressionFunction<dim>>(reader.components(text, 1, given),
                                                 std::vector<Expression<dim>>(),
@@ -310,15 +251,6 @@ void read_exact_displacement(const ExactSolutionParameters &given,
     1e-4 * scene.geometry.shortest_extent());
 }
 
-/** Returns whether a body force is zero and needs no volume integrals. */
-template <int dim>
-bool is_zero(const std::vector<Expression<dim>> &force)
-{
-  for (const Expression<dim> &component : force)
-    if (!component.is_constant() || component(Point<dim>()) != 0.)
-      return false;
-  return true;
-}
 } // namespace
 
 template <int dim>
@@ -337,7 +269,10 @@ Scene<dim> make_described_scene(const Parameters &parameters)
   if (dim == 2 || body_force.changed)
   {
     const std::vector<Expression<dim>> force = reader.components(body_force, dim);
-    if (!is_zero(force))
+    // A force that is zero needs no integrals.
+    if (std::any_of(force.begin(), force.end(), [](const Expression<dim> &component) {
+          return !component.is_constant() || component(Point<dim>()) != 0.;
+        }))
       scene.body_force = std::make_shared<ExpressionFunction<dim>>(force);
   }
   read_exact_displacement(parameters.exact, reader, scene);

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "input.h"
 
@@ -32,29 +34,24 @@ struct Part
  * as an unknown word. */
 std::vector<Part> split_at_words(const std::string &text)
 {
-  const std::vector<std::string> words = {
+  const std::set<std::string> words = {
     "plane", "circle", "parabola", "normal", "radius", "curvature", "inside"};
-  const auto belongs_to_a_name = [](const unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '.';
-  };
   std::vector<Part> parts(1);
-  for (std::size_t i = 0; i < text.size();)
+  for (std::size_t i = 0, end = 0; i < text.size(); i = end)
   {
-    std::size_t end = i;
-    while (end < text.size() && belongs_to_a_name(text[end]))
+    for (end = i; end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 ||
+                                        text[end] == '_' || text[end] == '.');)
       ++end;
     end = std::max(end, i + 1);
     const std::string piece = text.substr(i, end - i);
-    if (std::find(words.begin(), words.end(), piece) != words.end())
+    if (words.count(piece) > 0)
       parts.push_back({piece, ""});
     else
       parts.back().text += piece;
-    i = end;
   }
-  if (trim(parts.front().text).empty())
+  parts.front().word = trim(parts.front().text);
+  if (parts.front().word.empty())
     parts.erase(parts.begin());
-  else
-    parts.front().word = trim(parts.front().text);
   return parts;
 }
 
@@ -72,74 +69,68 @@ public:
   Obstacle read(const std::string &text) const
   {
     const std::vector<Part> parts = split_at_words(text);
-    std::string words;
+    std::vector<std::string> words;
     for (const Part &part : parts)
-      words += (words.empty() ? "" : " ") + part.word;
-    if (words == "plane normal")
+      words.push_back(part.word);
+    const std::string kind = join(words, " ");
+    if (kind == "plane normal")
       return Obstacle::plane(point(parts[0]), normal(parts[1]));
-    if (words == "parabola normal curvature")
+    if (kind == "parabola normal curvature")
       return Obstacle::parabola(point(parts[0]), normal(parts[1]), numbers(parts[2], 1)[0]);
-    if (words == "circle radius")
+    if (kind == "circle radius")
       return Obstacle::circle(point(parts[0]), radius(parts[1]), Body::outside);
-    if (words == "circle radius inside" && trim(parts[2].text).empty())
+    if (kind == "circle radius inside" && trim(parts[2].text).empty())
       return Obstacle::circle(point(parts[0]), radius(parts[1]), Body::inside);
-    throw InputError(entry_.where() + ": found " + quote(text) +
-                     ", allowed: plane x,y normal nx,ny; circle x,y radius r; circle x,y radius r "
-                     "inside; parabola x,y normal nx,ny curvature k.");
+    refuse(quote(text),
+           "plane x,y normal nx,ny; circle x,y radius r; circle x,y radius r inside; parabola x,y "
+           "normal nx,ny curvature k");
   }
 
-  /** Reads "dx, dy". */
-  Tensor<1, 2> vector(const std::string &text) const
-  {
-    const std::vector<double> xy = numbers({"", text}, 2);
-    return Tensor<1, 2>({xy[0], xy[1]});
-  }
-
-private:
-  /** Reads numbers separated by commas, each a formula of the constants. */
-  std::vector<double> numbers(const Part &part, const std::size_t n) const
-  {
-    std::vector<double> numbers;
-    const std::vector<std::string> texts = split_list(part.text, ',');
-    const auto refuse = [&]() {
-      throw InputError(entry_.where() + ": found " + quote(trim(part.text)) +
-                       (part.word.empty() ? "" : " after '" + part.word + "'") +
-                       (n == 1 ? ", allowed: one number"
-                               : ", allowed: two numbers separated by a "
-                                 "comma") +
-                       " (formulas of the constants) up to " + number_text(max_magnitude) + ".");
-    };
-    if (texts.size() != n)
-      refuse();
-    for (const std::string &text : texts)
-    {
-      const Expression<2> formula(text, constants_, entry_.where());
-      numbers.push_back(formula(Point<2>()));
-      if (!formula.is_constant() || !(std::abs(numbers.back()) <= max_magnitude))
-        refuse();
-    }
-    return numbers;
-  }
-
-  Point<2> point(const Part &part) const
-  {
-    const Point<2> x(vector_of(part));
-    check_length(x.distance(geometry_.inner_point()), "a distance", part);
-    return x;
-  }
-
-  Tensor<1, 2> vector_of(const Part &part) const
+  /** Reads "x, y". */
+  Tensor<1, 2> vector(const Part &part) const
   {
     const std::vector<double> xy = numbers(part, 2);
     return Tensor<1, 2>({xy[0], xy[1]});
   }
 
+private:
+  [[noreturn]] void refuse(const std::string &found, const std::string &allowed) const
+  {
+    throw InputError(entry_.where() + ": found " + found + ", allowed: " + allowed + ".");
+  }
+
+  /** Reads numbers separated by commas, each a formula of the constants. */
+  std::vector<double> numbers(const Part &part, const std::size_t n) const
+  {
+    std::vector<double> numbers;
+    const std::vector<std::string> texts = split_list(part.text, ',');
+    bool is_understood = texts.size() == n;
+    for (std::size_t i = 0; is_understood && i < n; ++i)
+    {
+      const Expression<2> formula(texts[i], constants_, entry_.where());
+      numbers.push_back(formula(Point<2>()));
+      is_understood = formula.is_constant() && std::abs(numbers.back()) <= max_magnitude;
+    }
+    if (!is_understood)
+      refuse(quote(trim(part.text)) + (part.word.empty() ? "" : " after '" + part.word + "'"),
+             std::string(n == 1 ? "one number" : "two numbers separated by a comma") +
+               " (formulas of the constants) up to " + number_text(max_magnitude));
+    return numbers;
+  }
+
+  Point<2> point(const Part &part) const
+  {
+    const Point<2> x(vector(part));
+    check_length(x.distance(geometry_.inner_point()), "a distance", part);
+    return x;
+  }
+
   Tensor<1, 2> normal(const Part &part) const
   {
-    const Tensor<1, 2> n = vector_of(part);
+    const Tensor<1, 2> n = vector(part);
     if (!(n.norm() >= min_magnitude))
-      throw InputError(entry_.where() + ": found the normal " + quote(trim(part.text)) +
-                       ", allowed: a vector of any length but zero, towards the body.");
+      refuse("the normal " + quote(trim(part.text)),
+             "a vector of any length but zero, towards the body");
     return n;
   }
 
@@ -147,8 +138,7 @@ private:
   {
     const double r = numbers(part, 1)[0];
     if (!(r >= min_magnitude))
-      throw InputError(entry_.where() + ": found the radius " + number_text(r) +
-                       ", allowed: numbers from " + number_text(min_magnitude) + ".");
+      refuse("the radius " + number_text(r), "numbers from " + number_text(min_magnitude));
     check_length(r, "the radius", part);
     return r;
   }
@@ -158,11 +148,10 @@ private:
   {
     const double diameter = geometry_.diameter();
     if (!(length <= max_distance * diameter))
-      throw InputError(entry_.where() + ": found " + quote(trim(part.text)) + " after '" +
-                       part.word + "', " + what + " of " + number_text(length) +
-                       " for a body of the size " + number_text(diameter) + ", allowed: at most " +
-                       number_text(max_distance) +
-                       " times its size; take a plane or a parabola that begins near the body.");
+      refuse(quote(trim(part.text)) + " after '" + part.word + "', " + what + " of " +
+               number_text(length) + " for a body of the size " + number_text(diameter),
+             "at most " + number_text(max_distance) +
+               " times its size; take a plane or a parabola that begins near the body");
   }
 
   const Entry &entry_;
@@ -201,55 +190,46 @@ bool can_touch(const Obstacle &obstacle,
   });
 }
 
-/** An obstacle with the sides that may touch it. */
-struct ObstacleOfSides
-{
-  Obstacle obstacle;
-  std::vector<unsigned int> sides;
-};
-
-std::vector<ObstacleOfSides> read_obstacles(const Given<std::string> &given,
-                                            const Constants &constants,
-                                            const Scene<2> &scene,
-                                            const bool moves)
+/** Returns the obstacles of each contact side. */
+std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::string> &given,
+                                                             const Constants &constants,
+                                                             const Scene<2> &scene,
+                                                             const bool moves)
 {
   const Geometry<2> &geometry = scene.geometry;
-  const ObstacleReader reader(given, constants, geometry);
-  const std::vector<unsigned int> contact_sides = scene.contact_sides();
-  std::vector<std::string> names;
-  for (const unsigned int side : contact_sides)
-    names.push_back(geometry.sides[side].name());
   const std::vector<std::string> texts = split_list(given, '|');
   if (texts.size() > max_obstacles)
     throw InputError(given.where() + ": found " + std::to_string(texts.size()) +
                      " things, allowed: at most " + std::to_string(max_obstacles) + ".");
   const double reach = max_gap * geometry.diameter();
-  std::vector<ObstacleOfSides> things;
+  const std::vector<std::string> names = contact_side_names(scene);
+  std::map<unsigned int, std::vector<Obstacle>> obstacles;
   for (const std::string &text : texts)
   {
-    std::vector<unsigned int> sides = contact_sides;
-    std::string description = text;
+    SideTexts entries;
     if (begins_with_a_name(text))
+      entries = read_side_list(text, given.where(), names);
+    else
+      for (const std::string &name : names)
+        entries.emplace_back(name, text);
+    const Obstacle obstacle =
+      ObstacleReader(given, constants, geometry).read(entries.front().second);
+    bool touches = false;
+    for (const auto &entry : entries)
     {
-      sides.clear();
-      for (const auto &[name, rest] : read_side_list(text, given.where(), names))
-      {
-        sides.push_back(static_cast<unsigned int>(geometry.find_side(name)));
-        description = rest;
-      }
+      const unsigned int side = geometry.find_side(entry.first);
+      obstacles[side].push_back(obstacle);
+      touches = touches ||
+                can_touch(obstacle, geometry.sides[side], scene.foundation_position, reach, moves);
     }
-    things.push_back({reader.read(description), sides});
-    if (std::none_of(sides.begin(), sides.end(), [&](const unsigned int side) {
-          return can_touch(
-            things.back().obstacle, geometry.sides[side], scene.foundation_position, reach, moves);
-        }))
+    if (!touches)
       throw InputError(
         given.where() + ": found " + quote(text) +
         ", which no outward normal of its contact sides can meet; allowed: things "
         "ahead of a contact side, with normals towards the body, at a distance below " +
         number_text(reach) + " (" + number_text(max_gap) + " times the size of the body).");
   }
-  return things;
+  return obstacles;
 }
 } // namespace
 
@@ -266,20 +246,12 @@ void read_foundation(const ContactParameters &given,
     return;
   }
   scene.foundation_position = ObstacleReader(given.foundation_position, constants, scene.geometry)
-                                .vector(given.foundation_position);
-  const std::vector<ObstacleOfSides> things =
-    read_obstacles(given.foundation, constants, scene, moves);
-  for (const unsigned int side : scene.contact_sides())
+                                .vector({"", given.foundation_position});
+  for (const auto &[side, obstacles] : read_obstacles(given.foundation, constants, scene, moves))
   {
-    std::vector<Obstacle> side_data;
-    for (const ObstacleOfSides &obstacle : things)
-      if (std::count(obstacle.sides.begin(), obstacle.sides.end(), side) > 0)
-        side_data.push_back(obstacle.obstacle);
-    if (side_data.empty())
-      continue;
     BoundaryCondition<2> &condition = scene.boundary[side];
     condition.foundation =
-      std::make_shared<Foundation>(side_data, max_gap * scene.geometry.diameter());
+      std::make_shared<Foundation>(obstacles, max_gap * scene.geometry.diameter());
     condition.data =
       foundation_gap(scene.geometry.sides[side], condition.foundation, scene.foundation_position);
   }

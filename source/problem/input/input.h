@@ -31,6 +31,15 @@ SideTexts read_side_list(const std::string &text,
 /** Returns whether a text begins with a word and ':', so that it is for one side. */
 bool begins_with_a_name(const std::string &text);
 
+template <int dim>
+std::vector<std::string> contact_side_names(const Scene<dim> &scene)
+{
+  std::vector<std::string> names;
+  for (const unsigned int side : scene.contact_sides())
+    names.push_back(scene.geometry.sides[side].name());
+  return names;
+}
+
 /**
  * Reads "expression" for all contact sides or "bottom: ... | left: ...", one for each.
  * @throws InputError if a contact side has none or two, or another side is named.

@@ -37,30 +37,21 @@ void refuse_description(const Parameters &parameters)
                    described + ".");
 }
 
-/** Returns whether the body begins inside the foundation somewhere on a side. */
-bool begins_inside(const Side<2> &side, const Function<2> &gap)
-{
-  constexpr unsigned int n_samples = 64;
-  for (unsigned int i = 0; i < n_samples; ++i)
-    if (gap.value(side.point((i + 0.5) / n_samples * side.length())) < 0.)
-      return true;
-  return false;
-}
-
 /** Returns whether anything could press the body onto the foundation. */
 bool is_loaded(const Scene<2> &scene)
 {
-  for (const unsigned int side : scene.contact_sides())
-    if (begins_inside(scene.geometry.sides[side], *scene.boundary[side].data))
-      return true;
-  const bool is_pushed = std::any_of(scene.plates.begin(), scene.plates.end(), [](const auto &p) {
-    return p.force != 0. || p.moment != 0.;
-  });
-  const bool has_data =
-    std::any_of(scene.boundary.begin(), scene.boundary.end(), [](const auto &condition) {
-      return condition.role == Role::traction || condition.role == Role::displacement;
-    });
-  return is_pushed || has_data || scene.body_force != nullptr;
+  constexpr unsigned int n_samples = 64;
+  for (const unsigned int i : scene.contact_sides())
+    for (unsigned int k = 0; k < n_samples; ++k)
+    {
+      const Side<2> &side = scene.geometry.sides[i];
+      if (scene.boundary[i].data->value(side.point((k + 0.5) / n_samples * side.length())) < 0.)
+        return true;
+    }
+  return scene.body_force != nullptr || has_load(scene, LoadKind::travel) ||
+         std::any_of(scene.boundary.begin(), scene.boundary.end(), [](const auto &condition) {
+           return condition.role == Role::traction;
+         });
 }
 
 /** Finds out whether contact alone holds the body, which needs a load. */
@@ -81,36 +72,26 @@ void check_free_motions(Scene<2> &scene, const std::string &where)
  * which is integrated on parts that shrink towards it. */
 constexpr double min_kink_distance = 1e-3;
 
-/** Refuses kinks that are too close. @p positions are sorted. */
-void refuse_close_kinks(const std::vector<double> &positions,
-                        const double extent,
-                        const std::string &where)
+/** Refuses kinks that are too close, and positions that miss the body and would have no effect. */
+void refuse_bad_kinks(const Geometry<2> &geometry,
+                      const Given<std::vector<double>> &given,
+                      const unsigned int d)
 {
+  const double lower = geometry.lower[d], upper = geometry.upper[d];
+  const double min_distance = min_kink_distance * (upper - lower);
+  std::vector<double> positions = given;
+  std::sort(positions.begin(), positions.end());
   for (std::size_t i = 0; i + 1 < positions.size(); ++i)
-    if (!(positions[i + 1] - positions[i] >= min_kink_distance * extent))
-      throw InputError(where + ": found kinks at " + number_text(positions[i]) +
+    if (!(positions[i + 1] - positions[i] >= min_distance))
+      throw InputError(given.where() + ": found kinks at " + number_text(positions[i]) +
                        " at a distance of " + number_text(positions[i + 1] - positions[i]) +
                        " from each other, allowed: distances of at least " +
-                       number_text(min_kink_distance * extent) + " (a thousandth of the body).");
-}
-
-/** Refuses a position that misses the body, which would have no effect. */
-void refuse_bad_kinks(const Scene<2> &scene, const DiscretizationParameters &given)
-{
-  const auto check = [&](const Given<std::vector<double>> &positions, const unsigned int d) {
-    std::vector<double> sorted = positions;
-    std::sort(sorted.begin(), sorted.end());
-    refuse_close_kinks(
-      sorted, scene.geometry.upper[d] - scene.geometry.lower[d], positions.where());
-    for (const double position : positions.value)
-      if (!(position >= scene.geometry.lower[d] && position <= scene.geometry.upper[d]))
-        throw InputError(positions.where() + ": found " + number_text(position) +
-                         ", allowed: positions on the body, from " +
-                         number_text(scene.geometry.lower[d]) + " to " +
-                         number_text(scene.geometry.upper[d]) + ".");
-  };
-  check(given.kinks_at_x, 0);
-  check(given.kinks_at_y, 1);
+                       number_text(min_distance) + " (a thousandth of the body).");
+  for (const double position : given.value)
+    if (!(position >= lower && position <= upper))
+      throw InputError(given.where() + ": found " + number_text(position) +
+                       ", allowed: positions on the body, from " + number_text(lower) + " to " +
+                       number_text(upper) + ".");
 }
 
 /** Refuses supports of which no displacement of finite energy satisfies all. */
@@ -139,7 +120,7 @@ Scene<dim> read_scene(const Parameters &parameters)
     Scene<dim> scene = entry.make();
     scene.name = entry.name;
     scene.title = entry.title;
-    scene.description = describe_scene(name);
+    scene.description = entry.description;
     return scene;
   }
   throw InputError(parameters.scene.name.where() + ": found " + quote(name) +
@@ -151,11 +132,12 @@ unsigned int dimension_of(const Parameters &parameters)
 {
   if (parameters.dimension.changed)
     return parameters.dimension;
-  const auto &in_space = catalogue<3>();
-  const bool is_3d = std::any_of(in_space.begin(), in_space.end(), [&](const auto &entry) {
-    return entry.name == parameters.scene.name.value;
-  });
-  return is_3d ? 3 : parameters.dimension.value;
+  const auto &entries = catalogue<3>();
+  return std::any_of(entries.begin(),
+                     entries.end(),
+                     [&](const auto &entry) { return entry.name == parameters.scene.name.value; })
+           ? 3
+           : parameters.dimension.value;
 }
 
 template <>
@@ -165,7 +147,8 @@ Scene<2> make_scene(const Parameters &parameters)
   refuse_contradiction(scene, parameters.boundary.where);
   check_free_motions(scene, parameters.boundary.where);
   const DiscretizationParameters &discretization = parameters.discretization;
-  refuse_bad_kinks(scene, discretization);
+  refuse_bad_kinks(scene.geometry, discretization.kinks_at_x, 0);
+  refuse_bad_kinks(scene.geometry, discretization.kinks_at_y, 1);
   std::vector<KinkLine<2>> lines = scene.kinks.lines();
   const std::vector<KinkLine<2>> more =
     lines_at<2>({{discretization.kinks_at_x.value, discretization.kinks_at_y.value}});
@@ -187,7 +170,7 @@ Scene<3> make_scene(const Parameters &parameters)
   if (!names.empty())
     throw InputError(parameters.boundary.where +
                      ": the clamped, prescribed and roller sides leave " + join(names, " and ") +
-                     " of the body free; in space, hold the body with Clamped, Displacement or "
+                     " of the body free; in 3-D, hold the body with Clamped, Displacement or "
                      "Rollers.");
   return scene;
 }
@@ -198,20 +181,8 @@ namespace
 {
 constexpr unsigned int max_cases = 100000;
 
-/** One factor, or a range of it. */
-struct CaseFactor
-{
-  std::string name;
-  double from;
-  double to;
-};
-
-const std::vector<std::string> &factor_names()
-{
-  static const std::vector<std::string> names = {
-    "force", "weight", "travel", "gap", "shift x", "shift y"};
-  return names;
-}
+const std::vector<std::string> factor_names =
+  {"force", "weight", "travel", "gap", "shift x", "shift y"};
 
 double &factor_of(LoadCase &load_case, const std::string &name)
 {
@@ -226,125 +197,79 @@ double &factor_of(LoadCase &load_case, const std::string &name)
   return load_case.shift[name == "shift x" ? 0 : 1];
 }
 
-/** Reads the entries of one parameter. */
-class CaseReader
+/** Returns why a factor could change nothing; empty if it could. */
+std::string uselessness(const std::string &name, const Scene<2> &scene)
 {
-public:
-  CaseReader(const Given<std::string> &given, const Scene<2> &scene)
-    : given_(given)
-    , scene_(scene)
-  {
-  }
+  if (name == "shift x" || name == "shift y")
+    for (const unsigned int side : scene.contact_sides())
+      if (scene.boundary[side].foundation == nullptr)
+        return "the side '" + scene.geometry.sides[side].name() +
+               "' has no Contact/Foundation that could be moved";
+  if (name == "force" && !has_load(scene, LoadKind::force))
+    return "the scene has neither tractions nor plates with a force";
+  if (name == "weight" && !has_load(scene, LoadKind::weight))
+    return "the scene has no body force";
+  if (name == "travel" && !has_load(scene, LoadKind::travel))
+    return "the scene has no prescribed displacement";
+  return "";
+}
 
-  /** Reads one entry between '|'. */
-  void read(const std::string &entry, std::vector<LoadCase> &cases) const
+/** Reads a whole number from @p min to @p max; returns 0 if it is none. */
+unsigned int whole_number(const std::string &text, const double min, const double max)
+{
+  double number = 0.;
+  const bool is_whole = read_number(text, number) && number == std::floor(number);
+  return is_whole && number >= min && number <= max ? static_cast<unsigned int>(number) : 0;
+}
+
+/** Reads one entry between '|': one case, or a range of them. */
+void read_cases(const std::string &entry,
+                const Given<std::string> &given,
+                const Scene<2> &scene,
+                std::vector<LoadCase> &cases)
+{
+  const auto require = [&](const bool is_understood) {
+    if (!is_understood)
+      throw InputError(given.where() + ": found " + quote(entry) +
+                       ", allowed: entries separated by '|' like force 0.5, weight 2 or force 0 to "
+                       "3 in 100 cases, with the names " +
+                       join(factor_names) +
+                       "; what changes the stiffness needs a run of its own (--sweep).");
+  };
+  std::string text = entry;
+  unsigned int n = 1;
+  const std::vector<std::string> all = split_words(text);
+  if (all.size() >= 3 && all.back() == "cases" && all[all.size() - 3] == "in")
   {
-    std::string text = entry;
-    const unsigned int n = take_count(text);
-    std::vector<CaseFactor> factors;
-    for (const std::string &part : split_list(text, ','))
-      factors.push_back(read_factor(part, entry));
-    if (cases.size() + n > max_cases)
-      throw InputError(given_.where() + ": found more than " + std::to_string(max_cases) +
-                       " cases, allowed: at most that many.");
+    n = whole_number(all[all.size() - 2], 2., max_cases);
+    require(n > 0);
+    text = text.substr(0, text.rfind("in "));
+  }
+  if (cases.size() + n > max_cases)
+    throw InputError(given.where() + ": found more than " + std::to_string(max_cases) +
+                     " cases, allowed: at most that many.");
+  const std::size_t first = cases.size();
+  cases.resize(first + n);
+  for (const std::string &part : split_list(text, ','))
+  {
+    const auto name =
+      std::find_if(factor_names.begin(), factor_names.end(), [&](const std::string &known) {
+        return part.rfind(known + " ", 0) == 0;
+      });
+    require(name != factor_names.end());
+    const std::string useless = uselessness(*name, scene);
+    if (!useless.empty())
+      throw InputError(given.where() + ": found the factor '" + *name + "', but " + useless + ".");
+    const std::vector<std::string> words = split_words(part.substr(name->size()));
+    double from = 0., to = 0.;
+    require((words.size() == 1 || (words.size() == 3 && words[1] == "to" && n > 1)) &&
+            read_number(words.front(), from) && read_number(words.back(), to) &&
+            std::max(std::abs(from), std::abs(to)) <= max_magnitude);
     for (unsigned int i = 0; i < n; ++i)
     {
-      LoadCase load_case;
       const double t = n > 1 ? static_cast<double>(i) / (n - 1) : 0.;
-      for (const CaseFactor &factor : factors)
-        factor_of(load_case, factor.name) = (1. - t) * factor.from + t * factor.to;
-      cases.push_back(load_case);
+      factor_of(cases[first + i], *name) = (1. - t) * from + t * to;
     }
-    for (const CaseFactor &factor : factors)
-      if (factor.from != factor.to && n == 1)
-        refuse(entry);
-  }
-
-private:
-  [[noreturn]] void refuse(const std::string &entry) const
-  {
-    throw InputError(given_.where() + ": found " + quote(entry) +
-                     ", allowed: entries separated by '|' like force 0.5, weight 2 or force 0 to "
-                     "3 in 100 cases, with the names " +
-                     join(factor_names()) +
-                     "; what changes the stiffness needs a run of its own (--sweep).");
-  }
-
-  /** Takes "in n cases" off the end. @return n, or 1. */
-  unsigned int take_count(std::string &text) const
-  {
-    const std::vector<std::string> words = split_words(text);
-    const std::size_t n = words.size();
-    if (n < 3 || words[n - 1] != "cases" || words[n - 3] != "in")
-      return 1;
-    std::vector<double> count;
-    if (!read_numbers(words[n - 2], count) || count.size() != 1 || !(count[0] >= 2.) ||
-        !(count[0] <= max_cases) || count[0] != std::floor(count[0]))
-      refuse(text);
-    text = text.substr(0, text.rfind("in "));
-    return static_cast<unsigned int>(count[0]);
-  }
-
-  CaseFactor read_factor(const std::string &part, const std::string &entry) const
-  {
-    for (const std::string &name : factor_names())
-      if (part.compare(0, name.size() + 1, name + " ") == 0)
-      {
-        check(name);
-        const std::vector<std::string> words = split_words(part.substr(name.size()));
-        const bool is_range = words.size() == 3 && words[1] == "to";
-        if (words.size() != 1 && !is_range)
-          refuse(entry);
-        return {name, number(words.front(), entry), number(words.back(), entry)};
-      }
-    refuse(entry);
-  }
-
-  double number(const std::string &word, const std::string &entry) const
-  {
-    std::vector<double> value;
-    if (!read_numbers(word, value) || value.size() != 1 || !(std::abs(value[0]) <= max_magnitude))
-      refuse(entry);
-    return value[0];
-  }
-
-  /** Refuses a factor that could change nothing. */
-  void check(const std::string &name) const
-  {
-    const auto refuse_name = [&](const std::string &what) {
-      throw InputError(given_.where() + ": found the factor '" + name + "', but " + what + ".");
-    };
-    const bool is_shift = name == "shift x" || name == "shift y";
-    if (is_shift)
-      for (const unsigned int side : scene_.contact_sides())
-        if (scene_.boundary[side].foundation == nullptr)
-          refuse_name("the side '" + scene_.geometry.sides[side].name() +
-                      "' has no Contact/Foundation that could be moved");
-    if (name == "force" && !has_load(scene_, LoadKind::force))
-      refuse_name("the scene has neither tractions nor plates with a force");
-    if (name == "weight" && !has_load(scene_, LoadKind::weight))
-      refuse_name("the scene has no body force");
-    if (name == "travel" && !has_load(scene_, LoadKind::travel))
-      refuse_name("the scene has no prescribed displacement");
-  }
-
-  const Given<std::string> &given_;
-  const Scene<2> &scene_;
-};
-
-/** Marks the cases whose fields are written. */
-void read_fields(const Given<std::string> &given, std::vector<LoadCase> &cases)
-{
-  for (const std::string &word : split_words(given.value))
-  {
-    std::vector<double> number;
-    if (!read_numbers(word, number) || number.size() != 1 || number[0] != std::floor(number[0]) ||
-        !(number[0] >= 1.) || !(number[0] <= static_cast<double>(cases.size())))
-      throw InputError(
-        given.where() + ": found " + quote(word) + ", allowed: numbers of cases, " +
-        (cases.empty() ? "of which there are none" : "from 1 to " + std::to_string(cases.size())) +
-        ".");
-    cases[static_cast<std::size_t>(number[0]) - 1].has_fields = true;
   }
 }
 } // namespace
@@ -352,11 +277,18 @@ void read_fields(const Given<std::string> &given, std::vector<LoadCase> &cases)
 std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Scene<2> &scene)
 {
   std::vector<LoadCase> cases;
-  const CaseReader reader(given.cases, scene);
-  if (!given.cases.value.empty())
-    for (const std::string &entry : split_list(given.cases, '|'))
-      reader.read(entry, cases);
-  read_fields(given.fields, cases);
+  for (const std::string &entry : split_list(given.cases, '|'))
+    read_cases(entry, given.cases, scene, cases);
+  for (const std::string &word : split_words(given.fields))
+  {
+    const unsigned int number = whole_number(word, 1., static_cast<double>(cases.size()));
+    if (number == 0)
+      throw InputError(
+        given.fields.where() + ": found " + quote(word) + ", allowed: numbers of cases, " +
+        (cases.empty() ? "of which there are none" : "from 1 to " + std::to_string(cases.size())) +
+        ".");
+    cases[number - 1].has_fields = true;
+  }
   return cases;
 }
 } // namespace Signorini

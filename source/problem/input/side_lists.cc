@@ -9,48 +9,33 @@
 #include <cctype>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "input.h"
 
 namespace Signorini
 {
-namespace
-{
-bool contains(const std::vector<std::string> &names, const std::string &name)
-{
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/** Returns whether a text is a single word, as a name before ':' is. Expressions may contain a ':'
- * of their own (c ? a : b). */
-bool looks_like_a_name(const std::string &text)
-{
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](const unsigned char c) {
-    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
-  });
-}
-} // namespace
-
+// Expressions may contain a ':' of their own (c ? a : b).
 bool begins_with_a_name(const std::string &text)
 {
   const auto colon = text.find(':');
-  return colon != std::string::npos && looks_like_a_name(trim(text.substr(0, colon)));
+  const std::string name = trim(text.substr(0, colon));
+  return colon != std::string::npos && !name.empty() &&
+         std::all_of(name.begin(), name.end(), [](const unsigned char c) {
+           return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+         });
 }
 
 std::vector<std::string> sides_called(const std::string &name,
                                       const std::vector<std::string> &sides)
 {
   std::vector<std::string> parts;
-  const std::string beginning = name + ".";
   for (const std::string &side : sides)
   {
     if (side == name)
       return {name};
-    const std::string number =
-      side.compare(0, beginning.size(), beginning) == 0 ? side.substr(beginning.size()) : "";
-    if (!number.empty() && std::all_of(number.begin(), number.end(), [](const unsigned char c) {
-          return std::isdigit(c) != 0;
-        }))
+    if (side.rfind(name + ".", 0) == 0 && side.size() > name.size() + 1 &&
+        side.find_first_not_of("0123456789", name.size() + 1) == std::string::npos)
       parts.push_back(side);
   }
   return parts;
@@ -89,19 +74,20 @@ SideTexts read_contact_list(const std::string &text,
       entries.emplace_back(side, trim(text));
     return entries;
   }
+  const auto has_entry = [&](const std::string &side) {
+    return std::any_of(
+      entries.begin(), entries.end(), [&](const auto &entry) { return entry.first == side; });
+  };
   for (const auto &entry : read_side_list(text, where, sides))
   {
-    const bool repeated = std::any_of(entries.begin(), entries.end(), [&](const auto &other) {
-      return other.first == entry.first;
-    });
-    if (repeated || !contains(contact_sides, entry.first))
+    if (has_entry(entry.first) ||
+        std::count(contact_sides.begin(), contact_sides.end(), entry.first) == 0)
       throw InputError(where + ": found an entry for " + quote(entry.first) +
                        ", allowed: one for each contact side (" + join(contact_sides) + ").");
     entries.push_back(entry);
   }
   for (const std::string &side : contact_sides)
-    if (std::none_of(
-          entries.begin(), entries.end(), [&](const auto &entry) { return entry.first == side; }))
+    if (!has_entry(side))
       throw InputError(where + ": found no entry for the contact side '" + side +
                        "', allowed: one for each contact side.");
   return entries;
@@ -139,12 +125,11 @@ Plate read_plate(const std::string &name,
 void read_numbers_of(const Given<std::string> &given,
                      const Geometry<2> &geometry,
                      std::vector<Plate> &plates,
-                     const std::function<void(Plate &, double)> &take)
+                     const std::function<void(Plate &, const std::string &name, double)> &take)
 {
   if (given.value.empty())
     return;
   std::vector<std::string> names;
-  names.reserve(plates.size());
   for (const Plate &plate : plates)
     names.push_back(geometry.sides[plate.side].name());
   if (names.empty())
@@ -152,12 +137,11 @@ void read_numbers_of(const Given<std::string> &given,
                      ", but Boundary/Plates names no plate.");
   for (const auto &[name, text] : read_side_list(given.value, given.where(), names))
   {
-    std::vector<double> number;
-    if (!read_numbers(text, number) || number.size() != 1 ||
-        !(std::abs(number[0]) <= max_magnitude))
+    double number = 0.;
+    if (!read_number(text, number) || !(std::abs(number) <= max_magnitude))
       throw InputError(given.where() + ": found " + quote(text) + " for the plate '" + name +
                        "', allowed: one number up to " + number_text(max_magnitude) + ".");
-    take(plates[std::find(names.begin(), names.end(), name) - names.begin()], number[0]);
+    take(plates[std::find(names.begin(), names.end(), name) - names.begin()], name, number);
   }
 }
 
@@ -167,30 +151,31 @@ void read_drives(const LoadParameters &load,
                  const Geometry<2> &geometry,
                  std::vector<Plate> &plates)
 {
-  std::vector<bool> has_travel(plates.size(), false);
-  const auto index = [&](const Plate &plate) { return &plate - plates.data(); };
-  read_numbers_of(load.plate_force, geometry, plates, [](Plate &plate, const double force) {
-    plate.is_pushed = true;
-    plate.force = force;
-  });
-  read_numbers_of(load.plate_travel, geometry, plates, [&](Plate &plate, const double travel) {
-    if (plate.is_pushed)
-      throw InputError(load.plate_travel.where() + ": the plate '" +
-                       geometry.sides[plate.side].name() +
-                       "' has a Plate force already; allowed: one of the two.");
-    has_travel[index(plate)] = true;
-    plate.travel = travel;
-  });
-  read_numbers_of(load.plate_moment, geometry, plates, [&](Plate &plate, const double moment) {
-    if (!plate.turns)
-      throw InputError(load.plate_moment.where() + ": the plate '" +
-                       geometry.sides[plate.side].name() +
-                       "' does not turn; allowed: moments of plates with the word turning in "
-                       "Boundary/Plates.");
-    plate.moment = moment;
-  });
+  std::set<unsigned int> driven;
+  read_numbers_of(
+    load.plate_force, geometry, plates, [&](Plate &plate, const auto &, double force) {
+      driven.insert(plate.side);
+      plate.is_pushed = true;
+      plate.force = force;
+    });
+  read_numbers_of(
+    load.plate_travel, geometry, plates, [&](Plate &plate, const auto &name, double travel) {
+      if (plate.is_pushed)
+        throw InputError(load.plate_travel.where() + ": the plate '" + name +
+                         "' has a Plate force already; allowed: one of the two.");
+      driven.insert(plate.side);
+      plate.travel = travel;
+    });
+  read_numbers_of(
+    load.plate_moment, geometry, plates, [&](Plate &plate, const auto &name, double moment) {
+      if (!plate.turns)
+        throw InputError(load.plate_moment.where() + ": the plate '" + name +
+                         "' does not turn; allowed: moments of plates with the word turning in "
+                         "Boundary/Plates.");
+      plate.moment = moment;
+    });
   for (const Plate &plate : plates)
-    if (!plate.is_pushed && !has_travel[index(plate)])
+    if (driven.count(plate.side) == 0)
       throw InputError(given.where() + ": the plate '" + geometry.sides[plate.side].name() +
                        "' has no entry in Load/Plate force or Load/Plate travel, allowed: one of "
                        "the two.");
@@ -202,10 +187,8 @@ std::vector<Plate> read_plates(const Given<std::string> &given,
                                const Geometry<2> &geometry)
 {
   std::vector<Plate> plates;
-  if (!given.value.empty())
-    for (const auto &[name, text] :
-         read_side_list(given.value, given.where(), geometry.side_names()))
-      plates.push_back(read_plate(name, text, given, geometry));
+  for (const auto &[name, text] : read_side_list(given.value, given.where(), geometry.side_names()))
+    plates.push_back(read_plate(name, text, given, geometry));
   read_drives(load, given, geometry, plates);
   return plates;
 }

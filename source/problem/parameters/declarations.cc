@@ -9,19 +9,51 @@
 
 namespace Signorini
 {
-namespace Patterns = Patterns;
-
-void Declarations::add_entry(const std::string &name, const std::string &allowed, Entry &entry)
+void Declarations::add(const std::string &name,
+                       Entry &entry,
+                       const std::string &default_text,
+                       const std::string &help,
+                       const Patterns::PatternBase &pattern,
+                       const std::string &allowed,
+                       const std::function<void(const std::string &)> &set)
 {
+  handler_.declare_entry(
+    name, default_text, pattern, help + (allowed.empty() ? "" : " Allowed: " + allowed + "."));
+  handler_.add_action(name, set);
   entry.name = section_ + name;
   entry.place = file_name_;
-  declared_[entry.name] = {allowed, handler_.get(name), &entry};
+  declared_[entry.name] = {allowed, default_text, &entry};
 }
 
 void Declarations::add(const std::string &name, Given<std::string> &given, const std::string &help)
 {
-  handler_.add_parameter(name, given.value, help, Patterns::Anything());
-  add_entry(name, "any text", given);
+  add(name, given, given.value, help, Patterns::Anything(), "", [&given](const std::string &text) {
+    given.value = text;
+  });
+}
+
+void Declarations::add(const std::string &name, Given<bool> &given, const std::string &help)
+{
+  add(name,
+      given,
+      given.value ? "true" : "false",
+      help,
+      Patterns::Bool(),
+      "true, false",
+      [&given](const std::string &text) { given.value = text == "true"; });
+}
+
+void Declarations::add(const std::string &name,
+                       Given<std::vector<double>> &given,
+                       const std::string &help)
+{
+  add(name,
+      given,
+      "",
+      help,
+      Patterns::List(Patterns::Double(), 0, 100, ","),
+      "at most 100 numbers separated by commas",
+      [&given](const std::string &text) { read_numbers(text, given.value); });
 }
 
 void Declarations::enter(const std::string &section)
@@ -54,8 +86,9 @@ void Declarations::declare_scene(Parameters &parameters)
 {
   add("Dimension",
       parameters.dimension,
-      "2: the plane; 3: space, where bodies are boxes. A scene of the catalogue has its own.",
-      Patterns::Integer(2, 3),
+      "Bodies in 3-D are boxes. A scene of the catalogue has its own.",
+      2U,
+      3U,
       "2 or 3");
   enter("Scene");
   add("Name",
@@ -76,15 +109,15 @@ void Declarations::declare_material(MaterialParameters &material)
   add("Law", material.law, "Hooke's law.");
   add("Young's modulus",
       material.youngs_modulus,
-      "Expression in x, y (in space x, y, z) (force/area), positive everywhere; for regions of a "
+      "Expression in x, y (in 3-D x, y, z) (force/area), positive everywhere; for regions of a "
       "mesh file 'steel: 210000 | rubber: 5', as for all moduli.");
   add("Poisson's ratio",
       material.poissons_ratio,
-      "Expression in x, y (in space x, y, z), between -1 and 0.5 (both excluded) everywhere.");
+      "Expression in x, y (in 3-D x, y, z), between -1 and 0.5 (both excluded) everywhere.");
   add("Hooke tensor",
       material.hooke_tensor,
       "General law: C11; C12; C13; C22; C23; C33 (force/area), expressions in Voigt's notation "
-      "with the strains e11, e22, 2*e12. In space the 21 entries C11; C12; ... C16; C22; ... C66 "
+      "with the strains e11, e22, 2*e12. In 3-D the 21 entries C11; C12; ... C16; C22; ... C66 "
       "of the upper triangle, row by row, with the strains e11, e22, e33, 2*e23, 2*e13, 2*e12.");
   add("Orthotropic moduli",
       material.orthotropic_moduli,
@@ -92,7 +125,8 @@ void Declarations::declare_material(MaterialParameters &material)
   add("Orientation",
       material.orientation,
       "Degrees from the x-axis to the first axis of an orthotropic material.",
-      Patterns::Double(),
+      std::numeric_limits<double>::lowest(),
+      std::numeric_limits<double>::max(),
       "a number");
   add("Moduli across the plane",
       material.moduli_across,
@@ -117,11 +151,11 @@ void Declarations::declare_boundary(BoundaryParameters &boundary)
       "Sides that may touch the foundation: names separated by blanks; at least one.");
   add("Displacement",
       boundary.displacement,
-      "Prescribed displacement (length) by side: top: 0; -0.1 | left: 0; 0. In space three "
+      "Prescribed displacement (length) by side: top: 0; -0.1 | left: 0; 0. In 3-D three "
       "components: top: 0; 0; -0.1.");
   add("Traction",
       boundary.traction,
-      "Surface traction (force/area) by side: left: tx; ty | right: tx; ty; in space tx; ty; tz. "
+      "Surface traction (force/area) by side: left: tx; ty | right: tx; ty; in 3-D tx; ty; tz. "
       "Sides without a role are free.");
   add(
     "Plates",
@@ -136,7 +170,7 @@ void Declarations::declare_data(Parameters &parameters)
   enter("Load");
   add("Body force",
       parameters.load.body_force,
-      "Force per volume: fx; fy, in space fx; fy; fz, expressions in x, y, z (force/volume).");
+      "Force per volume: fx; fy, in 3-D fx; fy; fz, expressions in x, y, z (force/volume).");
   add("Plate force",
       parameters.load.plate_force,
       "Force on a plate along its direction (force per thickness) by side: top: 35.");
@@ -179,10 +213,10 @@ void Declarations::declare_data(Parameters &parameters)
   enter("Exact solution");
   add("Displacement",
       parameters.exact.displacement,
-      "u1; u2, in space u1; u2; u3, as expressions (length); turns the columns u_... on.");
+      "u1; u2, in 3-D u1; u2; u3, as expressions (length); turns the columns u_... on.");
   add("Displacement gradient",
       parameters.exact.displacement_gradient,
-      "du1/dx; du1/dy; du2/dx; du2/dy, in space all nine derivatives in this order; without it "
+      "du1/dx; du1/dy; du2/dx; du2/dy, in 3-D all nine derivatives in this order; without it "
       "fourth-order differences are taken.");
   add("Pressure",
       parameters.exact.pressure,
@@ -202,13 +236,13 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
   add("Coarsest level",
       discretization.coarsest_level,
       "Refinements of the coarse mesh on the first level.",
-      Patterns::Integer(0, 14),
-      "an integer from 0 to 14");
+      0U,
+      14U);
   add("Finest level",
       discretization.finest_level,
       "Refinements of the coarse mesh on the last level.",
-      Patterns::Integer(0, 14),
-      "an integer from 0 to 14");
+      0U,
+      14U);
   add("Element",
       discretization.element,
       "Q1: bilinear displacement. Q1 B-bar: its dilatation is averaged over cells, which keeps the "
@@ -218,54 +252,42 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
       discretization.patch_ratio,
       "H/h: faces per contact patch; where it does not divide the faces of a side, the last patch "
       "is the longer one.",
-      Patterns::Integer(1, 1 << 14),
-      "an integer from 1 to 16384");
+      1U,
+      16384U);
   add("Patches",
       discretization.patches,
       "If positive: this many equal patches per contact side, aligned with nothing.",
-      Patterns::Integer(0, 1 << 14),
-      "an integer from 0 to 16384");
+      0U,
+      16384U);
   add("Target error",
       discretization.target_error,
       "If positive: stop refining when the relative error of u_h in the energy norm is below it: "
       "its guaranteed bound, or, where there is no bound, its estimate. Where none is given, hp "
       "aims at 1e-3, and an estimate below Tolerated error suffices.",
-      Patterns::Double(0., 1.),
-      "a number from 0 to 1");
-  declare_graded_meshes(discretization);
+      0.,
+      1.);
+  add("Maximum unknowns",
+      discretization.maximum_unknowns,
+      "hp: no mesh with more unknowns is solved.",
+      100U,
+      100000000U);
+  add("Maximum degree",
+      discretization.maximum_degree,
+      "hp: the highest degree of an element.",
+      2U,
+      12U);
   add("Quadrature points",
       discretization.quadrature_points,
       "Gauss points per direction for loads; errors take one more. Meshes of at most 16384 cells "
       "take one more, of at most 1024 cells three more, of at most 64 cells six more.",
-      Patterns::Integer(1, 16),
-      "an integer from 1 to 16");
-  const Patterns::List positions(Patterns::Double(), 0, 100, ",");
+      1U,
+      16U);
   add("Kinks at x",
       discretization.kinks_at_x,
       "Positions x where the data is not smooth (length): cells and patches crossed by one are "
-      "integrated on the pieces.",
-      positions,
-      "at most 100 numbers separated by commas");
-  add("Kinks at y",
-      discretization.kinks_at_y,
-      "The same for positions y.",
-      positions,
-      "at most 100 numbers separated by commas");
+      "integrated on the pieces.");
+  add("Kinks at y", discretization.kinks_at_y, "The same for positions y.");
   leave();
-}
-
-void Declarations::declare_graded_meshes(DiscretizationParameters &discretization)
-{
-  add("Maximum unknowns",
-      discretization.maximum_unknowns,
-      "hp: no mesh with more unknowns is solved.",
-      Patterns::Integer(100, 100000000),
-      "an integer from 100 to 100000000");
-  add("Maximum degree",
-      discretization.maximum_degree,
-      "hp: the highest degree of an element.",
-      Patterns::Integer(2, 12),
-      "an integer from 2 to 12");
 }
 
 void Declarations::declare_solver(SolverParameters &solver)
@@ -277,17 +299,18 @@ void Declarations::declare_solver(SolverParameters &solver)
       "gradients with projections) solve the dual problem. multigrid forms none: every V-cycle is "
       "followed by a small problem on the contact sides (one process, nested meshes, Linear solver "
       "= multigrid or automatic). automatic is multigrid on levels with 1e5 unknowns and more (in "
-      "space 5e3), where nothing forbids it, else active set.");
+      "3-D 5e3), where nothing forbids it, else active set.");
   add("Relaxation",
       solver.relaxation,
       "Relaxation parameter omega of projected SOR.",
-      Patterns::Double(std::numeric_limits<double>::min(), 2. - 1e-15),
+      std::numeric_limits<double>::min(),
+      2. - 1e-15,
       "a number between 0 and 2 (both excluded)");
   add("Tolerance",
       solver.tolerance,
       "On the relative KKT residual of the dual problem.",
-      Patterns::Double(1e-15, 1e-2),
-      "a number from 1e-15 to 0.01");
+      1e-15,
+      1e-2);
   add(
     "Stop at",
     solver.stop_at,
@@ -298,7 +321,8 @@ void Declarations::declare_solver(SolverParameters &solver)
     solver.maximum_iterations,
     "Sweeps of projected SOR, steps of the active set, products of MPRGP or V-cycles before giving "
     "up; a level that needs more is the last one, and is not certified.",
-    Patterns::Integer(1, std::numeric_limits<int>::max()),
+    1U,
+    2147483647U,
     "a positive integer");
   add("Linear solver",
       solver.linear_solver,
@@ -308,23 +332,17 @@ void Declarations::declare_solver(SolverParameters &solver)
       "contact patch that can touch. multigrid (one process, nested meshes) assembles and "
       "factorises nothing: conjugate gradients with V-cycles. automatic is multigrid where Contact "
       "solver is that, else condensed on one process and amesos_mumps on several.");
-  add("Warm start",
-      solver.warm_start,
-      "Start a level from the pressure of the level before.",
-      Patterns::Bool(),
-      "true, false");
+  add("Warm start", solver.warm_start, "Start a level from the pressure of the level before.");
   add(
     "Tolerated error",
     solver.tolerated_error,
     "Relative error in the energy norm up to which an answer is certified: the bound on the finest "
     "level, or its estimate where there is no bound, must not be larger.",
-    Patterns::Double(0., 10.),
-    "a number from 0 to 10");
+    0.,
+    10.);
   add("Require stability",
       solver.require_stability,
-      "Refuse patches of a single face (H = h), which are not inf-sup stable, instead of warning.",
-      Patterns::Bool(),
-      "true, false");
+      "Refuse patches of a single face (H = h), which are not inf-sup stable, instead of warning.");
   leave();
 }
 
@@ -335,39 +353,29 @@ void Declarations::declare_output(OutputParameters &output)
   add("Inf-sup constant",
       output.inf_sup_constant,
       "Whether the constant beta of Lemma 1 is measured (automatic: on nested meshes of up to 1e5 "
-      "unknowns, in space 5000; it needs its own factorisation).");
+      "unknowns, in 3-D 5000; it needs its own factorisation).");
   add("Compliance",
       output.compliance,
       "Write the dual problem and its solution as Matrix Market files: C, F, P, and A, D, f, G "
-      "behind them.",
-      Patterns::Bool(),
-      "true, false");
+      "behind them.");
   add("Errors",
       output.errors,
       "Compute the errors in the norms of the theorems where the exact solution is known; without "
-      "them a run takes the time of its solution.",
-      Patterns::Bool(),
-      "true, false");
+      "them a run takes the time of its solution.");
   add(
     "Lemmas",
     output.lemmas,
     "Fill the columns lemma_... and bound_...: the left-hand sides of Lemmas 2, 3, 5 and of (26), "
-    "(27), (30), where the exact solution is known.",
-    Patterns::Bool(),
-    "true, false");
+    "(27), (30), where the exact solution is known.");
   add(
     "Pictures",
     output.pictures,
     "Draw the finest level with signorini-plot if Python's matplotlib is installed; that needs and "
-    "writes the VTU files of this level.",
-    Patterns::Bool(),
-    "true, false");
+    "writes the VTU files of this level.");
   leave();
 }
 
 // The subsection Geometry.
-
-namespace Patterns = Patterns;
 
 void Declarations::declare_geometry(GeometryParameters &geometry)
 {
@@ -376,7 +384,7 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
       geometry.shape,
       "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
       "side1, ... in the order of its vertices; a half disc (the lower half) flat and arc, a disc "
-      "arc, a ring inner and outer; a file those that are named in it; a box, the shape in space, "
+      "arc, a ring inner and outer; a file those that are named in it; a box, the shape in 3-D, "
       "left, right (x), front, back (y), bottom, top (z).");
   add("Lower left",
       geometry.lower_left,
@@ -406,19 +414,11 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
     "Polygon, and shapes from files (.step, .geo, ...): longest edge of the elements that level 0 "
     "is made from (length); 0: as coarse as the shape allows, or a tenth of the diagonal of a "
     "file's shape.",
-    Patterns::Double(0., 1e30),
-    "a number from 0 to 1e+30");
+    0.,
+    1e30);
   add("Centre", geometry.centre, "Of a half disc, a disc or a ring: x, y (length).");
-  add("Radius",
-      geometry.radius,
-      "Of a half disc, a disc or a ring (length).",
-      Patterns::Double(1e-30, 1e30),
-      "a number from 1e-30 to 1e+30");
-  add("Inner radius",
-      geometry.inner_radius,
-      "Of a ring (length).",
-      Patterns::Double(1e-30, 1e30),
-      "a number from 1e-30 to 1e+30");
+  add("Radius", geometry.radius, "Of a half disc, a disc or a ring (length).", 1e-30, 1e30);
+  add("Inner radius", geometry.inner_radius, "Of a ring (length).", 1e-30, 1e30);
   add(
     "File",
     geometry.file,
@@ -434,8 +434,8 @@ void Declarations::declare_geometry(GeometryParameters &geometry)
   add("Distortion",
       geometry.distortion,
       "Interior vertices of the coarsest level are moved at random by this share of h.",
-      Patterns::Double(0., 0.45),
-      "a number from 0 to 0.45");
+      0.,
+      0.45);
   leave();
 }
 } // namespace Signorini

@@ -2,14 +2,18 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/base/text.h>
 #include <signorini/problem/parameters/parameter_text.h>
 #include <signorini/problem/parameters/parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
+#include <type_traits>
 
 namespace Signorini
 {
@@ -51,19 +55,30 @@ private:
     Entry *entry;
   };
 
-  template <typename T, typename Pattern>
-  void add(const std::string &name,
-           Given<T> &given,
-           const std::string &help,
-           const Pattern &pattern,
-           const std::string &allowed);
   /** Adds an entry that may be any text. */
   void add(const std::string &name, Given<std::string> &given, const std::string &help);
+  void add(const std::string &name, Given<bool> &given, const std::string &help);
+  /** Adds a list of numbers. */
+  void add(const std::string &name, Given<std::vector<double>> &given, const std::string &help);
+  /** Adds a number between two bounds. */
+  template <typename Number>
+  void add(const std::string &name,
+           Given<Number> &given,
+           const std::string &help,
+           Number min,
+           Number max,
+           std::string allowed = "");
   /** Adds an option, which is one of its names. */
   template <typename Option>
   void add(const std::string &name, Given<Option> &given, const std::string &help);
-  /** Adds the data of an entry that the handler has declared. */
-  void add_entry(const std::string &name, const std::string &allowed, Entry &entry);
+  /** Adds an entry whose value @p set takes from a text. */
+  void add(const std::string &name,
+           Entry &entry,
+           const std::string &default_text,
+           const std::string &help,
+           const Patterns::PatternBase &pattern,
+           const std::string &allowed,
+           const std::function<void(const std::string &)> &set);
   void enter(const std::string &section);
   void leave();
 
@@ -73,11 +88,8 @@ private:
   void declare_boundary(BoundaryParameters &boundary);
   void declare_data(Parameters &parameters);
   void declare_discretization(DiscretizationParameters &discretization);
-  /** Declares the entries of Discretization for Strategy = hp. */
-  void declare_graded_meshes(DiscretizationParameters &discretization);
   void declare_solver(SolverParameters &solver);
   void declare_output(OutputParameters &output);
-  [[noreturn]] void refuse_unknown(const Assignment &assignment) const;
 
   mutable ParameterHandler handler_;
   std::string file_name_;
@@ -86,27 +98,44 @@ private:
   std::map<std::string, Declared> declared_;
 };
 
-template <typename T, typename Pattern>
+template <typename Number>
 void Declarations::add(const std::string &name,
-                       Given<T> &given,
+                       Given<Number> &given,
                        const std::string &help,
-                       const Pattern &pattern,
-                       const std::string &allowed)
+                       const Number min,
+                       const Number max,
+                       std::string allowed)
 {
-  handler_.add_parameter(name, given.value, help + " Allowed: " + allowed + ".", pattern);
-  add_entry(name, allowed, given);
+  constexpr bool is_integer = std::is_integral_v<Number>;
+  if (allowed.empty())
+    allowed = (is_integer ? "an integer from " : "a number from ") +
+              (is_integer ? std::to_string(min) + " to " + std::to_string(max)
+                          : number_text(min) + " to " + number_text(max));
+  using Pattern = std::conditional_t<is_integer, Patterns::Integer, Patterns::Double>;
+  add(name,
+      given,
+      Patterns::Tools::Convert<Number>::to_string(given.value),
+      help,
+      Pattern(min, max),
+      allowed,
+      [&given](const std::string &text) {
+        given.value = Patterns::Tools::Convert<Number>::to_value(text);
+      });
 }
 
 template <typename Option>
 void Declarations::add(const std::string &name, Given<Option> &given, const std::string &help)
 {
-  const std::string allowed = list_names<Option>(", ");
-  handler_.declare_entry(name,
-                         to_text(given.value),
-                         Patterns::Selection(list_names<Option>("|")),
-                         help + " Allowed: " + allowed + ".");
-  handler_.add_action(name,
-                      [&given](const std::string &text) { given.value = from_text<Option>(text); });
-  add_entry(name, allowed, given);
+  const std::vector<std::string> &names = option_names(typeid(Option));
+  add(name,
+      given,
+      to_text(given.value),
+      help,
+      Patterns::Selection(join(names, "|")),
+      join(names),
+      [&](const std::string &text) {
+        given.value =
+          static_cast<Option>(std::find(names.begin(), names.end(), text) - names.begin());
+      });
 }
 } // namespace Signorini

@@ -36,12 +36,6 @@ struct CornerFunction
     return linear + 2. * square * z +
            frequency * (sine * std::cos(frequency * z) - cosine * std::sin(frequency * z));
   }
-  /** Returns a bound of the terms: f is known up to rounding of this number. */
-  double size(const Complex z) const
-  {
-    return std::abs(constant) + std::abs(linear * z) + std::abs(square * z * z) +
-           (std::abs(sine) + std::abs(cosine)) * std::cosh(frequency * z.imag());
-  }
 };
 
 /** Returns the functions of (W1) to (W6). Functions that are products are given by their factors,
@@ -73,32 +67,22 @@ std::vector<CornerFunction> corner_functions(const double angle,
 /** Returns the root that Newton's method finds from z, or nothing. */
 std::optional<Complex> root_near(const CornerFunction &f, Complex z)
 {
-  for (unsigned int i = 0; i < 60; ++i)
+  Complex step = 1.;
+  for (unsigned int i = 0; i < 60 && std::abs(step) >= 1e-15 * std::abs(z); ++i)
   {
-    const Complex step = f.value(z) / f.derivative(z);
-    // Far from all roots steps may lead to where the sine overflows.
-    if (!(std::abs(step) < 1e3))
-      return {};
+    step = f.value(z) / f.derivative(z);
     z -= step;
-    if (!(std::abs(f.frequency * z.imag()) < 100.))
+    // Far from all roots steps may lead to where the sine overflows.
+    if (!(std::abs(step) < 1e3) || !(std::abs(f.frequency * z.imag()) < 100.))
       return {};
-    if (std::abs(step) < 1e-15 * std::abs(z))
-      break;
   }
-  if (std::abs(f.value(z)) > 1e-12 * f.size(z))
-    return {};
-  return z;
+  return std::abs(step) > 1e-10 * std::abs(z) ? std::nullopt : std::optional(z);
 }
 
-/** Returns whether solutions with this exponent are polynomials. */
-bool is_integer(const Complex exponent)
-{
-  return std::abs(exponent - std::round(exponent.real())) < 1e-6;
-}
-
-/** Returns the smallest Re z > 0 of the roots, which Newton's method finds from the points of a
- * grid. With |frequency Im z| > 6 + log(1 + kappa) a sine or cosine is larger than all other terms;
- * roots come in pairs z, conj(z). */
+/** Returns the smallest Re z > 0 of the roots that are no integers, for which solutions are no
+ * polynomials. Newton's method finds them from the points of a grid. With |frequency Im z| > 6 +
+ * log(1 + kappa) a sine or cosine is larger than all other terms; roots come in pairs z, conj(z).
+ */
 double min_real_part(const CornerFunction &f, const double kappa)
 {
   const double spacing = 0.5 / f.frequency;
@@ -107,7 +91,7 @@ double min_real_part(const CornerFunction &f, const double kappa)
   for (double x = 0.5 * spacing; x < smallest + spacing; x += spacing)
     for (double y = 0.; y < highest; y += spacing)
       if (const std::optional<Complex> root = root_near(f, Complex(x, y)))
-        if (root->real() > 1e-6 && !is_integer(*root))
+        if (root->real() > 1e-6 && std::abs(*root - std::round(root->real())) > 1e-6)
           smallest = std::min(smallest, root->real());
   return smallest;
 }
@@ -215,19 +199,12 @@ std::vector<Corner> corners(const Geometry<2> &geometry)
 
 std::vector<EdgeSupport> possible_supports(const Role role)
 {
-  switch (role)
-  {
-  case Role::clamped:
-  case Role::displacement:
+  if (role == Role::clamped || role == Role::displacement)
     return {EdgeSupport::held};
-  case Role::roller:
+  if (role == Role::roller)
     return {EdgeSupport::sliding};
-  case Role::contact:
+  if (role == Role::contact)
     return {EdgeSupport::free, EdgeSupport::sliding};
-  case Role::free:
-  case Role::traction:
-    break;
-  }
   return {EdgeSupport::free};
 }
 
@@ -249,46 +226,22 @@ namespace
  * which a difference is rounding. */
 constexpr double rounding = 1e-6;
 
-/** A point that two sides have in common. */
-template <int dim>
-struct Meeting
+/** Returns the common points of each two sides: corners, and points of the edges of a box. */
+std::vector<std::pair<Point<2>, std::array<unsigned int, 2>>> meetings(const Geometry<2> &geometry)
 {
-  Point<dim> x;
-  std::array<unsigned int, 2> sides;
-};
-
-std::vector<Meeting<2>> meetings(const Geometry<2> &geometry)
-{
-  std::vector<Meeting<2>> found;
+  std::vector<std::pair<Point<2>, std::array<unsigned int, 2>>> found;
   for (const Corner &corner : corners(geometry))
     if (corner.sides[0] != corner.sides[1])
-      found.push_back({corner.position, corner.sides});
+      found.emplace_back(corner.position, corner.sides);
   return found;
 }
 
-/** Returns points inside the common edges of a box. */
-std::vector<Meeting<3>> meetings(const Geometry<3> &geometry)
-{
-  std::vector<Meeting<3>> found;
-  const double close = 1e-8 * geometry.diameter();
-  for (unsigned int i = 0; i < geometry.sides.size(); ++i)
-    for (unsigned int j = 0; j < i; ++j)
-      for (const double s : {1e-3, 0.13, 0.3, 0.5, 0.71, 0.9, 1. - 1e-3})
-        for (const auto &[r, t] :
-             {std::pair{s, 0.}, std::pair{s, 1.}, std::pair{0., s}, std::pair{1., s}})
-        {
-          const auto lengths = geometry.sides[i].lengths();
-          const Point<3> x = geometry.sides[i].point({r * lengths[0], t * lengths[1]});
-          if (x.distance(geometry.sides[j].point(geometry.sides[j].coordinates(x))) < close)
-            found.push_back({x, {{i, j}}});
-        }
-  return found;
-}
+constexpr std::array<double, 9> shares = {{0., 1e-3, 0.2, 0.37, 0.5, 0.71, 0.9, 1. - 1e-3, 1.}};
 
 std::vector<Point<2>> samples(const Side<2> &side)
 {
   std::vector<Point<2>> points;
-  for (const double share : {0., 0.2, 0.37, 0.5, 0.71, 0.9, 1.})
+  for (const double share : shares)
     points.push_back(side.point(share * side.length()));
   return points;
 }
@@ -296,10 +249,22 @@ std::vector<Point<2>> samples(const Side<2> &side)
 std::vector<Point<3>> samples(const Side<3> &side)
 {
   std::vector<Point<3>> points;
-  for (const double r : {0., 0.2, 0.5, 0.71, 1.})
-    for (const double s : {0., 0.2, 0.5, 0.71, 1.})
+  for (const double r : shares)
+    for (const double s : shares)
       points.push_back(side.point({r * side.lengths()[0], s * side.lengths()[1]}));
   return points;
+}
+
+std::vector<std::pair<Point<3>, std::array<unsigned int, 2>>> meetings(const Geometry<3> &geometry)
+{
+  std::vector<std::pair<Point<3>, std::array<unsigned int, 2>>> found;
+  for (unsigned int i = 0; i < geometry.sides.size(); ++i)
+    for (const Point<3> &x : samples(geometry.sides[i]))
+      for (unsigned int j = 0; j < i; ++j)
+        if (x.distance(geometry.sides[j].point(geometry.sides[j].coordinates(x))) <
+            1e-8 * geometry.diameter())
+          found.push_back({x, {{i, j}}});
+  return found;
 }
 
 template <int dim>
@@ -311,109 +276,94 @@ std::string text_of(const Tensor<1, dim> &vector)
   return "(" + join(numbers) + ")";
 }
 
-/** Checks the points where two sides meet. */
-template <int dim>
-class MeetingCheck
+/** Returns whether all components of u are prescribed, not u.n alone. */
+bool prescribes_all(const Role role)
 {
-public:
-  using Vector = Tensor<1, dim>;
+  return role == Role::clamped || role == Role::displacement;
+}
 
-  explicit MeetingCheck(const Scene<dim> &scene)
-    : scene_(scene)
-    , size_(1e-14 * scene.geometry.diameter())
-  {
-    for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-      if (prescribes_all(i))
-        for (const Point<dim> &x : samples(scene.geometry.sides[i]))
-          size_ = std::max(size_, displacement(i, x).norm());
-  }
+/** Returns the given part of the displacement of a side; zero where nothing is given. */
+template <int dim>
+Tensor<1, dim> given_displacement(const BoundaryCondition<dim> &condition, const Point<dim> &x)
+{
+  Tensor<1, dim> u;
+  if (condition.role == Role::displacement)
+    for (unsigned int c = 0; c < dim; ++c)
+      u[c] = condition.data->value(x, c);
+  return u;
+}
 
-  /** Returns why the second side contradicts the first one, or nothing. */
-  std::string judge(const Point<dim> &x, const unsigned int i, const unsigned int j) const
-  {
-    if (!prescribes_all(i) || !(prescribes_all(j) || scene_.boundary[j].role == Role::roller))
-      return "";
-    for (const auto &[mover, holder] : {std::pair{i, j}, std::pair{j, i}})
-      for (const auto &[motion, name] : motions(mover, x))
-        if (restricted(motion, x, j).norm() > rounding * motion.norm())
-          return "the plate " + name_of(mover) + " cannot " + name + ", because the side " +
-                 name_of(holder) + " holds their common point " + text_of(x) +
-                 ", allowed: plates whose neighbours let them move";
-    const Vector a = displacement(i, x);
-    const Vector b = prescribes_all(j) ? displacement(j, x) : Vector();
-    if (restricted(a - b, x, j).norm() <= rounding * size_)
-      return "";
-    return "the side " + name_of(i) + " prescribes u = " + text_of(a) + " at " + text_of(x) +
-           ", where the side " + name_of(j) + " prescribes " +
-           (prescribes_all(j) ? "u = " + text_of(b) : "u.n = 0 with n = " + text_of(normal(j, x))) +
-           ", and no displacement of finite energy jumps; allowed: values that agree where sides "
-           "meet";
-  }
+/** Returns the velocities at a point of the plate on this side that forces and moments drive. */
+template <int dim>
+std::vector<std::pair<Tensor<1, dim>, std::string>> motions_at(const Scene<dim> &scene,
+                                                               const unsigned int side,
+                                                               const Point<dim> &x)
+{
+  std::vector<std::pair<Tensor<1, dim>, std::string>> found;
+  if constexpr (dim == 2)
+    for (const Plate &plate : scene.plates)
+      if (plate.side == side)
+      {
+        if (plate.is_pushed)
+          found.emplace_back(plate.direction, "move along " + text_of(plate.direction));
+        if (plate.turns)
+          found.emplace_back(plate.displacement({0., 1.}, x), "turn");
+      }
+  return found;
+}
 
-private:
-  std::string name_of(const unsigned int i) const
-  {
-    return "'" + scene_.geometry.sides[i].name() + "'";
-  }
-  /** Returns whether all components of u are prescribed, not u.n alone. */
-  bool prescribes_all(const unsigned int i) const
-  {
-    return scene_.boundary[i].role == Role::clamped ||
-           scene_.boundary[i].role == Role::displacement;
-  }
-  Vector normal(const unsigned int i, const Point<dim> &x) const
-  {
-    const Side<dim> &side = scene_.geometry.sides[i];
-    return side.normal(side.coordinates(x));
-  }
-  /** Returns the given part of the displacement. */
-  Vector displacement(const unsigned int i, const Point<dim> &x) const
-  {
-    Vector u;
-    if (scene_.boundary[i].role == Role::displacement)
-      for (unsigned int c = 0; c < dim; ++c)
-        u[c] = scene_.boundary[i].data->value(x, c);
-    return u;
-  }
-  /** Returns N u. */
-  Vector restricted(const Vector &u, const Point<dim> &x, const unsigned int j) const
-  {
-    return prescribes_all(j) ? u : (u * normal(j, x)) * normal(j, x);
-  }
-  /** Returns the velocities at a point of the plate on this side that forces and moments drive. */
-  std::vector<std::pair<Vector, std::string>> motions(const unsigned int side,
-                                                      const Point<dim> &x) const
-  {
-    std::vector<std::pair<Vector, std::string>> found;
-    if constexpr (dim == 2)
-      for (const Plate &plate : scene_.plates)
-        if (plate.side == side)
-        {
-          if (plate.is_pushed)
-            found.emplace_back(plate.direction, "move along " + text_of(plate.direction));
-          if (plate.turns)
-            found.emplace_back(plate.displacement({0., 1.}, x), "turn");
-        }
-    return found;
-  }
-  const Scene<dim> &scene_;
-  /** The largest prescribed displacement. */
-  double size_;
-};
+/** Returns why the second side contradicts the first one at a common point, or nothing. @param size
+ * the largest prescribed displacement. */
+template <int dim>
+std::string contradiction_at(const Scene<dim> &scene,
+                             const Point<dim> &x,
+                             const unsigned int i,
+                             const unsigned int j,
+                             const double size)
+{
+  const bool second_holds_all = prescribes_all(scene.boundary[j].role);
+  if (!prescribes_all(scene.boundary[i].role) ||
+      !(second_holds_all || scene.boundary[j].role == Role::roller))
+    return "";
+  const auto name = [&](const unsigned int k) {
+    return "'" + scene.geometry.sides[k].name() + "'";
+  };
+  const Side<dim> &second = scene.geometry.sides[j];
+  const Tensor<1, dim> n = second.normal(second.coordinates(x));
+  const auto held_part = [&](const Tensor<1, dim> &u) {
+    return second_holds_all ? u : (u * n) * n;
+  };
+  for (const auto &[mover, holder] : {std::pair{i, j}, std::pair{j, i}})
+    for (const auto &[motion, text] : motions_at(scene, mover, x))
+      if (held_part(motion).norm() > rounding * motion.norm())
+        return "the plate " + name(mover) + " cannot " + text + ", because the side " +
+               name(holder) + " holds their common point " + text_of(x) +
+               ", allowed: plates whose neighbours let them move";
+  const Tensor<1, dim> a = given_displacement(scene.boundary[i], x),
+                       b = given_displacement(scene.boundary[j], x);
+  if (held_part(a - b).norm() <= rounding * size)
+    return "";
+  return "the side " + name(i) + " prescribes u = " + text_of(a) + " at " + text_of(x) +
+         ", where the side " + name(j) + " prescribes " +
+         (second_holds_all ? "u = " + text_of(b) : "u.n = 0 with n = " + text_of(n)) +
+         ", and no displacement of finite energy jumps; allowed: values that agree where sides "
+         "meet";
+}
 } // namespace
 
 template <int dim>
 std::string find_contradiction(const Scene<dim> &scene)
 {
-  const MeetingCheck<dim> judge(scene);
+  double size = 1e-14 * scene.geometry.diameter();
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+    for (const Point<dim> &x : samples(scene.geometry.sides[i]))
+      size = std::max(size, given_displacement(scene.boundary[i], x).norm());
+  std::string contradiction;
   for (const auto &[x, sides] : meetings(scene.geometry))
     for (const auto &[i, j] : {std::pair{sides[0], sides[1]}, std::pair{sides[1], sides[0]}})
-    {
-      const std::string contradiction = judge.judge(x, i, j);
-      if (!contradiction.empty())
-        return contradiction;
-    }
-  return "";
+      if (contradiction.empty())
+        contradiction = contradiction_at(scene, x, i, j, size);
+  return contradiction;
 }
 
 template std::string find_contradiction(const Scene<2> &);

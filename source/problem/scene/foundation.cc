@@ -134,39 +134,15 @@ double Foundation::gap(const Point<2> &x, const Tensor<1, 2> &n) const
   return gap;
 }
 
-namespace
-{
-class FoundationGap : public Function<2>
-{
-public:
-  FoundationGap(const Side<2> &side,
-                std::shared_ptr<const Foundation> foundation,
-                const Tensor<1, 2> &position)
-    : side_(side)
-    , foundation_(std::move(foundation))
-    , position_(position)
-  {
-  }
-
-  double value(const Point<2> &x, const unsigned int /*component*/ = 0) const override
-  {
-    const Point<1> s = side_.coordinates(x);
-    const Point<2> on_side = side_.is_flat() ? x : side_.point(s);
-    return foundation_->gap(on_side - position_, side_.normal(s));
-  }
-
-private:
-  Side<2> side_;
-  std::shared_ptr<const Foundation> foundation_;
-  Tensor<1, 2> position_;
-};
-} // namespace
-
 std::shared_ptr<const Function<2>>
 foundation_gap(const Side<2> &side,
                const std::shared_ptr<const Foundation> &foundation,
                const Tensor<1, 2> &position)
 {
-  return std::make_shared<FoundationGap>(side, foundation, position);
+  return std::make_shared<ScalarFunctionFromFunctionObject<2>>([=](const Point<2> &x) {
+    const Point<1> s = side.coordinates(x);
+    const Point<2> on_side = side.is_flat() ? x : side.point(s);
+    return foundation->gap(on_side - position, side.normal(s));
+  });
 }
 } // namespace Signorini

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Expressions as deal.II functions.
 
-#include <signorini/base/errors.h>
-#include <signorini/base/text.h>
 #include <signorini/problem/scene/functions.h>
 #include <signorini/problem/scene/scene.h>
 
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <sstream>
 
 namespace Signorini
 {
@@ -39,13 +35,22 @@ void ExpressionFunction<dim>::check(const double value,
                                     const unsigned int component,
                                     const Point<dim> &x) const
 {
-  if (h_ > 0. || std::abs(value) <= max_magnitude)
-    return;
-  std::ostringstream message;
-  message << values_[component].where() << ": found the value " << number_text(value)
-          << " of component " << component + 1 << " at (" << x << "), allowed: values up to "
-          << number_text(max_magnitude) << " on the whole body.";
-  throw InputError(message.str());
+  if (h_ == 0.)
+    check_magnitude(value, component, x, values_[component].where());
+}
+
+template <int dim>
+void check_magnitude(const double value,
+                     const unsigned int component,
+                     const Point<dim> &x,
+                     const std::string &where)
+{
+  if (!(std::abs(value) <= max_magnitude))
+    refuse_value(where,
+                 "the value " + number_text(value) + " of component " +
+                   std::to_string(component + 1),
+                 x,
+                 "values up to " + number_text(max_magnitude) + " on the whole body");
 }
 
 template <int dim>
@@ -62,14 +67,6 @@ double ExpressionFunction<dim>::value(const Point<dim> &x, const unsigned int co
   const double value = values_[component](x);
   check(value, component, x);
   return value;
-}
-
-template <int dim>
-void ExpressionFunction<dim>::vector_value(const Point<dim> &x,
-                                           dealii::Vector<double> &values) const
-{
-  for (unsigned int c = 0; c < values.size(); ++c)
-    values[c] = value(x, c);
 }
 
 template <int dim>
@@ -107,21 +104,17 @@ void ExpressionFunction<dim>::derivative_list(const Points &points,
     return;
   }
   // (u(x - 2h) - 8 u(x - h) + 8 u(x + h) - u(x + 2h)) / 12h
-  constexpr std::array<double, 4> steps = {{-2., -1., 1., 2.}};
-  constexpr std::array<double, 4> weights = {{1., -8., 8., -1.}};
-  Points shifted(points);
   std::vector<double> values(points.size());
   derivatives.assign(points.size(), 0.);
-  for (unsigned int k = 0; k < steps.size(); ++k)
+  for (const auto &[step, weight] : {std::pair{-2., 1.}, {-1., -8.}, {1., 8.}, {2., -1.}})
   {
-    for (std::size_t q = 0; q < points.size(); ++q)
-      shifted[q][d] = points[q][d] + steps[k] * h_;
+    Points shifted(points);
+    for (Point<dim> &x : shifted)
+      x[d] += step * h_;
     values_[component].evaluate(shifted, values);
     for (std::size_t q = 0; q < points.size(); ++q)
-      derivatives[q] += weights[k] * values[q];
+      derivatives[q] += weight / (12. * h_) * values[q];
   }
-  for (double &derivative : derivatives)
-    derivative /= 12. * h_;
 }
 
 template <int dim>
@@ -131,13 +124,6 @@ Tensor<1, dim> ExpressionFunction<dim>::gradient(const Point<dim> &x,
   Gradients gradient(1);
   gradient_list({x}, gradient, component);
   return gradient[0];
-}
-
-template <int dim>
-void ExpressionFunction<dim>::vector_gradient(const Point<dim> &x, Gradients &gradients) const
-{
-  for (unsigned int c = 0; c < values_.size(); ++c)
-    gradients[c] = gradient(x, c);
 }
 
 template <int dim>
@@ -178,4 +164,6 @@ template class ExpressionFunction<2>;
 template class ExpressionFunction<3>;
 template bool is_constant(const Function<2> &);
 template bool is_constant(const Function<3> &);
+template void check_magnitude(double, unsigned int, const Point<2> &, const std::string &);
+template void check_magnitude(double, unsigned int, const Point<3> &, const std::string &);
 } // namespace Signorini

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The kernel of A, found from the boundary conditions alone: three unknowns, no finite elements.
+// The kernel of A, found from the boundary conditions alone: no finite elements.
 
 #include <signorini/problem/scene/rigid_motions.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,90 +15,88 @@ namespace Signorini
 {
 namespace
 {
-/** Returns the row r with r.(t1, t2, omega L) = v(x).n at the point x, relative to the centre. */
-std::array<double, 3> normal_motion(const Tensor<1, 2> &relative,
-                                    const Tensor<1, 2> &n,
-                                    const double size)
+/** The translations and rotations of a body as a whole. */
+template <int dim>
+constexpr unsigned int n_rigid_motions = dim *(dim + 1) / 2;
+
+/** Returns the velocity of a translation along an axis or, behind these, of a rotation, in 3-D
+ * about an axis. */
+template <int dim>
+Tensor<1, dim> rigid_velocity(const unsigned int k, const Tensor<1, dim> &x)
 {
-  return {{n[0], n[1], (-relative[1] * n[0] + relative[0] * n[1]) / size}};
+  if (k < dim)
+    return Point<dim>::unit_vector(k);
+  if constexpr (dim == 2)
+    return Tensor<1, 2>({-x[1], x[0]});
+  else
+    return cross_product_3d(Point<3>::unit_vector(k - 3), x);
 }
 
-/** The sum of r r^T over conditions r.motion = 0. */
+/** The sum of r r^T over conditions r.motion = 0 on translations and rotations times the size of
+ * the body, about the centre of the box around it. */
+template <int dim>
 class Conditions
 {
 public:
-  explicit Conditions(const Geometry<2> &geometry)
-    : centre_(geometry.lower + 0.5 * (geometry.upper - geometry.lower))
-    , size_(geometry.diameter())
-    , matrix_(3, 3)
+  explicit Conditions(const Geometry<dim> &geometry)
+    : matrix(n_rigid_motions<dim>)
+    , centre(geometry.lower + 0.5 * (geometry.upper - geometry.lower))
+    , size(geometry.diameter())
   {
   }
 
   /** Adds the condition v(x).n = 0. */
-  void forbid_velocity(const Point<2> &x, const Tensor<1, 2> &n, const double weight = 1.)
+  void forbid_velocity(const Point<dim> &x, const Tensor<1, dim> &n, const double weight = 1.)
   {
-    add(normal_motion(x - centre_, n, size_), weight);
+    dealii::Vector<double> row(matrix.m());
+    for (unsigned int k = 0; k < row.size(); ++k)
+      row[k] = rigid_velocity<dim>(k, (x - centre) / size) * n;
+    for (unsigned int i = 0; i < row.size(); ++i)
+      for (unsigned int j = 0; j < row.size(); ++j)
+        matrix(i, j) += weight * row[i] * row[j];
   }
-  void forbid_rotation()
+  /** Adds what a side of this role forbids at a point. */
+  void forbid(const Role role, const Point<dim> &x, const Tensor<1, dim> &n, const double weight)
   {
-    add({{0., 0., 1.}}, 1.);
-  }
-  /** Returns all motions that satisfy the conditions. */
-  std::vector<RigidMotion> solutions()
-  {
-    dealii::Vector<double> eigenvalues(3);
-    FullMatrix<double> vectors(3, 3);
-    matrix_.compute_eigenvalues_symmetric(-1., 1e6, 1e-15, eigenvalues, vectors);
-    std::vector<RigidMotion> motions;
-    for (unsigned int k = 0; k < 3; ++k)
-      // A clamped side of the length l holds a rotation with (l / size)² at least, see
-      // max_slenderness; rounding leaves 1e-15.
-      if (eigenvalues[k] < 1e-14)
-        motions.push_back(
-          {Tensor<1, 2>({vectors(0, k), vectors(1, k)}), vectors(2, k), centre_, size_});
-    return motions;
+    if (role == Role::roller)
+      forbid_velocity(x, n, weight);
+    if (role == Role::clamped || role == Role::displacement)
+      for (unsigned int d = 0; d < dim; ++d)
+        forbid_velocity(x, Point<dim>::unit_vector(d), weight);
   }
 
-private:
-  void add(const std::array<double, 3> &row, const double weight)
-  {
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = 0; j < 3; ++j)
-        matrix_(i, j) += weight * row[i] * row[j];
-  }
-
-  Point<2> centre_;
-  double size_;
-  LAPACKFullMatrix<double> matrix_;
+  LAPACKFullMatrix<double> matrix;
+  Point<dim> centre;
+  double size;
 };
 
 /** Adds what a side of this role forbids; two points suffice for a segment, three for a circle. */
-void add_side_conditions(const Side<2> &side, const Role role, Conditions &conditions)
+void add_side_conditions(const Side<2> &side, const Role role, Conditions<2> &conditions)
 {
-  const double weight = 1. / side.n_pieces();
   for (unsigned int k = 0; k < side.n_pieces(); ++k)
     for (const double share : {0., 1. / 3., 2. / 3., 1.})
     {
-      const Curve &piece = side.piece(k);
-      const double s = share * piece.length();
-      const Point<2> x = piece.point(s);
-      if (role == Role::roller)
-        conditions.forbid_velocity(x, piece.normal(s), weight);
-      if (role == Role::clamped || role == Role::displacement)
-        for (unsigned int d = 0; d < 2; ++d)
-          conditions.forbid_velocity(x, Point<2>::unit_vector(d), weight);
+      const double s = share * side.piece(k).length();
+      conditions.forbid(
+        role, side.piece(k).point(s), side.piece(k).normal(s), 1. / side.n_pieces());
     }
 }
 
-/** Adds what a plate forbids to a body that moves as a whole. */
-void add_plate_conditions(const Plate &plate, Conditions &conditions)
+void add_side_conditions(const Side<3> &side, const Role role, Conditions<3> &conditions)
 {
-  const Tensor<1, 2> across({-plate.direction[1], plate.direction[0]});
-  conditions.forbid_velocity(plate.centre, across);
+  for (const double r : {0., side.lengths()[0]})
+    for (const double t : {0., side.lengths()[1]})
+      conditions.forbid(role, side.point({r, t}), side.normal({r, t}), 1.);
+}
+
+/** Adds what a plate forbids to a body that moves as a whole. */
+void add_plate_conditions(const Plate &plate, Conditions<2> &conditions)
+{
+  conditions.forbid_velocity(plate.centre, cross_product_2d(plate.direction));
   if (!plate.is_pushed)
     conditions.forbid_velocity(plate.centre, plate.direction);
   if (!plate.turns)
-    conditions.forbid_rotation();
+    conditions.matrix(2, 2) += 1.;
 }
 
 /** Rounds a number for messages: no -0, no 1e-17. */
@@ -165,7 +164,7 @@ RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<d
 
 std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates plates)
 {
-  Conditions conditions(scene.geometry);
+  Conditions<2> conditions(scene.geometry);
   std::vector<bool> is_released(scene.boundary.size(), false);
   if (plates == Plates::released)
     for (const Plate &plate : scene.plates)
@@ -176,64 +175,33 @@ std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates 
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
     if (!is_released[i])
       add_side_conditions(scene.geometry.sides[i], scene.boundary[i].role, conditions);
-  return conditions.solutions();
+  dealii::Vector<double> eigenvalues(3);
+  FullMatrix<double> vectors(3, 3);
+  conditions.matrix.compute_eigenvalues_symmetric(-1., 1e6, 1e-15, eigenvalues, vectors);
+  std::vector<RigidMotion> motions;
+  for (unsigned int k = 0; k < 3; ++k)
+    // A clamped side of the length l holds a rotation with (l / size)² at least, see
+    // max_slenderness; rounding leaves 1e-15.
+    if (eigenvalues[k] < 1e-14)
+      motions.push_back({Tensor<1, 2>({vectors(0, k), vectors(1, k)}),
+                         vectors(2, k),
+                         conditions.centre,
+                         conditions.size});
+  return motions;
 }
-
-// The kernel of A for a box, found from the boundary conditions alone.
-
-namespace
-{
-using Vector3 = Tensor<1, 3>;
-
-/** Returns the velocity of the k-th of three translations and three rotations at a point. */
-Vector3 velocity(const unsigned int k, const Vector3 &x)
-{
-  Vector3 axis;
-  axis[k % 3] = 1.;
-  return k < 3 ? axis : cross_product_3d(axis, x);
-}
-
-/** Returns whether a side leaves a motion free, judged at its corners: a velocity is linear. */
-bool leaves_free(const Side<3> &side,
-                 const Role role,
-                 const unsigned int motion,
-                 const Point<3> &centre,
-                 const double size)
-{
-  const auto lengths = side.lengths();
-  for (const double r : {0., 1.})
-    for (const double t : {0., 1.})
-    {
-      const Point<2> corner(r * lengths[0], t * lengths[1]);
-      const Vector3 v = velocity(motion, (side.point(corner) - centre) / size);
-      const double held = role == Role::roller ? std::abs(v * side.normal(corner)) : v.norm();
-      if (held > 1e-10)
-        return false;
-    }
-  return true;
-}
-} // namespace
 
 // Sides of a box are parallel to its axes: what they leave free is spanned by translations along
 // the axes and rotations about axes through any point on the lines of symmetry of the held sides.
 std::vector<std::string> free_rigid_motions(const Scene<3> &scene)
 {
-  const Geometry<3> &geometry = scene.geometry;
-  const Point<3> centre = geometry.inner_point();
+  Conditions<3> conditions(scene.geometry);
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+    add_side_conditions(scene.geometry.sides[i], scene.boundary[i].role, conditions);
   std::vector<std::string> names;
   for (unsigned int k = 0; k < 6; ++k)
-  {
-    bool is_free = true;
-    for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-    {
-      const Role role = scene.boundary[i].role;
-      if (role == Role::clamped || role == Role::displacement || role == Role::roller)
-        is_free = is_free && leaves_free(geometry.sides[i], role, k, centre, geometry.diameter());
-    }
-    if (is_free)
+    if (conditions.matrix(k, k) < 1e-20)
       names.push_back(k < 3 ? std::string("the translation along ") + "xyz"[k]
                             : std::string("the rotation about the ") + "xyz"[k - 3] + "-axis");
-  }
   return names;
 }
 
@@ -241,23 +209,18 @@ std::vector<std::string> free_rigid_motions(const Scene<3> &scene)
 
 namespace
 {
-/** The motions of all plates as one vector: travels, and rotations times the size of the body. */
-using Coordinates = std::vector<double>;
+/** The motions of all plates, travels and rotations times the size of the body, or of a body. */
+using Coordinates = dealii::Vector<double>;
 
 Coordinates coordinates_of(const std::vector<PlateMotion> &motions, const double size)
 {
-  Coordinates x;
-  for (const PlateMotion &motion : motions)
+  Coordinates x(2 * motions.size());
+  for (std::size_t p = 0; p < motions.size(); ++p)
   {
-    x.push_back(motion.travel);
-    x.push_back(size * motion.rotation);
+    x[2 * p] = motions[p].travel;
+    x[2 * p + 1] = size * motions[p].rotation;
   }
   return x;
-}
-
-Coordinates coordinates_of(const RigidMotion &rigid)
-{
-  return {rigid.translation[0], rigid.translation[1], rigid.rotation};
 }
 
 /** Returns a basis of the same span: first all translations that lie in it, then what turns the
@@ -286,37 +249,19 @@ Scene<2> with_sliding_contact(Scene<2> scene)
   return scene;
 }
 
-double product(const Coordinates &x, const Coordinates &y)
-{
-  double sum = 0.;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    sum += x[i] * y[i];
-  return sum;
-}
-
-/** Removes from @p x its part in the span of an orthonormal basis; twice, because of rounding. */
-void project_out(const std::vector<Coordinates> &basis, Coordinates &x)
-{
-  for (unsigned int pass = 0; pass < 2; ++pass)
-    for (const Coordinates &e : basis)
-    {
-      const double share = product(e, x);
-      for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] -= share * e[i];
-    }
-}
-
-/** Adds the direction of @p x to the basis unless it lies in its span. @return whether it was
- * added. */
+/** Adds the direction of @p x to an orthonormal basis unless it lies in its span. @return whether
+ * it was added. */
 bool extend(std::vector<Coordinates> &basis, Coordinates x)
 {
   constexpr double negligible = 1e-6;
-  project_out(basis, x);
-  const double norm = std::sqrt(product(x, x));
+  // Twice, because of rounding.
+  for (unsigned int pass = 0; pass < 2; ++pass)
+    for (const Coordinates &e : basis)
+      x.add(-(e * x), e);
+  const double norm = x.size() == 0 ? 0. : x.l2_norm();
   if (norm < negligible)
     return false;
-  for (double &entry : x)
-    entry /= norm;
+  x /= norm;
   basis.push_back(x);
   return true;
 }
@@ -365,7 +310,8 @@ FreeMotionBasis free_motions(const Scene<2> &scene)
   std::vector<Coordinates> rigid_motions, plate_motions;
   const double size = scene.geometry.diameter();
   const auto add = [&](const RigidMotion &rigid, std::vector<FreeMotion> &kind) {
-    if (!extend(rigid_motions, coordinates_of(rigid)))
+    const Tensor<1, 2> &t = rigid.translation;
+    if (!extend(rigid_motions, Coordinates({t[0], t[1], rigid.rotation})))
       return;
     kind.push_back({follow(rigid, scene.plates), rigid});
     extend(plate_motions, coordinates_of(kind.back().plates, size));

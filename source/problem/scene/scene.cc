@@ -16,7 +16,7 @@ Tensor<1, 2> Plate::displacement(const PlateMotion &motion, const Point<2> &x) c
 
 std::shared_ptr<const Function<2>> plate_displacement(const Plate &plate, const PlateMotion &motion)
 {
-  return std::make_shared<FieldFunction>(
+  return std::make_shared<FieldFunction<2>>(
     [plate, motion](const Point<2> &x) { return plate.displacement(motion, x); });
 }
 
@@ -84,26 +84,6 @@ public:
   double value(const Point<2> &x, const unsigned int component) const override
   {
     return factor_ * function_->value(x, component);
-  }
-  void vector_value(const Point<2> &x, dealii::Vector<double> &values) const override
-  {
-    function_->vector_value(x, values);
-    values *= factor_;
-  }
-  void value_list(const std::vector<Point<2>> &points,
-                  std::vector<double> &values,
-                  const unsigned int component) const override
-  {
-    function_->value_list(points, values, component);
-    for (double &value : values)
-      value *= factor_;
-  }
-  void vector_value_list(const std::vector<Point<2>> &points,
-                         std::vector<dealii::Vector<double>> &values) const override
-  {
-    function_->vector_value_list(points, values);
-    for (dealii::Vector<double> &value : values)
-      value *= factor_;
   }
 
 private:

@@ -20,7 +20,7 @@ namespace
 Displacement interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space)
 {
   return interpolate_at_nodes(space,
-                              FieldFunction([&](const Point<2> &x) { return motion.velocity(x); }));
+                              FieldFunction<2>([&](const Point<2> &x) { return motion.velocity(x); }));
 }
 
 /** Returns the values of the motion on plates, pins and other supports; zero elsewhere. */

@@ -45,7 +45,6 @@ subsection Discretization
   set Finest level   = 3
 end
 PRM
-  printf 'subsection Solver\n  set Tolerence = 1e-8\nend\n' >misspelt.prm
   printf 'subsection Boundary\nset Contact = bottom\nend\n' >loose.prm
   printf '\0\1\2' >binary.prm
   touch file stdout stderr
@@ -55,8 +54,6 @@ PRM
 
 test_answers() {
   run 0 -h
-  check "  -h is --help" says usage:
-  run 0 --help
   for word in usage: --set --sweep --output --list-scenes --print-parameters --version 'Exit codes'; do
     check "  help names $word" says "$word"
   done
@@ -84,11 +81,9 @@ test_refusals() {
   refuse "the parameter files 'a1.prm' and './a1.prm', whose results would both go to" a1.prm ./a1.prm
   refuse 'no such file.prm: this parameter file cannot be read.' 'no such file.prm'
   refuse 'binary.prm: this is not a text file.' binary.prm
-  refuse "misspelt.prm:2: Solver/Tolerence: unknown parameter; did you mean 'Solver/Tolerance'?" \
-    misspelt.prm
   refuse 'of the body free' loose.prm
   refuse '--set' a1.prm --set
-  refuse "--set: found 'Solver', but" a1.prm --set Solver
+  refuse '--set: Contact/Gap: the expression' loose.prm --set $'Contact/Gap=x\n+'
   refuse "--output: found 'file/x', allowed: a directory" a1.prm --output file/x
   refuse "--output: found ''" a1.prm --output ''
   refuse "allowed: a directory" a1.prm --output "new/$(printf 'x%.0s' {1..300})"
@@ -107,7 +102,6 @@ times+=",t_output,t_total,cpu_total,peak_memory_mb"
 
 header_is_right() { head -n 1 "$1" | grep -q "^$columns$times\(,.*\)\?$"; }
 cells_of() { tail -n +2 "$1/convergence.csv" | cut -d, -f1,2 | tr '\n' ' '; }
-no_half_files() { [ -z "$(find . -name '*.part')" ]; }
 numbers_of() { cut -d, -f1-27 "$1/convergence.csv"; }
 same_numbers() { [ "$(numbers_of "$1")" = "$(numbers_of "$2")" ]; }
 verdict_is() { grep -q "\"verdict\": \"$2\"" "$1/certificate.json"; }
@@ -121,16 +115,11 @@ test_run() {
     check "  results/a1/$name" [ -s "results/a1/$name" ]
   done
   check "  no fields of coarser levels" [ ! -e results/a1/solution-02.vtu ]
-  check "  no half files" no_half_files
   check "  header of convergence.csv" header_is_right results/a1/convergence.csv
   check "  one row per level" [ "$(cells_of results/a1)" = '2,16 3,64 ' ]
   check "  header of contact-03.csv" [ "$(head -n 1 results/a1/contact-03.csv)" = \
     'side,s,x,y,p_H,p_recovered,u_n,g,p_exact,patch,patch_length' ]
   check "  verdict" verdict_is results/a1 certified
-  for key in verdict tolerance levels level stationarity penetration sign complementarity \
-    duality_gap force_balance moment_balance inf_sup degenerate_patches; do
-    check "  certificate has $key" grep -q "\"$key\": " results/a1/certificate.json
-  done
 
   run 0 results/a1/parameters.prm --output again
   check "  the same numbers from parameters.prm alone" same_numbers results/a1 again
@@ -181,7 +170,6 @@ end
 PRM
   run 0 box.prm --output factors --set 'Solver/Maximum iterations=3' --set 'Output/Inf-sup constant=false' --set Output/VTU=none
   check "  V-cycles that are given up say so" says 'on level 3 a factorisation answered instead of V-cycles (level 3 did not end within'
-  check "  and the certificate, too" grep -q '"contact_solver_replaced": true' factors/certificate.json
 }
 
 # described TOP GAP [DIMENSION]: a block whose top is displaced.

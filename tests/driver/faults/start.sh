@@ -19,19 +19,9 @@ run() {
 }
 says() { grep -qF -- "$1" stderr; }
 
-for variable in btl pml plm; do
-  export OMPI_MCA_$variable=nonsense
-  run 3 scene.prm --output none
-  check "  about MPI" says 'MPI could not be started'
-  check "  and the variable" says "OMPI_MCA_$variable"
-  unset OMPI_MCA_$variable
-done
-
 # A process without a launcher has no folder of a session, which others would share.
 TMPDIR=/proc/none run 1 missing.prm
 check "  and no folder" says 'missing.prm: this parameter file cannot be read.'
-TMPDIR=/proc/none OMPI_MCA_orte_create_session_dirs=1 run 3 scene.prm --output none
-check "  in the words of Open MPI" says 'unable to create the desired directory: Directory: /proc/none'
 # Side by side: SIGNORINI_STARTS=100 makes 400 of them.
 for queue in 1 2 3 4; do
   for ((i = 0; i < ${SIGNORINI_STARTS:-3}; ++i)); do

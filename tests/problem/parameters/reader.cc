@@ -155,10 +155,10 @@ void test_values(Checks &checks)
                                               "Discretization/Coarsest level=0",
                                               "Discretization/Kinks at x=0.5, -0.25",
                                               "Discretization/Patches= 7 "});
-  checks.near("relaxation just below 2", limits.solver.relaxation, 1.999, 0.);
-  checks.near("level 0", limits.discretization.coarsest_level, 0, 0);
-  checks.near("patches between blanks", limits.discretization.patches, 7, 0);
-  checks.that("kinks", limits.discretization.kinks_at_x.value == std::vector<double>({0.5, -0.25}));
+  checks.that("values at the limits",
+              limits.solver.relaxation == 1.999 && limits.discretization.coarsest_level == 0 &&
+                limits.discretization.patches == 7 &&
+                limits.discretization.kinks_at_x.value == std::vector<double>({0.5, -0.25}));
   const Parameters defaults = parse_parameters("", "a.prm");
   checks.that("defaults",
               defaults.dimension == 2 && defaults.scene.name.value == "described" &&
@@ -166,97 +166,58 @@ void test_values(Checks &checks)
                 defaults.discretization.patch_ratio == 2 && defaults.changes_of_scene.empty());
 }
 
-/** The names of an option, and its value when it is given. */
+/** The names of an option in the order of its values, and the value when one of them is given. */
 template <typename Option>
 void test_option(Checks &checks,
                  const std::string &path,
-                 const std::vector<std::pair<Option, std::string>> &names,
-                 const std::function<Given<Option>(const Parameters &)> &option,
-                 const Option default_value)
+                 const Words &names,
+                 const std::function<Given<Option>(const Parameters &)> &option)
 {
-  checks.that(path + ": names", option_names<Option>() == names);
-  bool read = true;
-  for (const auto &[value, name] : names)
+  checks.that(path + ": names", option_names(typeid(Option)) == names);
+  const Given<Option> by_default = option(parse_parameters("", "a.prm"));
+  bool read = !by_default.changed && by_default.where() == "a.prm: " + path;
+  for (std::size_t i = 0; i < names.size(); ++i)
   {
-    const Given<Option> given = option(parse_parameters("", "a.prm", {path + "=" + name}));
-    read = read && given == value && given.changed == (value != default_value) &&
-           given.where() == "--set: " + path && to_text(value) == name &&
-           from_text<Option>(name) == value;
+    const Given<Option> given = option(parse_parameters("", "a.prm", {path + "=" + names[i]}));
+    read = read && given.value == static_cast<Option>(i) && to_text(given.value) == names[i] &&
+           given.changed == (given.value != by_default.value);
   }
   checks.that(path + ": values", read);
-  const Given<Option> given = option(parse_parameters("", "a.prm"));
-  checks.that(path + ": default",
-              given == default_value && !given.changed && given.where() == "a.prm: " + path);
-  checks.throws<std::out_of_range>(
-    path + ": no other name", "has the name other", [] { from_text<Option>("other"); });
 }
 
 void test_options(Checks &checks)
 {
-  test_option<Shape>(
-    checks,
-    "Geometry/Shape",
-    {{Shape::rectangle, "rectangle"},
-     {Shape::box, "box"},
-     {Shape::polygon, "polygon"},
-     {Shape::half_disc, "half disc"},
-     {Shape::disc, "disc"},
-     {Shape::ring, "ring"},
-     {Shape::file, "file"}},
-    [](const Parameters &p) { return p.geometry.shape; },
-    Shape::rectangle);
-  test_option<MaterialLaw>(
-    checks,
-    "Material/Law",
-    {{MaterialLaw::isotropic, "isotropic"},
-     {MaterialLaw::orthotropic, "orthotropic"},
-     {MaterialLaw::general, "general"}},
-    [](const Parameters &p) { return p.material.law; },
-    MaterialLaw::isotropic);
-  test_option<PlaneState>(
-    checks,
-    "Material/Plane state",
-    {{PlaneState::strain, "strain"}, {PlaneState::stress, "stress"}},
-    [](const Parameters &p) { return p.material.plane_state; },
-    PlaneState::strain);
-  test_option<Element>(
-    checks,
-    "Discretization/Element",
-    {{Element::q1, "Q1"}, {Element::q1_b_bar, "Q1 B-bar"}, {Element::q2, "Q2"}},
-    [](const Parameters &p) { return p.discretization.element; },
-    Element::q1);
-  test_option<ContactSolver>(
-    checks,
-    "Solver/Contact solver",
-    {{ContactSolver::automatic, "automatic"},
-     {ContactSolver::psor, "psor"},
-     {ContactSolver::active_set, "active set"},
-     {ContactSolver::mprgp, "mprgp"},
-     {ContactSolver::multigrid, "multigrid"}},
-    [](const Parameters &p) { return p.solver.contact_solver; },
-    ContactSolver::automatic);
-  test_option<LinearSolver>(
-    checks,
-    "Solver/Linear solver",
-    {{LinearSolver::automatic, "automatic"},
-     {LinearSolver::condensed, "condensed"},
-     {LinearSolver::amesos_mumps, "amesos_mumps"},
-     {LinearSolver::amesos_klu, "amesos_klu"},
-     {LinearSolver::multigrid, "multigrid"}},
-    [](const Parameters &p) { return p.solver.linear_solver; },
-    LinearSolver::automatic);
-  test_option<VtuLevels>(
-    checks,
-    "Output/VTU",
-    {{VtuLevels::none, "none"}, {VtuLevels::finest, "finest"}, {VtuLevels::all, "all"}},
-    [](const Parameters &p) { return p.output.vtu; },
-    VtuLevels::finest);
-  test_option<Choice>(
-    checks,
-    "Output/Inf-sup constant",
-    {{Choice::yes, "true"}, {Choice::no, "false"}, {Choice::automatic, "automatic"}},
-    [](const Parameters &p) { return p.output.inf_sup_constant; },
-    Choice::automatic);
+  test_option<Shape>(checks,
+                     "Geometry/Shape",
+                     {"rectangle", "box", "polygon", "half disc", "disc", "ring", "file"},
+                     [](const Parameters &p) { return p.geometry.shape; });
+  test_option<MaterialLaw>(checks,
+                           "Material/Law",
+                           {"isotropic", "orthotropic", "general"},
+                           [](const Parameters &p) { return p.material.law; });
+  test_option<PlaneState>(checks,
+                          "Material/Plane state",
+                          {"strain", "stress"},
+                          [](const Parameters &p) { return p.material.plane_state; });
+  test_option<Element>(checks,
+                       "Discretization/Element",
+                       {"Q1", "Q1 B-bar", "Q2"},
+                       [](const Parameters &p) { return p.discretization.element; });
+  test_option<ContactSolver>(checks,
+                             "Solver/Contact solver",
+                             {"automatic", "psor", "active set", "mprgp", "multigrid"},
+                             [](const Parameters &p) { return p.solver.contact_solver; });
+  test_option<LinearSolver>(checks,
+                            "Solver/Linear solver",
+                            {"automatic", "condensed", "amesos_mumps", "amesos_klu", "multigrid"},
+                            [](const Parameters &p) { return p.solver.linear_solver; });
+  test_option<VtuLevels>(checks, "Output/VTU", {"none", "finest", "all"}, [](const Parameters &p) {
+    return p.output.vtu;
+  });
+  test_option<Choice>(checks,
+                      "Output/Inf-sup constant",
+                      {"true", "false", "automatic"},
+                      [](const Parameters &p) { return p.output.inf_sup_constant; });
 }
 
 void test_overrides(Checks &checks)
@@ -339,13 +300,6 @@ void test_echo(Checks &checks)
                                 "Contact/Gap",
                                 "Exact solution/Pressure"}));
   checks.that("same changes", changed == changed_again);
-  for (const Parameters *parameters : {&first, &second})
-    checks.that("other changes",
-                parameters->scene.name.changed && parameters->discretization.kinks_at_x.changed &&
-                  !parameters->discretization.kinks_at_y.changed &&
-                  parameters->discretization.patches.changed &&
-                  parameters->solver.relaxation.changed && parameters->solver.warm_start.changed &&
-                  parameters->output.compliance.changed && !parameters->output.errors.changed);
   checks.that(
     "same numbers",
     second.geometry.distortion == 0.123456789012345 && second.material.orientation == -30.5 &&

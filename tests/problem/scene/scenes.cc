@@ -42,14 +42,6 @@ Strain strain(const double e11, const double e22, const double e12)
   return e;
 }
 
-/** sigma of the exact displacement. */
-Strain exact_stress(const Scene<2> &scene, const Point &x)
-{
-  const auto du1 = scene.exact_displacement->gradient(x, 0);
-  const auto du2 = scene.exact_displacement->gradient(x, 1);
-  return scene.material->hooke(x) * strain(du1[0], du2[1], 0.5 * (du1[1] + du2[0]));
-}
-
 void compare(Checks &checks,
              const std::string &name,
              const dealii::Function<2> &function,
@@ -78,24 +70,10 @@ void compare(Checks &checks,
   checks.near(name, (s - expected).norm(), 0., tolerance);
 }
 
-/** Values from an independent program; stresses on the sides from the closed form. */
+/** Stresses on the sides from the closed form; values inside stand in catalogue.cc. */
 void test_a1(Checks &checks)
 {
   const Scene<2> a1 = scene({"Scene/Name=A1", "Discretization/Kinks at y=0.25"});
-  const Point x(0.3, 0.4);
-  compare(checks, "A1 u", *a1.exact_displacement, x, {-0.00588, -0.0646488880953}, 1e-12);
-  compare(checks, "A1 f", *a1.body_force, x, {-2.17232035206, 1.15442425325}, 1e-11);
-  compare(checks,
-          "A1 stress",
-          exact_stress(a1, x),
-          strain(0.208648149376, -0.314855551871, 0.540072729128),
-          2e-12);
-  const BoundaryCondition<2> &bottom = condition(a1, "bottom");
-  compare(checks, "A1 p(0.3)", *bottom.exact_pressure, Point(0.3, 0.), {-0.674722215136}, 1e-12);
-  compare(checks, "A1 p(0.8)", *bottom.exact_pressure, Point(0.8, 0.), {0.}, 0.);
-  compare(checks, "A1 g(0.3)", *bottom.data, Point(0.3, 0.), {-0.021}, 1e-15);
-  compare(checks, "A1 g(0.8)", *bottom.data, Point(0.8, 0.), {-0.00737084989848}, 1e-13);
-
   const auto traction = [](const double x, const double y) {
     const double M = std::max(xi - x, 0.);
     const double s11 = M * M * M * (10. * y * y - 10. / 3.) + 0.2 * x * x * y - 0.4 * x * y * y -
@@ -131,42 +109,13 @@ void test_a1(Checks &checks)
               a1.kinks.ends().size() == 1 && a1.kinks.ends()[0].distance(Point(xi, 0.)) < 1e-15);
 }
 
-/** Contact conditions, u = 0 on the clamped side, and p = sigma_n along the contact side. */
-void test_a1_boundary(Checks &checks)
-{
-  const Scene<2> a1 = scene({"Scene/Name=A1"});
-  const BoundaryCondition<2> &bottom = condition(a1, "bottom");
-  double clamped = 0., stress = 0., complementarity = 0., sign = -1.;
-  for (unsigned int i = 0; i <= 20; ++i)
-  {
-    const Point x(0.05 * i, 0.);
-    const Strain s = exact_stress(a1, x);
-    const double p = bottom.exact_pressure->value(x);
-    const double w = -a1.exact_displacement->value(x, 1) - bottom.data->value(x);
-    clamped = std::max(clamped,
-                       std::abs(a1.exact_displacement->value(Point(x[0], 1.), 0)) +
-                         std::abs(a1.exact_displacement->value(Point(x[0], 1.), 1)));
-    stress = std::max({stress, std::abs(s[1][1] - p), std::abs(s[0][1])});
-    complementarity = std::max(complementarity, std::abs(p * w));
-    sign = std::max({sign, p, w});
-  }
-  checks.near("A1 is clamped", clamped, 0., 1e-15);
-  checks.near("A1 p is the normal stress, no shear", stress, 0., 1e-14);
-  checks.near("A1 p w = 0", complementarity, 0., 1e-16);
-  checks.between("A1 p <= 0, w <= 0", sign, -1e-14, 1e-14);
-}
-
 void test_other_scenes(Checks &checks)
 {
   const Scene<2> d1 = scene({"Scene/Name=D1"});
   const Point x(0.3, 0.4);
-  compare(checks, "D1 u", *d1.exact_displacement, x, {0., 0.075}, 1e-16);
-  compare(checks, "D1 stress", exact_stress(d1, x), strain(-0.125, -0.375, 0.), 1e-15);
   checks.that("D1 has no force", d1.body_force == nullptr);
   compare(checks, "D1 p", *condition(d1, "bottom").exact_pressure, x, {-0.375}, 0.);
   compare(checks, "D1 g", *condition(d1, "bottom").data, x, {-0.125}, 0.);
-  compare(checks, "D1 traction left", *condition(d1, "left").data, x, {0.125, 0.}, 0.);
-  compare(checks, "D1 traction right", *condition(d1, "right").data, x, {-0.125, 0.}, 0.);
 
   const Scene<2> block = scene({"Scene/Name=block on parabola"});
   compare(checks, "block gap", *condition(block, "bottom").data, Point(-0.6, 0.), {0.09}, 1e-16);
@@ -225,20 +174,8 @@ void test_described(Checks &checks)
         gradient,
         (a1.exact_displacement->gradient(x, c) - same.exact_displacement->gradient(x, c)).norm());
     }
-  compare(checks,
-          "described traction",
-          *condition(same, "right").data,
-          Point(1., 0.7),
-          {condition(a1, "right").data->value(Point(1., 0.7), 0),
-           condition(a1, "right").data->value(Point(1., 0.7), 1)},
-          1e-14);
   checks.near("described A1 is A1", off, 0., 1e-13);
   checks.near("its gradient by differences", gradient, 0., 1e-10);
-  compare(checks,
-          "its stress",
-          exact_stress(same, Point(0.3, 0.4)),
-          strain(0.208648149376, -0.314855551871, 0.540072729128),
-          1e-10);
 
   const Scene<2> sides = scene({"Boundary/Clamped=top",
                                 "Boundary/Contact=bottom, left",
@@ -306,7 +243,6 @@ void test_anisotropic(Checks &checks)
   checks.near("stiffness along the first axis", first * (C * first), 4., 1e-14);
   checks.near("stiffness along the second axis", second * (C * second), 1.2, 1e-14);
   checks.near("between them", first * (C * second), 0.5, 1e-14);
-  checks.near("symmetry", first * (C * second) - second * (C * first), 0., 1e-14);
 
   const auto swapped = material({"Material/Law=orthotropic", moduli, "Material/Orientation=90"});
   compare(checks,
@@ -330,7 +266,6 @@ int main()
   dealii::deal_II_exceptions::disable_abort_on_exception();
   Checks checks;
   test_a1(checks);
-  test_a1_boundary(checks);
   test_other_scenes(checks);
   test_described(checks);
   test_isotropic(checks);

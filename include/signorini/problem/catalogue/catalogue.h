@@ -3,6 +3,7 @@
 
 #include <signorini/problem/scene/scene.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,10 @@ struct CatalogueEntry
 {
   std::string name;
   std::string title;
-  Scene<dim> (*make)();
+  /** Body, material, boundary, loads, gap and exact solution in lines of text; the results alone do
+   * not contain them. */
+  std::string description;
+  std::function<Scene<dim>()> make;
 };
 
 /** Returns all 2-D or 3-D scenes with a name. */
@@ -24,11 +28,6 @@ template <>
 const std::vector<CatalogueEntry<2>> &catalogue();
 template <>
 const std::vector<CatalogueEntry<3>> &catalogue();
-
-/** Returns body, material, boundary, loads, gap and exact solution of a scene in lines of text; the
- * results alone do not contain them. @throws std::out_of_range if catalogue() has no scene of this
- * name. */
-std::string describe_scene(const std::string &name);
 
 /** Returns one line per scene: name and title. */
 std::string describe_catalogue();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <stdexcept>
 #include <string>
-#include <utility>
+#include <typeindex>
 #include <vector>
 
 namespace Signorini
@@ -112,62 +111,13 @@ enum class Choice
   automatic
 };
 
-/** The values of an option and their names in a parameter file. */
-template <typename Option>
-using OptionNames = std::vector<std::pair<Option, std::string>>;
-
-/** Returns all values of an option, in the order in which messages list them. */
-template <typename Option>
-const OptionNames<Option> &option_names();
-
-template <>
-const OptionNames<Shape> &option_names();
-template <>
-const OptionNames<MaterialLaw> &option_names();
-template <>
-const OptionNames<PlaneState> &option_names();
-template <>
-const OptionNames<Strategy> &option_names();
-template <>
-const OptionNames<Element> &option_names();
-template <>
-const OptionNames<ContactSolver> &option_names();
-template <>
-const OptionNames<StopAt> &option_names();
-template <>
-const OptionNames<LinearSolver> &option_names();
-template <>
-const OptionNames<VtuLevels> &option_names();
-template <>
-const OptionNames<Choice> &option_names();
+/** Returns the names of an enumeration's values in a parameter file, in their order. */
+const std::vector<std::string> &option_names(const std::type_index &option);
 
 /** Returns the name of a value in a parameter file. */
 template <typename Option>
 std::string to_text(const Option value)
 {
-  for (const auto &entry : option_names<Option>())
-    if (entry.first == value)
-      return entry.second;
-  throw std::out_of_range("this value of an option has no name");
-}
-
-/** Returns the value with a name. @throws std::out_of_range if there is none. */
-template <typename Option>
-Option from_text(const std::string &name)
-{
-  for (const auto &entry : option_names<Option>())
-    if (entry.second == name)
-      return entry.first;
-  throw std::out_of_range("no value of this option has the name " + name);
-}
-
-/** Returns all names, joined by a separator. */
-template <typename Option>
-std::string list_names(const std::string &separator)
-{
-  std::string list;
-  for (const auto &entry : option_names<Option>())
-    list += (list.empty() ? "" : separator) + entry.second;
-  return list;
+  return option_names(typeid(Option)).at(static_cast<std::size_t>(value));
 }
 } // namespace Signorini

@@ -28,8 +28,8 @@ struct Assignment
  * of the line, continuation lines (a backslash at the end; lines of comment may stand between
  * them), the line ends of all systems and a byte-order mark.
  * @throws InputError for anything else, for control characters, unbalanced subsections and an entry
- * set twice; with @p known_sections also for a subsection inside of another, and for one without
- * entries that is not among them (wrong names of others show in their entries).
+ * set twice, a subsection inside of another, and one without entries that is not among @p
+ * known_sections (wrong names of others show in their entries).
  */
 std::vector<Assignment> scan_parameter_text(const std::string &text,
                                             const std::string &file_name,

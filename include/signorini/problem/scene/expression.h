@@ -2,12 +2,16 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/base/errors.h>
+#include <signorini/base/text.h>
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/thread_local_storage.h>
 
 #include <map>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -30,10 +34,6 @@ class Expression
 public:
   /** Parses the text. @throws InputError beginning with @p where if the text cannot be parsed. */
   Expression(const std::string &text, const Constants &constants, const std::string &where);
-  Expression(const Expression &other);
-  Expression(Expression &&other) noexcept;
-  Expression &operator=(const Expression &other) = delete;
-  ~Expression();
 
   /** Returns the value at a point; it is not finite where the formula is not defined. */
   double operator()(const Point<dim> &x) const;
@@ -59,15 +59,30 @@ public:
 
 private:
   class Parser;
-  class Parsers;
+
+  /** Returns the parser of this thread, which is made when the thread first evaluates the formula.
+   */
+  Parser &thread_parser() const;
 
   std::string text_;
   Constants constants_;
   std::string where_;
   /** The value of a formula without coordinates. */
   std::optional<double> constant_;
-  std::unique_ptr<Parsers> parsers_;
+  std::shared_ptr<Threads::ThreadLocalStorage<std::shared_ptr<Parser>>> parsers_;
 };
+
+/** Throws InputError with "WHERE: found FOUND at (X), allowed: ALLOWED." */
+template <int dim>
+[[noreturn]] void refuse_value(const std::string &where,
+                               const std::string &found,
+                               const Point<dim> &x,
+                               const std::string &allowed)
+{
+  std::ostringstream message;
+  message << where << ": found " << found << " at (" << x << "), allowed: " << allowed << ".";
+  throw InputError(message.str());
+}
 
 /**
  * Reads "E=1, nu=0.3": each value is an expression of the constants before it.

@@ -11,31 +11,44 @@
 
 namespace Signorini
 {
-/** A 2-D vector field as a deal.II function. */
-class FieldFunction final : public Function<2>
+/** A vector field as a deal.II function. */
+template <int dim>
+class FieldFunction final : public Function<dim>
 {
 public:
-  using Field = std::function<Tensor<1, 2>(const Point<2> &)>;
+  using Field = std::function<Tensor<1, dim>(const Point<dim> &)>;
+  using Gradient = std::function<Tensor<2, dim>(const Point<dim> &)>;
 
-  explicit FieldFunction(Field field)
-    : Function<2>(2)
+  /** @param gradient the derivatives u_{i,k}, for functions whose gradient is evaluated. */
+  explicit FieldFunction(Field field, Gradient gradient = {})
+    : Function<dim>(dim)
     , field_(std::move(field))
+    , gradient_(std::move(gradient))
   {
   }
 
-  double value(const Point<2> &x, const unsigned int component = 0) const override
+  double value(const Point<dim> &x, const unsigned int component = 0) const override
   {
     return field_(x)[component];
   }
-  void vector_value(const Point<2> &x, dealii::Vector<double> &values) const override
+  void vector_value(const Point<dim> &x, dealii::Vector<double> &values) const override
   {
-    const Tensor<1, 2> u = field_(x);
-    for (unsigned int d = 0; d < 2; ++d)
-      values[d] = u[d];
+    field_(x).unroll(values.begin(), values.end());
+  }
+  Tensor<1, dim> gradient(const Point<dim> &x, const unsigned int component = 0) const override
+  {
+    return gradient_(x)[component];
+  }
+  void vector_gradient(const Point<dim> &x, std::vector<Tensor<1, dim>> &gradients) const override
+  {
+    const Tensor<2, dim> gradient = gradient_(x);
+    for (unsigned int c = 0; c < dim; ++c)
+      gradients[c] = gradient[c];
   }
 
 private:
   Field field_;
+  Gradient gradient_;
 };
 
 /**
@@ -62,14 +75,12 @@ public:
   bool is_constant() const;
 
   double value(const Point<dim> &x, unsigned int component = 0) const override;
-  void vector_value(const Point<dim> &x, dealii::Vector<double> &values) const override;
   void value_list(const Points &points,
                   std::vector<double> &values,
                   unsigned int component = 0) const override;
   void vector_value_list(const Points &points,
                          std::vector<dealii::Vector<double>> &values) const override;
   Tensor<1, dim> gradient(const Point<dim> &x, unsigned int component = 0) const override;
-  void vector_gradient(const Point<dim> &x, Gradients &gradients) const override;
   void gradient_list(const Points &points,
                      Gradients &gradients,
                      unsigned int component = 0) const override;
@@ -91,6 +102,13 @@ private:
   /** The step of the differences (length); 0 for data. */
   double h_;
 };
+
+/** Refuses a value that is not finite or beyond max_magnitude. @throws InputError */
+template <int dim>
+void check_magnitude(double value,
+                     unsigned int component,
+                     const Point<dim> &x,
+                     const std::string &where);
 
 /** Returns whether a function is known to be the same everywhere. */
 template <int dim>

@@ -67,12 +67,15 @@ make_piecewise(const std::vector<std::shared_ptr<const Material<dim>>> &material
                const std::function<unsigned int(const Point<dim> &)> &index_at,
                const Point<dim> &reference);
 
-/** Returns the material (s11,s22,s12) = C (e11,e22,2 e12) with the entries C11, C12, C13, C22, C23,
- * C33; C must be positive definite at every point. s33 = Z (e11,e22,2 e12) with the three entries Z
- * of @p across, which is empty in plane stress. E_0 is C11 at the point @p reference. */
-std::shared_ptr<const Material<2>> make_general(const std::vector<Expression<2>> &entries,
-                                                const std::vector<Expression<2>> &across = {},
-                                                const Point<2> &reference = Point<2>());
+/** Returns the material (s11, s22, s12) = C (e11, e22, 2 e12), in 3-D (s11, s22, s33, s23, s13,
+ * s12) = C (e11, e22, e33, 2 e23, 2 e13, 2 e12), with the upper triangle of C, row by row: C11,
+ * C12, ...; C must be positive definite at every point. In 2-D s33 = Z (e11,e22,2 e12) with the
+ * three entries Z of @p across, which is empty in plane stress. E_0 is C11 at the point @p
+ * reference. */
+template <int dim>
+std::shared_ptr<const Material<dim>> make_general(const std::vector<Expression<dim>> &entries,
+                                                  const std::vector<Expression<dim>> &across = {},
+                                                  const Point<dim> &reference = Point<dim>());
 
 /** Returns the material with the moduli Q11, Q22, Q12, Q66 in axes that are rotated by @p degrees
  * against the x-axis; s33 = Q31 e11 + Q32 e22 in these axes with the two entries of @p across,
@@ -81,10 +84,4 @@ std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression
                                                     double degrees,
                                                     const std::vector<Expression<2>> &across = {},
                                                     const Point<2> &reference = Point<2>());
-
-/** Returns the 3-D material (s11, s22, s33, s23, s13, s12) = C (e11, e22, e33, 2 e23, 2 e13, 2 e12)
- * with the upper triangle of C, row by row: C11, C12, ..., C16, C22, ..., C66; C must be positive
- * definite at every point. E_0 is C11 at the point @p reference. */
-std::shared_ptr<const Material<3>> make_general_3d(const std::vector<Expression<3>> &entries,
-                                                   const Point<3> &reference = Point<3>());
 } // namespace Signorini
