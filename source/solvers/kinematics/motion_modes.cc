@@ -19,8 +19,8 @@ namespace
 /** Returns the nodal values of a rigid motion. */
 Displacement interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space)
 {
-  return interpolate_at_nodes(space,
-                              FieldFunction<2>([&](const Point<2> &x) { return motion.velocity(x); }));
+  return interpolate_at_nodes(
+    space, FieldFunction<2>([&](const Point<2> &x) { return motion.velocity(x); }));
 }
 
 /** Returns the values of the motion on plates, pins and other supports; zero elsewhere. */
