@@ -36,25 +36,6 @@ Points<dim> unit_points(const unsigned int n_gauss, const bool with_ends = false
   return Quadrature<dim>(Quadrature<1>(line)).get_points();
 }
 
-/** Returns points of the cells of the coarse mesh; of every cell, or of some if there are very
- * many. */
-template <int dim>
-Points<dim> sample_body(const Geometry<dim> &geometry)
-{
-  constexpr unsigned int few = 20, enough = 500;
-  Triangulation<dim> mesh;
-  geometry.make_coarse_mesh(mesh);
-  const unsigned int n_cells = mesh.n_active_cells(), stride = 1 + n_cells / enough;
-  const Points<dim> unit = unit_points<dim>(n_cells > few ? 2 : dim == 2 ? 12 : 6);
-  const MappingQ1<dim> mapping;
-  Points<dim> points;
-  for (const auto &cell : mesh.active_cell_iterators())
-    if (cell->active_cell_index() % stride == 0)
-      for (const Point<dim> &q : unit)
-        points.push_back(mapping.transform_unit_to_real_cell(cell, q));
-  return points;
-}
-
 /** Returns points inside of a side and, for what is evaluated at nodes, at its ends. */
 Points<2> sample_side(const Side<2> &side, const bool with_ends)
 {
@@ -72,6 +53,33 @@ Points<3> sample_side(const Side<3> &side, const bool with_ends)
   Points<3> points;
   for (const Point<2> &share : unit_points<2>(12, with_ends))
     points.push_back(side.point({share[0] * lengths[0], share[1] * lengths[1]}));
+  return points;
+}
+
+/** Returns points of the segments from the middle of a body to its sides; of other bodies, points
+ * of the cells of the coarse mesh, or of some cells if there are very many. */
+template <int dim>
+Points<dim> sample_body(const Geometry<dim> &geometry)
+{
+  Points<dim> points;
+  if (geometry.star_shaped)
+  {
+    const Point<dim> inside = geometry.inner_point();
+    for (const Side<dim> &side : geometry.sides)
+      for (const Point<dim> &x : sample_side(side, false))
+        for (const Point<1> &share : unit_points<1>(dim == 2 ? 12 : 2))
+          points.push_back(inside + share[0] * (x - inside));
+    return points;
+  }
+  constexpr unsigned int few = 20, enough = 500;
+  Triangulation<dim> mesh;
+  geometry.make_coarse_mesh(mesh);
+  const unsigned int n_cells = mesh.n_active_cells(), stride = 1 + n_cells / enough;
+  const MappingQ1<dim> mapping;
+  for (const auto &cell : mesh.active_cell_iterators())
+    if (cell->active_cell_index() % stride == 0)
+      for (const Point<dim> &q : unit_points<dim>(n_cells > few ? 2 : 12))
+        points.push_back(mapping.transform_unit_to_real_cell(cell, q));
   return points;
 }
 
