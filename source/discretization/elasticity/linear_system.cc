@@ -209,7 +209,7 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
     add_stiffness(space, scene, matrix, sums);
     system.matrix.reinit(rows, rows, matrix, communicator, 0., true, &sparsity);
     for (const auto i : rows)
-      reduction(i) = sums(i);
+      reduction(i) += sums(i);
   }
   reduction.compress(VectorOperation::add);
   system.f.add(system.unit, reduction);
