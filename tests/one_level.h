@@ -12,12 +12,14 @@
 #include <vector>
 
 #include "random_numbers.h"
+#include "scene_text.h"
 
-/** A scene from the text of a parameter file, and its discretization on one level. */
+/** A scene from the text of a parameter file or of its entries (scene_text.h), and its
+ * discretization on one level. */
 struct OneLevel
 {
   OneLevel(const std::string &text, const unsigned int level)
-    : parameters(Signorini::parse_parameters(text, "test"))
+    : parameters(Signorini::parse_parameters(parameter_file(text), "test"))
     , scene(Signorini::make_scene<2>(parameters))
     , discretization(parameters, scene, level, MPI_COMM_WORLD)
   {
@@ -48,14 +50,6 @@ struct OneLevel
   Signorini::Scene<2> scene;
   Signorini::Discretization<2> discretization;
 };
-
-/** Returns "subsection SECTION / set NAME = VALUE / end" for short parameter texts. */
-inline std::string entry(const std::string &section,
-                         const std::string &name,
-                         const std::string &value)
-{
-  return "subsection " + section + "\nset " + name + " = " + value + "\nend\n";
-}
 
 /** A displacement as a function of x. */
 using Field = Signorini::FieldFunction<2>::Field;

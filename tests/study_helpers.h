@@ -13,17 +13,37 @@
 #include <string>
 #include <vector>
 
-/** Solves a study silently, without files. */
+#include "scene_text.h"
+
+/** Runs a study silently, without files unless a directory is given. */
+template <int dim>
+Signorini::StudyResult<dim> run(const Signorini::Parameters &parameters,
+                                const Signorini::Scene<dim> &scene,
+                                const std::string &directory = "")
+{
+  std::ostream silence(nullptr);
+  return Signorini::run_study(
+    parameters, scene, MPI_COMM_WORLD, {silence, directory, [](const std::string &) {}});
+}
+
+/** Solves the scene of a text. */
 template <int dim = 2>
 Signorini::StudyResult<dim> solve(const std::string &text,
                                   const std::vector<std::string> &overrides = {})
 {
-  std::ostream silence(nullptr);
-  const Signorini::Parameters parameters = Signorini::parse_parameters(text, "test", overrides);
-  return Signorini::run_study(parameters,
-                              Signorini::make_scene<dim>(parameters),
-                              MPI_COMM_WORLD,
-                              {silence, "", [](const std::string &) {}});
+  const Signorini::Parameters parameters =
+    Signorini::parse_parameters(parameter_file(text), "test", overrides);
+  return run(parameters, Signorini::make_scene<dim>(parameters));
+}
+
+/** Solves the scene of a file. */
+template <int dim = 2>
+Signorini::StudyResult<dim> solve_file(const std::string &file,
+                                       const std::vector<std::string> &overrides = {},
+                                       const std::string &directory = "")
+{
+  const Signorini::Parameters parameters = Signorini::read_parameters(file, overrides);
+  return run(parameters, Signorini::make_scene<dim>(parameters), directory);
 }
 
 /** Returns the parameter file of a scene of the catalogue. */
@@ -32,11 +52,21 @@ inline std::string named_scene(const std::string &name)
   return "subsection Scene\n set Name = " + name + "\n end\n";
 }
 
-/** Returns the overrides for a study from one level to another. */
-inline std::vector<std::string> levels(const unsigned int coarsest, const unsigned int finest)
+/** Returns the overrides for a study from one level to another, and more of them. */
+inline std::vector<std::string> levels(const unsigned int coarsest,
+                                       const unsigned int finest,
+                                       std::vector<std::string> more = {})
 {
-  return {"Discretization/Coarsest level=" + std::to_string(coarsest),
-          "Discretization/Finest level=" + std::to_string(finest)};
+  more.push_back("Discretization/Coarsest level=" + std::to_string(coarsest));
+  more.push_back("Discretization/Finest level=" + std::to_string(finest));
+  return more;
+}
+
+/** Returns a column of the last level, which must be known. */
+template <int dim>
+double last(const Signorini::StudyResult<dim> &result, const std::string &column)
+{
+  return Signorini::value(result.levels.back(), column).value();
 }
 
 /** Returns the least-squares slope of log(quantity) against log(h). */

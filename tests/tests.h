@@ -1,14 +1,25 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/errors.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <cmath>
+#include <fstream>
+#include <initializer_list>
 #include <iostream>
+#include <set>
+#include <sstream>
 #include <string>
+#include <vector>
 
 /**
  * Assertions with names. Each prints one line, "name: ok" or what was found instead; a test returns
  * exit_code() from main. Numbers are not printed when they are right, so that the stored output
- * does not depend on rounding.
+ * does not depend on rounding. An assertion may stand in a loop: "ok" is printed once per name,
+ * what fails every time.
  */
 class Checks
 {
@@ -18,6 +29,12 @@ public:
   explicit Checks(const bool speak = true)
     : speak_(speak)
   {
+  }
+
+  /** The names of all checks that follow begin with @p subject. */
+  void about(const std::string &subject)
+  {
+    subject_ = subject.empty() ? "" : subject + ": ";
   }
 
   void that(const std::string &name, const bool condition)
@@ -33,6 +50,36 @@ public:
            std::abs(value - expected) <= tolerance,
            "found " + std::to_string(value) + ", expected " + std::to_string(expected) +
              ", difference " + std::to_string((value - expected) / tolerance) + " tolerances");
+  }
+
+  /** Checks that |value - expected| ≤ tolerance for points, vectors and symmetric tensors. */
+  template <int dim>
+  void near(const std::string &name,
+            const dealii::Tensor<1, dim> &value,
+            const dealii::Tensor<1, dim> &expected,
+            const double tolerance)
+  {
+    near(name, (value - expected).norm(), 0., tolerance);
+  }
+  template <int dim>
+  void near(const std::string &name,
+            const dealii::SymmetricTensor<2, dim> &value,
+            const dealii::SymmetricTensor<2, dim> &expected,
+            const double tolerance)
+  {
+    near(name, (value - expected).norm(), 0., tolerance);
+  }
+
+  /** Checks each entry of a list, and that there are as many as expected. */
+  void near(const std::string &name,
+            const std::vector<double> &values,
+            const std::vector<double> &expected,
+            const double tolerance)
+  {
+    if (values.size() != expected.size())
+      return near(name + ", entries", values.size(), expected.size(), 0.);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      near(name, values[i], expected[i], tolerance);
   }
 
   /** Checks that low ≤ value ≤ high. */
@@ -60,6 +107,22 @@ public:
     report(name, found.find(fragment) != std::string::npos, found);
   }
 
+  /** Checks that the call throws an InputError with exactly this message. */
+  template <typename Call>
+  void refuses(const std::string &message, const Call &call)
+  {
+    std::string found = "nothing was thrown";
+    try
+    {
+      call();
+    }
+    catch (const Signorini::InputError &exception)
+    {
+      found = exception.what();
+    }
+    report(message, found == message, found);
+  }
+
   int exit_code() const
   {
     return n_failures_ == 0 ? 0 : 1;
@@ -69,10 +132,40 @@ private:
   void report(const std::string &name, const bool passed, const std::string &found)
   {
     n_failures_ += passed ? 0 : 1;
-    if (speak_ || !passed)
-      std::cout << name << ": " << (passed ? "ok" : "FAILED, " + found) << std::endl;
+    if (!passed || (names_.insert(subject_ + name).second && speak_))
+      std::cout << subject_ << name << ": " << (passed ? "ok" : "FAILED, " + found) << std::endl;
   }
 
   bool speak_;
+  std::string subject_;
+  std::set<std::string> names_;
   unsigned int n_failures_ = 0;
 };
+
+/** Runs all tests of a file one after the other. @return the exit code of main. */
+inline int run_tests(const std::initializer_list<void (*)(Checks &)> tests, const bool speak = true)
+{
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  Checks checks(speak);
+  for (const auto &test : tests)
+  {
+    checks.about("");
+    test(checks);
+  }
+  return checks.exit_code();
+}
+
+/** The same with MPI, on all processes; the first one speaks. */
+inline int run_tests(int argc, char **argv, const std::initializer_list<void (*)(Checks &)> tests)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  return run_tests(tests, dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+}
+
+/** Returns the text of a file. */
+inline std::string file_text(const std::string &name)
+{
+  std::ostringstream text;
+  text << std::ifstream(name).rdbuf();
+  return text.str();
+}

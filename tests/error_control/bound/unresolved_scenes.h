@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-// Scenes that a mesh or its patches do not resolve.
+// Scenes that a mesh or its patches do not resolve, and scenes of every shape, law and condition.
 
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "one_level.h"
+#include "scene_text.h"
 
 namespace Unresolved
 {
@@ -15,134 +14,137 @@ namespace Unresolved
 struct Given
 {
   std::string name;
+  /** Lines "Section/Name = value"; where none says it, the bottom may touch. */
   std::string scene;
-  std::string discretization;
-  unsigned int level;
-  unsigned int reference_level;
+  std::vector<unsigned int> levels;
+  unsigned int reference_level = 6;
+  std::string discretization = "";
+  /** The largest bound / error that is allowed. */
+  double largest = 1e30;
 };
 
-class Scenes
-{
-public:
-  void add(const std::string &name,
-           const std::string &scene,
-           const std::vector<unsigned int> &levels,
-           const unsigned int reference_level = 7,
-           const std::string &discretization = "")
-  {
-    for (const unsigned int level : levels)
-      all.push_back({name, scene, discretization, level, reference_level});
-  }
+using Scenes = std::vector<Given>;
 
-  std::vector<Given> all;
-};
+inline const std::string clamped_top = "Boundary/Clamped = top\n",
+                         pulled = clamped_top + "Boundary/Traction = right: -0.1; 0\n",
+                         one = "Material/Young's modulus = 1\n";
 
-inline std::string body(const std::string &upper_right)
+inline std::string lowered(const std::string &by)
 {
-  return entry("Geometry", "Upper right", upper_right);
-}
-
-inline std::string material(const std::string &E, const std::string &nu = "0.3")
-{
-  return entry("Material", "Young's modulus", E) + entry("Material", "Poisson's ratio", nu);
-}
-
-/** Roles of sides, line by line. */
-inline std::string boundary(const std::string &lines)
-{
-  return "subsection Boundary\nset Contact = bottom\n" + lines + "end\n";
+  return "Boundary/Displacement = top: 0; -" + by + "\n";
 }
 
 inline std::string gap(const std::string &expression)
 {
-  return entry("Contact", "Gap", expression);
+  return "Contact/Gap = " + expression + "\n";
 }
 
-inline std::string force(const std::string &expression)
+inline std::string modulus(const std::string &expression)
 {
-  return entry("Load", "Body force", expression);
-}
-
-inline std::string option(const std::string &name, const std::string &value)
-{
-  return entry("Discretization", name, value);
-}
-
-inline const std::string one = material("1"), clamped_top = boundary("set Clamped = top\n"),
-                         pulled = boundary("set Clamped = top\nset Traction = right: -0.1; 0\n");
-
-inline std::string lowered(const std::string &by)
-{
-  return boundary("set Displacement = top: 0; -" + by + "\n");
+  return "Material/Young's modulus = " + expression + "\n";
 }
 
 /** Contact between the nodes, and smaller than a patch. */
 inline void add_missed_contact(Scenes &scenes)
 {
-  const auto wide = [](const std::string &lower_left, const std::string &upper_right) {
-    return entry("Geometry", "Lower left", lower_left) + body(upper_right) +
-           entry("Geometry", "Cells", "2, 1");
-  };
-  const std::string steel = wide("-10, 0", "10, 10") + material("210000") + clamped_top;
-  const std::vector<std::pair<std::string, std::string>> gaps = {
-    {"parabola", "x^2/(2*50) - 0.003"},
-    {"parabola off nodes", "(x-0.7)^2/(2*50) - 0.003"},
-    {"wedge", "abs(x)/100 - 0.003"},
-    {"roller", "50 - sqrt(50^2 - x^2) - 0.003"},
-    {"flat punch", "(abs(x) < 0.4) ? -0.003 : 1"},
-    {"corner", "max(x/200, -x/20) - 0.003"}};
-  for (const auto &[name, expression] : gaps)
-    scenes.add("steel under " + name, steel + gap(expression), {2, 3}, 6);
-  const std::string block = wide("-1, 0", "1, 1") + one;
-  scenes.add("two bumps, one patch",
-             block + clamped_top + gap("min(4*(x-0.5)^2, 4*(x+0.5)^2) - 0.02"),
-             {2, 3},
-             6,
-             option("Patches", "1"));
-  scenes.add("deep peak", block + clamped_top + gap("-0.5 + 100*x^2"), {1, 2, 3}, 6);
-  scenes.add(
-    "lowered onto bumps", block + lowered("0.01") + gap("0.005*(1 + cos(12*pi*x))"), {1, 2}, 6);
-  const std::string bumps = block + lowered("0.02") + gap("0.01*(1 + cos(4*pi*x))");
-  for (const std::string ratio : {"4", "8", "16"})
-    scenes.add("bumps, H/h = " + ratio, bumps, {4}, 6, option("Patch ratio", ratio));
-  for (const std::string patches : {"1", "2", "3"})
-    scenes.add("bumps, patches: " + patches, bumps, {4}, 6, option("Patches", patches));
+  const std::string steel = "Geometry/Lower left = -10, 0\nGeometry/Upper right = 10, 10\n"
+                            "Geometry/Cells = 2, 1\n" +
+                            modulus("210000") + clamped_top,
+                    block = "Geometry/Lower left = -1, 0\nGeometry/Cells = 2, 1\n" + one;
+  for (const auto &[name, expression] : std::vector<std::pair<std::string, std::string>>{
+         {"parabola", "x^2/(2*50) - 0.003"},
+         {"parabola off nodes", "(x-0.7)^2/(2*50) - 0.003"},
+         {"wedge", "abs(x)/100 - 0.003"},
+         {"roller", "50 - sqrt(50^2 - x^2) - 0.003"},
+         {"flat punch", "(abs(x) < 0.4) ? -0.003 : 1"},
+         {"corner", "max(x/200, -x/20) - 0.003"}})
+    scenes.push_back({"steel under " + name, steel + gap(expression), {2, 3}});
+  scenes.push_back({"tip between nodes",
+                    "Geometry/Lower left = -1, 0\nGeometry/Upper right = 1, 2\n" + clamped_top +
+                      gap("(x-0.0313)^2/(2*0.08)-0.003"),
+                    {2, 3, 4},
+                    7,
+                    "",
+                    15.});
+  scenes.push_back({"two bumps, one patch",
+                    block + clamped_top + gap("min(4*(x-0.5)^2, 4*(x+0.5)^2) - 0.02"),
+                    {2, 3},
+                    6,
+                    "Discretization/Patches = 1\n"});
+  scenes.push_back({"deep peak", block + clamped_top + gap("-0.5 + 100*x^2"), {1, 2, 3}});
+  scenes.push_back(
+    {"lowered onto bumps", block + lowered("0.01") + gap("0.005*(1 + cos(12*pi*x))"), {1, 2}});
+  for (const std::string patches : {"Patch ratio = 4",
+                                    "Patch ratio = 8",
+                                    "Patch ratio = 16",
+                                    "Patches = 1",
+                                    "Patches = 2",
+                                    "Patches = 3"})
+    scenes.push_back({"bumps, " + patches,
+                      block + lowered("0.02") + gap("0.01*(1 + cos(4*pi*x))"),
+                      {4},
+                      6,
+                      "Discretization/" + patches + "\n"});
+  // Waves with mean zero on every patch: u_h is a uniform compression, and the contact part is the
+  // whole bound.
+  for (const std::string height : {"0.0001", "0.001", "-0.001"})
+    scenes.push_back(
+      {"waves of " + height + " between patches",
+       "Boundary/Rollers = left right\n" + lowered("0.01") + gap(height + "*cos(16*pi*x)"),
+       {3},
+       7,
+       "",
+       3.});
 }
 
 /** Cells that are too few or too thin for what bends. */
 inline void add_bending(Scenes &scenes)
 {
+  const std::string steel = modulus("1000") + "Boundary/Clamped = left\n";
   for (const std::string length : {"10", "20", "50"})
-    scenes.add("cantilever " + length + ":1",
-               body(length + ", 1") + material("1000") +
-                 boundary("set Clamped = left\nset Traction = top: 0; -0.1\n") +
-                 gap("0.001*" + length),
-               {1, 2, 3});
-  scenes.add("free cantilever 10:1",
-             body("10, 1") + material("1000") + boundary("set Clamped = left\n") +
-               force("0; -0.1") + gap("1000"),
-             {2});
-  const std::string beam =
-    body("100, 1") + material("1e6") + boundary("set Clamped = left right\n") + force("0; -1");
-  scenes.add("beam 100 x 1 on 32 x 32 cells", beam + gap("1"), {5});
-  scenes.add("beam 100 x 1 onto a step", beam + gap("(abs(x-50) < 5) ? 0.1 : 1"), {4});
+    scenes.push_back({"cantilever " + length + ":1",
+                      steel + "Geometry/Upper right = " + length +
+                        ", 1\nBoundary/Traction = top: 0; -0.1\n" + gap("0.001*" + length),
+                      {1, 2, 3}});
+  scenes.push_back(
+    {"free cantilever 10:1",
+     steel + "Geometry/Upper right = 10, 1\nLoad/Body force = 0; -0.1\n" + gap("1000"),
+     {2}});
+  const std::string beam = "Geometry/Upper right = 100, 1\nBoundary/Clamped = left right\n"
+                           "Load/Body force = 0; -1\n" +
+                           modulus("1e6");
+  scenes.push_back({"beam 100 x 1 on 32 x 32 cells", beam + gap("1"), {5}, 7});
+  scenes.push_back({"beam 100 x 1 onto a step", beam + gap("(abs(x-50) < 5) ? 0.1 : 1"), {4}});
 }
 
-/** Data with periods below the size of cells. */
+/** Data with periods below the size of cells, and between the points of the system's rules. */
 inline void add_fine_data(Scenes &scenes)
 {
-  scenes.add("gap waves", one + lowered("0.01") + gap("0.01*sin(40*pi*x)^2"), {2, 3, 4});
-  scenes.add("body force waves",
-             one + clamped_top + gap("0.1") + force("sin(40*pi*x)*cos(36*pi*y); cos(40*pi*x)"),
-             {2, 3, 4});
-  scenes.add(
-    "E(y) waves", material("10^sin(40*pi*y)") + lowered("0.01") + gap("0.01*x^2"), {2, 3, 4});
-  scenes.add("traction waves",
-             one +
-               boundary("set Clamped = top\nset Traction = left: sin(50*pi*y); 0 | right: "
-                        "0; sin(50*pi*y)\n") +
-               gap("0.1"),
-             {3});
+  const std::string free = one + clamped_top + gap("0.1");
+  const auto force = [&](const std::string &f) { return free + "Load/Body force = " + f + "\n"; };
+  const auto traction = [&](const std::string &t) {
+    return free + "Boundary/Traction = " + t + "\n";
+  };
+  const std::string peak = "100*exp(-((x-0.53)^2+(y-0.51)^2)/0.0001)";
+  scenes.insert(
+    scenes.end(),
+    {{"gap waves", one + lowered("0.01") + gap("0.01*sin(40*pi*x)^2"), {2, 3, 4}, 7},
+     {"body force waves", force("sin(40*pi*x)*cos(36*pi*y); cos(40*pi*x)"), {2, 3, 4}, 7},
+     {"E(y) waves", modulus("10^sin(40*pi*y)") + lowered("0.01") + gap("0.01*x^2"), {2, 3, 4}, 7},
+     {"traction waves", traction("left: sin(50*pi*y); 0 | right: 0; sin(50*pi*y)"), {3}, 7},
+     {"narrow peak of the gap",
+      one + lowered("0.01") + gap("0.011 - 0.05*exp(-((x-0.547)/0.01)^2)"),
+      {1, 2}},
+     {"narrow traction", traction("right: 10*exp(-((y-0.53)/0.005)^2); 0"), {1, 2}},
+     {"narrow body force", force("0; -" + peak), {1, 2}},
+     {"concentrated force", force("0; " + peak), {2, 3}}});
+  // A side of the mesh cannot follow.
+  for (const auto &[name, u, level] : {std::tuple("waves", "0.01*sin(20*pi*x); 0", 3U),
+                                       std::tuple("zero at all nodes", "0; 0.001*sin(16*pi*x)", 3U),
+                                       std::tuple("parabola", "0; -0.1*x*(1-x)", 2U)})
+    scenes.push_back({"prescribed, " + std::string(name),
+                      one + gap("0.1") + "Boundary/Displacement = top: " + u + "\n",
+                      {level}});
 }
 
 /** Materials that change within cells. */
@@ -150,111 +152,123 @@ inline void add_fine_materials(Scenes &scenes)
 {
   const std::string gently = lowered("0.01") + gap("0.01*x^2"),
                     strongly = lowered("0.1") + gap("0.1*x^2");
-  const std::string layers = material("(sin(8*pi*y) > 0) ? 1 : 1e-3");
-  scenes.add("eight sharp layers", layers + gently, {2, 3});
-  scenes.add("eight sharp layers, kinks given",
-             layers + gently + option("Kinks at y", "0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875"),
-             {2, 3});
-  scenes.add("stiff fibres",
-             material("(sin(16*pi*x) > 0.95) ? 1000 : 1") +
-               boundary("set Clamped = top\nset Traction = right: 0.1; 0.05\n") + gap("0.01*x"),
-             {2, 3});
-  scenes.add("checkerboard 1 to 1e-3",
-             material("(sin(8*pi*x)*sin(8*pi*y) > 0) ? 1 : 1e-3") + gently,
-             {2, 3});
-  const std::string soft = material("(abs(y-0.5) < 0.005) ? 0.001 : 1") + strongly,
-                    stiff = material("(abs(y-0.53) < 0.01) ? 1000 : 1") + strongly;
-  scenes.add("thin soft layer along edges", soft, {2, 3});
-  scenes.add("thin soft layer along edges, kinks given",
-             soft + option("Kinks at y", "0.495, 0.505"),
-             {2, 3});
-  scenes.add("thin soft layer inside of cells",
-             material("(abs(y-0.53) < 0.01) ? 0.001 : 1") + strongly,
-             {2, 3});
-  scenes.add("thin stiff layer", stiff, {2, 3});
-  scenes.add("thin stiff layer, kinks given", stiff + option("Kinks at y", "0.52, 0.54"), {2, 3});
-}
-
-/** Data that is concentrated between the points of the system's rules. */
-inline void add_narrow_data(Scenes &scenes)
-{
-  scenes.add("narrow peak of the gap",
-             one + lowered("0.01") + gap("0.011 - 0.05*exp(-((x-0.547)/0.01)^2)"),
-             {1, 2});
-  scenes.add("narrow traction",
-             one +
-               boundary("set Clamped = top\n"
-                        "set Traction = right: 10*exp(-((y-0.53)/0.005)^2); 0\n") +
-               gap("0.1"),
-             {1, 2});
-  const std::string free = one + clamped_top + gap("0.1");
-  scenes.add(
-    "narrow body force", free + force("0; -100*exp(-((x-0.53)^2+(y-0.51)^2)/0.0001)"), {1, 2});
-  scenes.add(
-    "concentrated force", free + force("0; 100*exp(-((x-0.53)^2+(y-0.51)^2)/0.0001)"), {2, 3});
-}
-
-/** Displacements that a side of the mesh cannot follow. */
-inline void add_prescribed(Scenes &scenes)
-{
-  const auto prescribed = [](const std::string &u) {
-    return one + boundary("set Displacement = top: " + u + "\n") + gap("0.1");
+  struct Layers
+  {
+    std::string name, modulus, rest, kinks = "";
   };
-  scenes.add("prescribed waves", prescribed("0.01*sin(20*pi*x); 0"), {3});
-  scenes.add("prescribed, zero at all nodes", prescribed("0; 0.001*sin(16*pi*x)"), {3});
-  scenes.add("prescribed parabola", prescribed("0; -0.1*x*(1-x)"), {2});
+  for (const Layers &given : std::vector<Layers>{
+         {"eight sharp layers",
+          "(sin(8*pi*y) > 0) ? 1 : 1e-3",
+          gently,
+          "0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875"},
+         {"stiff fibres",
+          "(sin(16*pi*x) > 0.95) ? 1000 : 1",
+          clamped_top + "Boundary/Traction = right: 0.1; 0.05\n" + gap("0.01*x")},
+         {"checkerboard 1 to 1e-3", "(sin(8*pi*x)*sin(8*pi*y) > 0) ? 1 : 1e-3", gently},
+         {"thin soft layer along edges",
+          "(abs(y-0.5) < 0.005) ? 0.001 : 1",
+          strongly,
+          "0.495, 0.505"},
+         {"thin soft layer inside of cells", "(abs(y-0.53) < 0.01) ? 0.001 : 1", strongly},
+         {"thin stiff layer", "(abs(y-0.53) < 0.01) ? 1000 : 1", strongly, "0.52, 0.54"}})
+  {
+    const std::string text = modulus(given.modulus) + given.rest;
+    scenes.push_back({given.name, text, {2, 3}, 7});
+    if (!given.kinks.empty())
+      scenes.push_back({given.name + ", kinks given",
+                        text + "Discretization/Kinks at y = " + given.kinks + "\n",
+                        {2, 3},
+                        7});
+  }
 }
 
 inline void add_locking(Scenes &scenes)
 {
-  scenes.add("nu = 0.4999", material("1", "0.4999") + pulled + gap("0.01*x"), {2, 3, 4});
-  scenes.add("nu = -0.999, plane stress",
-             material("1", "-0.999") + entry("Material", "Plane state", "stress") + pulled +
-               gap("0.01*x"),
-             {2, 3, 4});
+  const auto ratio = [](const std::string &nu) {
+    return "Material/Poisson's ratio = " + nu + "\n";
+  };
+  const std::string slope = one + pulled + gap("0.01*x");
+  scenes.push_back({"nu = 0.4999", slope + ratio("0.4999"), {2, 3, 4}});
+  scenes.push_back({"nu = -0.999, plane stress",
+                    slope + ratio("-0.999") + "Material/Plane state = stress\n",
+                    {2, 3, 4}});
   for (const std::string nu : {"0.3", "0.499"})
-    scenes.add("pad 50 x 1, nu = " + nu,
-               body("50, 1") + material("1", nu) + lowered("0.05") + gap("0.0001*(x-20)^2"),
-               {2, 3});
+    scenes.push_back({"pad 50 x 1, nu = " + nu,
+                      one + ratio(nu) + "Geometry/Upper right = 50, 1\n" + lowered("0.05") +
+                        gap("0.0001*(x-20)^2"),
+                      {2, 3}});
 }
 
-/** Rollers, contact in a corner, contact that changes along a side, orthotropy. */
+/** Conditions that meet, shapes of cells, laws, gaps that jump, and a P that is far from the
+ * solution of the dual problem. */
 inline void add_mixed(Scenes &scenes)
 {
-  scenes.add("rollers beside contact",
-             one +
-               boundary("set Rollers = left\nset Traction = top: 0; -0.2\n"
-                        "set Clamped = right\n") +
-               gap("0.1*x*(1-x) + 0.05*(x-0.6)^2"),
-             {1, 2, 3},
-             6);
-  scenes.add("contact in a corner",
-             one +
-               "subsection Boundary\nset Contact = bottom left\n"
-               "set Displacement = right: -0.05; -0.02 | top: -0.05; -0.02\nend\n" +
-               gap("bottom: 0.05*sin(7*x)^2 | left: 0.06*y^2"),
-             {1, 2, 3},
-             6);
-  scenes.add("sheared onto a slope",
-             one + boundary("set Displacement = top: 0.3; -0.1\n") + gap("0.2*abs(x - 0.37)"),
-             {1, 2, 3},
-             6);
-  scenes.add("stiff along x",
-             entry("Material", "Law", "orthotropic") +
-               entry("Material", "Orthotropic moduli", "100; 1; 0.3; 0.5") +
-               entry("Material", "Orientation", "30") + lowered("0.05") + gap("0.1*x^2"),
-             {1, 2, 3},
-             6);
-}
-
-/** P that is far from the solution of the dual problem. */
-inline void add_loose_solver(Scenes &scenes)
-{
-  scenes.add("stiff layer, PSOR 1e-2",
-             body("8, 1") + material("(y < 0.25) ? 1000 : 1") + lowered("0.1") +
-               gap("0.05*sin(2*x)^2") + option("Kinks at y", "0.25"),
-             {3, 4, 5},
-             7,
-             entry("Solver", "Contact solver", "psor") + entry("Solver", "Tolerance", "1e-2"));
+  const std::string rectangle = clamped_top + "Boundary/Traction = right: 0.1; 0.2*y*y\n"
+                                              "Load/Body force = 0.1+x*y; -0.5*x-sin(3*y)\n",
+                    loaded = rectangle + gap("-0.05+0.1*x"),
+                    pentagon = "Geometry/Shape = polygon\nBoundary/Rollers = side1\n"
+                               "Geometry/Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\n"
+                               "Boundary/Contact = side0 side4\n"
+                               "Boundary/Displacement = side3: 0.01; -0.02\n"
+                               "Load/Body force = -0.1; -0.2\n",
+                    jump = clamped_top + gap("if(x<0.4321, 0.001, -0.002)");
+  scenes.insert(
+    scenes.end(),
+    {{"rollers beside contact",
+      one +
+        "Boundary/Rollers = left\nBoundary/Traction = top: 0; -0.2\nBoundary/Clamped = right\n" +
+        gap("0.1*x*(1-x) + 0.05*(x-0.6)^2"),
+      {1, 2, 3}},
+     {"contact in a corner",
+      one +
+        "Boundary/Contact = bottom left\n"
+        "Boundary/Displacement = right: -0.05; -0.02 | top: -0.05; -0.02\n" +
+        gap("bottom: 0.05*sin(7*x)^2 | left: 0.06*y^2"),
+      {1, 2, 3}},
+     {"sheared onto a slope",
+      one + "Boundary/Displacement = top: 0.3; -0.1\n" + gap("0.2*abs(x - 0.37)"),
+      {1, 2, 3}},
+     {"stiff along x",
+      "Material/Law = orthotropic\nMaterial/Orthotropic moduli = 100; 1; 0.3; 0.5\n"
+      "Material/Orientation = 30\n" +
+        lowered("0.05") + gap("0.1*x^2"),
+      {1, 2, 3}},
+     {"rectangles", loaded, {3}},
+     {"thin cells", loaded + "Geometry/Upper right = 20, 1\n", {3}},
+     {"distorted", loaded + "Geometry/Distortion = 0.2\n", {3}},
+     {"patches that end inside faces", loaded + "Discretization/Patches = 3\n", {3}},
+     {"plane stress, E(x)",
+      loaded + modulus("2+sin(5*x)*y") + "Material/Plane state = stress\n",
+      {3}},
+     {"B-bar", loaded, {3}, 6, "Discretization/Element = Q1 B-bar\n"},
+     {"quadrilateral",
+      "Geometry/Shape = polygon\nGeometry/Vertices = 0,0; 1.2,0; 1,0.9; 0.1,1.1\n"
+      "Boundary/Clamped = side2\nBoundary/Contact = side0\n"
+      "Boundary/Traction = side1: -0.05; 0.02*y | side3: 0.03; -0.01\n"
+      "Load/Body force = 0.1+x*y; -0.5*x-sin(3*y)\n" +
+        gap("-0.05+0.1*x"),
+      {3}},
+     {"pentagon", pentagon + gap("0"), {3}, 5},
+     {"pentagon on waves", pentagon + gap("0.003*cos(3*x)"), {2}, 5},
+     {"two rollers",
+      "Boundary/Rollers = left top\nBoundary/Traction = right: -0.2; 0.1*y\n"
+      "Load/Body force = 0.1+x*y; -0.5*x-sin(3*y)\n" +
+        gap("-0.05+0.1*x"),
+      {3}},
+     {"plate with a kink of the gap",
+      "Geometry/Upper right = 2, 1\nGeometry/Cells = 2, 1\nBoundary/Rollers = left\n"
+      "Boundary/Displacement = top: 0; -0.002*(1 - 0.2*x)\nDiscretization/Kinks at x = 0.9\n" +
+        gap("0.004*max(0, x-0.9)"),
+      {3}},
+     {"a gap that jumps", jump, {3}},
+     {"a gap that jumps at a kink", jump + "Discretization/Kinks at x = 0.4321\n", {3}},
+     {"a gap that jumps at a node", clamped_top + gap("if(x<0.5, -0.002, 0.001)"), {3}},
+     {"a gap that jumps upwards", clamped_top + gap("if(x<=0.5, 0.001, -0.002)"), {3}},
+     {"stiff layer, PSOR 1e-2",
+      "Geometry/Upper right = 8, 1\n" + modulus("(y < 0.25) ? 1000 : 1") + lowered("0.1") +
+        gap("0.05*sin(2*x)^2") + "Discretization/Kinks at y = 0.25\n",
+      {3, 4, 5},
+      7,
+      "Solver/Contact solver = psor\nSolver/Tolerance = 1e-2\n"}});
 }
 } // namespace Unresolved

@@ -6,7 +6,7 @@
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/solvers/contact/compliance.h>
 
-#include "error_control/bound/solved_level.h"
+#include "solved_level.h"
 #include "one_level.h"
 #include "study_helpers.h"
 #include "tests.h"
