@@ -42,13 +42,15 @@ EdgeFunction remainder(const PenetrationFace &face, const PenetrationFace::Polyn
     const auto at_end = [&](const double lacking, const double bowed) {
       return std::max(lacking, presses ? std::min(0., bowed) : 0.);
     };
-    parts.push_back(
-      {q.start, q.end, at_end(lack.first, bow.first), at_end(lack.last, bow.last), 0.});
-    // A parabola is not above the positive parts of its chord and its bulge.
-    if (presses && bow.largest() <= 0.)
-      parts.back().bulge = q.bulge;
-    else if (lack.largest() > 0.)
-      parts.back().bulge = std::max(0., q.bulge);
+    EdgeFunction::Part &r = parts.emplace_back(EdgeFunction::Part{
+      q.start, q.end, at_end(lack.first, bow.first), at_end(lack.last, bow.last), q.bulge});
+    // The least bulge with r above what is lacking: A (1 - τ) + B τ ≥ 4 b τ (1 - τ) for τ in [0,1]
+    // holds if 4 b ≤ (√A + √B)².
+    if (!presses || bow.largest() > 0.)
+      r.bulge = std::max(
+        0.,
+        q.bulge -
+          0.25 * std::pow(std::sqrt(r.first - lack.first) + std::sqrt(r.last - lack.last), 2));
   }
   // These are zero, up to rounding.
   parts.front().first = parts.back().last = 0.;
@@ -82,8 +84,10 @@ ContactBound evaluate(const DisplacementSpace<2> &space,
     double term = 0.;
     // The parts are those of d and p_H, and those of w_n.
     face.for_each_point(r, [&](const double t, const double weight) {
-      if (const double traction = face.traction(t); traction != 0.)
-        term += traction * (trace.penetration(face, t) - w_n.value(t) - r.value(t)) * weight;
+      // The root of rounding is not rounding.
+      const double slack = trace.penetration(face, t) - w_n.value(t) - r.value(t);
+      if (std::abs(slack) > trace.rounding(face))
+        term += face.traction(t) * slack * weight;
     });
     bound.contact_term += term;
     bound.face_terms.push_back(2. * term);

@@ -70,6 +70,7 @@ ContactTrace::ContactTrace(const DisplacementSpace<2> &space,
   , scene_(scene)
   , multipliers_(multipliers)
   , U_(U)
+  , size_of_U_(U.linfty_norm())
 {
   find_faces(P, fields);
   find_conditions();
@@ -109,7 +110,7 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact, const Fac
   }
   // Where π^{2h} u_h = u_h but for rounding, the contact term would be rounding, and the root of
   // rounding is not.
-  const double bubble = std::abs(field.bubble) > 1e-14 * U_.linfty_norm() ? field.bubble : 0.;
+  const double bubble = std::abs(field.bubble) > 1e-14 * size_of_U_ ? field.bubble : 0.;
   for (unsigned int d = 0; d < 2; ++d)
   {
     const double height = 4. * bubble * face.normal[d];
@@ -189,6 +190,11 @@ double ContactTrace::penetration(const PenetrationFace &face, const double t) co
   return normal[0] * face.u[0].value(t) + normal[1] * face.u[1].value(t) - gap;
 }
 
+double ContactTrace::rounding(const PenetrationFace &face) const
+{
+  return 1e-14 * (2. * size_of_U_ + std::abs(penetration(face, 0.)));
+}
+
 ContactTrace::TractionChange ContactTrace::traction_change(const Tensor<1, 2> &c) const
 {
   TractionChange change;
@@ -234,8 +240,8 @@ void ContactTrace::sample()
     const Pinned pinned = {conditions_[face.conditions[0]].held(),
                            conditions_[face.conditions[1]].held()};
     const auto d = [&](const double t) { return penetration(face, t); };
-    const double rounding = 1e-14 * (2. * U_.linfty_norm() + std::abs(d(0.)));
-    const UpperInterpolant upper = interpolate_from_above(d, breaks, rounding, pinned, n_scanned);
+    const UpperInterpolant upper =
+      interpolate_from_above(d, breaks, rounding(face), pinned, n_scanned);
     face.d = upper.function;
     if (upper.largest > max_)
     {
@@ -255,7 +261,7 @@ void ContactTrace::require()
       required = std::max(required, face.d.value(face.nodes[i]));
     }
   // What rounding makes of u_n - g = 0.
-  const double tolerance = 1e-12 * (U_.linfty_norm() + scene_.geometry.diameter());
+  const double tolerance = 1e-12 * (size_of_U_ + scene_.geometry.diameter());
   for (const NodeCondition &condition : conditions_)
     if (!obstacle_ && condition.held() && condition.required > tolerance)
       obstacle_ = condition.place;

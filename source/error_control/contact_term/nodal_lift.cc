@@ -7,7 +7,10 @@
 #include <signorini/solvers/contact/dual_solver.h>
 
 #include <deal.II/base/function.h>
-#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/linear_operator.h>
+#include <deal.II/lac/precondition.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
@@ -22,6 +25,12 @@ using Vector = dealii::Vector<double>;
 
 /** The number of contact nodes up to which columns of C are solved for where A⁻¹ iterates. */
 constexpr unsigned int max_solved_nodes = 200;
+
+/** Returns whether C is used, and not a layer. */
+bool is_cheap(const StiffnessInverse &inverse, const ContactTrace &trace)
+{
+  return inverse.has_factors() || trace.conditions().size() <= max_solved_nodes;
+}
 
 /** The columns E of those conditions at contact nodes that A⁻¹ lets move, and C = Eᵀ A⁻¹ E. */
 class NodalCompliance
@@ -189,18 +198,21 @@ Displacement pressed_displacement(const DisplacementSpace<2> &space,
   return solve_homogeneous(data.inverse, space, forces);
 }
 
-/** Returns A⁻¹ E Q with Eᵀ A⁻¹ E Q = 1. */
+/** Returns A⁻¹ E Q with Eᵀ A⁻¹ E Q = 1. Where columns of C cost solves, its products cost fewer. */
 Displacement pushed_displacement(const DisplacementSpace<2> &space,
                                  const StiffnessInverse &inverse,
                                  const NodalCompliance &nodal)
 {
-  LAPACKFullMatrix<double> C(nodal.numbers().size());
-  C = nodal.C()->dense();
-  C.set_property(LAPACKSupport::symmetric);
-  C.compute_cholesky_factorization();
-  Vector Q(nodal.numbers().size());
-  Q = 1.;
-  C.solve(Q);
+  const SolvedCompliance solved(inverse, nodal.E(), {});
+  LinearOperator<Vector> C;
+  C.vmult = [&](Vector &y, const Vector &x) {
+    y = nodal.C()->is_explicit() ? nodal.C()->apply(x) : solved.apply(x);
+  };
+  Vector Q(nodal.numbers().size()), one(Q.size());
+  one = 1.;
+  // Any Q would do: what is lacking is imposed.
+  IterationNumberControl control(1000, 1e-12 * one.l2_norm());
+  SolverCG<Vector>(control).solve(C, Q, one, PreconditionIdentity());
   DistributedVector forces = space.make_vector();
   nodal.E().add_product(Q, forces);
   return solve_homogeneous(inverse, space, forces);
@@ -221,10 +233,9 @@ std::optional<Displacement> nodal_lift(const DisplacementSpace<2> &space,
     if (!conditions[k].held())
       omega[k] = conditions[k].presses ? required[k] : std::max(0., required[k]);
   }
-  const bool is_cheap =
-    dual && (dual->inverse.has_factors() || conditions.size() <= max_solved_nodes);
-  Displacement w = is_cheap ? pressed_displacement(space, trace, P, *dual)
-                            : interpolate_at_nodes(space, Layers(scene, trace, omega));
+  Displacement w = dual && is_cheap(dual->inverse, trace)
+                     ? pressed_displacement(space, trace, P, *dual)
+                     : interpolate_at_nodes(space, Layers(scene, trace, omega));
   // This corrects the remainder of the solver's tolerance, and pins.
   if (!impose(trace, required, true, w))
     return {};
@@ -244,7 +255,7 @@ std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
   Vector one(conditions.size());
   one = 1.;
   const NodalCompliance nodal(space, trace, inverse);
-  Displacement z = nodal.C() != nullptr && nodal.C()->is_explicit()
+  Displacement z = nodal.C() != nullptr && is_cheap(inverse, trace)
                      ? pushed_displacement(space, inverse, nodal)
                      : interpolate_at_nodes(space, Layers(scene, trace, one));
   if (!impose(trace, one, false, z))

@@ -23,8 +23,8 @@ struct ValueAt
 };
 
 /** Returns the maximum in the middle one of three intervals, which follow one another, of the
- * parabola with given means over them; its value in the middle where the parabola is monotone: then
- * a neighbour has a larger value. */
+ * parabola with given means over them; its value in the middle where the parabola is monotone, as
+ * a neighbour has a larger value then, or constant up to rounding. */
 ValueAt max_of_parabola(const std::array<double, 4> &ends, const std::array<double, 3> &means)
 {
   // With the primitive's divided differences over the four ends e_0 < ... < e_3, from e_1:
@@ -39,7 +39,9 @@ ValueAt max_of_parabola(const std::array<double, 4> &ends, const std::array<doub
     means[0] - first * (e[0] + e[1]) + second * (e[0] * e[1] + e[0] * e[2] + e[1] * e[2]);
   // Between mirror images the maximum lies at an end, up to rounding.
   const double top = curvature < 0. ? -slope / (2. * curvature) : -e[2], slack = 1e-9 * e[2];
-  const double t = top > -slack && top < e[2] + slack ? std::clamp(top, 0., e[2]) : 0.5 * e[2];
+  const bool is_flat = -curvature * e[2] * e[2] <= 1e-9 * std::abs(means[1]);
+  const double t =
+    !is_flat && top > -slack && top < e[2] + slack ? std::clamp(top, 0., e[2]) : 0.5 * e[2];
   return {from + t, constant + t * (slope + t * curvature)};
 }
 

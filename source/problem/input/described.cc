@@ -161,7 +161,7 @@ void read_boundary(const BoundaryParameters &given,
     const std::size_t side = scene.geometry.find_side(name);
     if (side == sides.size())
       throw InputError(entry.where() + ": found the side " + quote(name) +
-                       ", allowed: " + join(sides) + ".");
+                       ", allowed: " + join(scene.geometry.described_sides()) + ".");
     if (entries[side] != nullptr)
       throw InputError(entry.where() + ": the side '" + name + "' is listed in " +
                        entries[side]->name + " already; every side has exactly one role.");

@@ -150,6 +150,8 @@ public:
   }
   /** Returns d itself at t, up to the evaluation of g. */
   double penetration(const PenetrationFace &face, double t) const;
+  /** Returns what rounding makes of d = 0 on a face. */
+  double rounding(const PenetrationFace &face) const;
   /** The integrals of τ_n - p_H, of (τ_n - p_H) n and of (τ_n - p_H)(g - c_n) over Γ_c,
    * with four Gauss points on every part of d. */
   struct TractionChange
@@ -192,6 +194,7 @@ private:
   const Scene<2> &scene_;
   const MultiplierSpace<2> &multipliers_;
   const Displacement &U_;
+  const double size_of_U_;
   std::vector<PenetrationFace> faces_;
   std::vector<NodeCondition> conditions_;
   double max_ = 0.;
