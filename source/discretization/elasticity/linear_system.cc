@@ -7,9 +7,10 @@
 #include <signorini/discretization/elasticity/linear_system.h>
 
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/affine_constraints.templates.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
+
+#include <Epetra_CrsMatrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,79 @@ TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space)
   TrilinosWrappers::SparseMatrix matrix;
   matrix.reinit(sparsity);
   return matrix;
+}
+
+namespace
+{
+/** The entries of a matrix that one rank stores, as deal.II adds to them. Trilinos looks up every
+ * entry in its row, which took a third of a run of graded meshes to 1e-6; here one pass over a row
+ * finds all columns of a cell. */
+class OwnRows : public Subscriptor
+{
+public:
+  using size_type = types::global_dof_index;
+  using value_type = double;
+
+  explicit OwnRows(const Epetra_CrsMatrix &matrix)
+    : size_(matrix.NumMyRows())
+  {
+    const int error = matrix.ExtractCrsDataPointers(start_, column_, value_);
+    AssertThrow(error == 0, ExcTrilinosError(error));
+  }
+
+  size_type m() const
+  {
+    return size_;
+  }
+  size_type n() const
+  {
+    return size_;
+  }
+
+  void add(const size_type row, const size_type column, const double value)
+  {
+    add(row, 1, &column, &value, false, true);
+  }
+
+  /** Adds to increasing columns. */
+  void add(const size_type row,
+           const size_type n,
+           const size_type *const columns,
+           const double *const values,
+           bool,
+           bool)
+  {
+    int entry = start_[row];
+    for (size_type j = 0; j < n; ++j, ++entry)
+    {
+      while (column_[entry] < static_cast<int>(columns[j]))
+        ++entry;
+      value_[entry] += values[j];
+    }
+  }
+
+private:
+  size_type size_;
+  int *start_, *column_;
+  double *value_;
+};
+} // namespace
+
+template <int dim>
+void add_cell(const DisplacementSpace<dim> &space,
+              const FullMatrix<double> &cell_matrix,
+              const std::vector<types::global_dof_index> &indices,
+              TrilinosWrappers::SparseMatrix &matrix,
+              DistributedVector &reduction)
+{
+  const auto add_to = [&](auto &rows) {
+    space.constraints().distribute_local_to_global(
+      cell_matrix, dealii::Vector<double>(indices.size()), indices, rows, reduction);
+  };
+  if (Utilities::MPI::n_mpi_processes(space.mesh().communicator()) > 1)
+    return add_to(matrix);
+  OwnRows rows(matrix.trilinos_matrix());
+  add_to(rows);
 }
 
 namespace
@@ -138,11 +212,11 @@ Resultant<dim> add_loads(const DisplacementSpace<dim> &space,
 
 /** Adds the matrices of all owned cells, and -a(k, φ_i)/unit with the prescribed displacements k;
  * threads integrate them. */
-template <int dim, typename MatrixType, typename VectorType>
+template <int dim>
 void add_stiffness(const DisplacementSpace<dim> &space,
                    const Scene<dim> &scene,
-                   MatrixType &matrix,
-                   VectorType &reduction)
+                   TrilinosWrappers::SparseMatrix &matrix,
+                   DistributedVector &reduction)
 {
   using Matrices = std::vector<
     std::pair<std::vector<types::global_dof_index>, typename CellStiffness<dim>::Matrix>>;
@@ -157,20 +231,23 @@ void add_stiffness(const DisplacementSpace<dim> &space,
     },
     [&](const Matrices &matrices) {
       for (const auto &[indices, cell_matrix] : matrices)
-        space.constraints().distribute_local_to_global(
-          *cell_matrix, dealii::Vector<double>(indices.size()), indices, matrix, reduction);
+        add_cell(space, *cell_matrix, indices, matrix, reduction);
     });
 }
 
-/** Returns the system without a matrix and without prescribed displacements: f = Tᵀ loads. */
+/** Returns the system without prescribed displacements, f = Tᵀ loads, and with a matrix to fill. */
 template <int dim>
 LinearSystem<dim> begin_system(const DisplacementSpace<dim> &space,
                                const Scene<dim> &scene,
-                               const unsigned int n_points)
+                               const unsigned int n_points,
+                               TrilinosWrappers::SparseMatrix matrix)
 {
   const MPI_Comm communicator = space.mesh().communicator();
-  LinearSystem<dim> system = {
-    {}, stiffness_unit(space, *scene.material), space.make_vector(), space.make_vector(), {}};
+  LinearSystem<dim> system = {std::move(matrix),
+                              stiffness_unit(space, *scene.material),
+                              space.make_vector(),
+                              space.make_vector(),
+                              {}};
   agree(communicator, [&]() { system.applied = add_loads(space, scene, n_points, system.loads); });
   system.loads.compress(VectorOperation::add);
   system.applied = sum_over_ranks(system.applied, communicator);
@@ -187,30 +264,11 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
                                          const Scene<dim> &scene,
                                          const unsigned int n_points)
 {
-  LinearSystem<dim> system = begin_system(space, scene, n_points);
-  const MPI_Comm communicator = space.mesh().communicator();
-  const IndexSet &rows = space.locally_owned();
+  LinearSystem<dim> system = begin_system(space, scene, n_points, make_matrix(space));
   DistributedVector reduction = space.make_vector();
-  if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-  {
-    system.matrix.copy_from(make_matrix(space));
-    agree(communicator, [&]() { add_stiffness(space, scene, system.matrix, reduction); });
-    system.matrix.compress(VectorOperation::add);
-  }
-  else
-  {
-    // deal.II adds faster to its own rows than to those of Trilinos.
-    DynamicSparsityPattern couplings(space.dofs().n_dofs());
-    DoFTools::make_sparsity_pattern(space.dofs(), couplings, space.constraints(), false);
-    SparsityPattern sparsity;
-    sparsity.copy_from(couplings);
-    SparseMatrix<double> matrix(sparsity);
-    dealii::Vector<double> sums(space.dofs().n_dofs());
-    add_stiffness(space, scene, matrix, sums);
-    system.matrix.reinit(rows, rows, matrix, communicator, 0., true, &sparsity);
-    for (const auto i : rows)
-      reduction(i) += sums(i);
-  }
+  agree(space.mesh().communicator(),
+        [&]() { add_stiffness(space, scene, system.matrix, reduction); });
+  system.matrix.compress(VectorOperation::add);
   reduction.compress(VectorOperation::add);
   system.f.add(system.unit, reduction);
   return system;
@@ -221,7 +279,7 @@ LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
                                            const Scene<dim> &scene,
                                            const unsigned int n_points)
 {
-  LinearSystem<dim> system = begin_system(space, scene, n_points);
+  LinearSystem<dim> system = begin_system(space, scene, n_points, {});
   // f = Tᵀ (loads - A k) with the prescribed displacements k, U = T U_free + k.
   const Displacement k = space.prescribed(scene);
   if (k.linfty_norm() == 0.)
@@ -235,6 +293,11 @@ LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
 
 #define INSTANTIATE(dim)                                                                           \
   template TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &);             \
+  template void add_cell(const DisplacementSpace<dim> &,                                           \
+                         const FullMatrix<double> &,                                               \
+                         const std::vector<types::global_dof_index> &,                             \
+                         TrilinosWrappers::SparseMatrix &,                                         \
+                         DistributedVector &);                                                     \
   template LinearSystem<dim> assemble_linear_system(                                               \
     const DisplacementSpace<dim> &, const Scene<dim> &, unsigned int);                             \
   template LinearSystem<dim> assemble_right_hand_side(                                             \

@@ -96,9 +96,9 @@ template <int dim>
 TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space)
 {
   TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
+  DistributedVector unused = space.make_vector();
   ValuesByShape<dim> values_by_shape(space);
   FullMatrix<double> cell_matrix;
-  std::vector<types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
     if (!cell->is_locally_owned())
@@ -107,7 +107,6 @@ TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<d
     const FiniteElement<dim> &element = cell->get_fe();
     const unsigned int n = element.n_dofs_per_cell();
     cell_matrix.reinit(n, n);
-    indices.resize(n);
     for (unsigned int i = 0; i < n; ++i)
       for (unsigned int j = 0; j <= i; ++j)
       {
@@ -121,8 +120,7 @@ TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<d
                      values.JxW(q);
         cell_matrix(i, j) = cell_matrix(j, i) = product;
       }
-    cell->get_dof_indices(indices);
-    space.constraints().distribute_local_to_global(cell_matrix, indices, A_1);
+    add_cell(space, cell_matrix, space.cell_dofs(cell), A_1, unused);
   }
   A_1.compress(VectorOperation::add);
   return A_1;

@@ -106,6 +106,7 @@ void CellInteriors::eliminate(const Rows &A, const int first, const int size)
                      LAPACKFullMatrix<double>(size, size),
                      LAPACKFullMatrix<double>(size, n_others)});
   Group &group = groups_.back();
+  LAPACKFullMatrix<double> A_GG(size, size);
   // The rows of G have the same columns.
   int inside = 0;
   for (int entry = 0; entry < size + n_others; ++entry)
@@ -113,24 +114,27 @@ void CellInteriors::eliminate(const Rows &A, const int first, const int size)
     const int number = numbers_[A.column[begin + entry]];
     const int column = number < 0 ? inside++ : static_cast<int>(group.others.size());
     for (int i = 0; i < size; ++i)
-      (number < 0 ? group.A_GG : group.X)(i, column) = A.value[A.start[first + i] + entry];
+      (number < 0 ? A_GG : group.W)(i, column) = A.value[A.start[first + i] + entry];
     if (number >= 0)
       group.others.push_back(number);
   }
-  const LAPACKFullMatrix<double> A_GR = group.X;
-  group.A_GG.set_property(LAPACKSupport::symmetric);
+  A_GG.set_property(LAPACKSupport::symmetric);
   try
   {
-    group.A_GG.compute_cholesky_factorization();
+    A_GG.compute_cholesky_factorization();
   }
   catch (const LACExceptions::ExcSingular &)
   {
     throw ComputationError("The factorisation of the stiffness matrix failed: the matrix is "
                            "singular or not positive definite.");
   }
-  group.A_GG.solve(group.X);
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j <= i; ++j)
+      group.L(i, j) = A_GG(i, j);
+  group.L.set_property(LAPACKSupport::lower_triangular);
+  group.L.solve(group.W);
   LAPACKFullMatrix<double> product(n_others, n_others);
-  A_GR.Tmmult(product, group.X);
+  group.W.Tmmult(product, group.W);
   for (int i = 0; i < n_others; ++i)
   {
     // Both are in increasing order.
@@ -150,9 +154,10 @@ void CellInteriors::reduce(const double *const b, double *const rest) const
     rest[i] = b[unknowns_[i]];
   for (const Group &group : groups_)
   {
-    const dealii::Vector<double> b_G(b + group.first, b + group.first + group.size);
-    dealii::Vector<double> change(group.others.size());
-    group.X.Tvmult(change, b_G);
+    dealii::Vector<double> b_G(b + group.first, b + group.first + group.size),
+      change(group.others.size());
+    group.L.solve(b_G);
+    group.W.Tvmult(change, b_G);
     for (unsigned int i = 0; i < change.size(); ++i)
       rest[group.others[i]] -= change[i];
   }
@@ -166,10 +171,11 @@ void CellInteriors::expand(double *const x, const double *const rest) const
   {
     dealii::Vector<double> x_G(x + group.first, x + group.first + group.size),
       x_R(group.others.size());
-    group.A_GG.solve(x_G);
+    group.L.solve(x_G);
     for (unsigned int i = 0; i < x_R.size(); ++i)
       x_R[i] = -rest[group.others[i]];
-    group.X.vmult(x_G, x_R, true);
+    group.W.vmult(x_G, x_R, true);
+    group.L.solve(x_G, true);
     std::copy(x_G.begin(), x_G.end(), x + group.first);
   }
 }

@@ -31,10 +31,10 @@ struct Rows
 };
 
 /**
- * The unknowns G inside cells of high degree, eliminated by dense matrices: with X = A_GG⁻¹ A_GR
- * for each cell,
+ * The unknowns G inside cells of high degree, eliminated by dense matrices: with A_GG = L Lᵀ and
+ * W = L⁻¹ A_GR for each cell,
  *
- *     A_RR - sum A_RG X
+ *     A_RR - sum WᵀW
  *
  * is left for the other unknowns R. These dense blocks are nearly all of the entries of A, of which
  * a sparse factorisation makes several copies before it computes anything: without this, graded
@@ -50,7 +50,7 @@ public:
    */
   CellInteriors(const Rows &A, const std::vector<bool> &kept);
 
-  /** Returns A_RR - sum A_RG X. */
+  /** Returns A_RR - sum WᵀW. */
   const Rows &rest() const
   {
     return rest_;
@@ -72,8 +72,7 @@ private:
     int size;
     /** The unknowns R by numbers of rest(). */
     std::vector<int> others;
-    /** The matrices A_GG, factorised, and X. */
-    LAPACKFullMatrix<double> A_GG, X;
+    LAPACKFullMatrix<double> L, W;
   };
 
   std::vector<std::pair<int, int>> find_groups(const Rows &A, const std::vector<bool> &kept) const;

@@ -13,6 +13,15 @@ namespace Signorini
 template <int dim>
 TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space);
 
+/** Adds the matrix of a cell to such a matrix, constraints eliminated, and what prescribed
+ * displacements contribute to @p reduction. */
+template <int dim>
+void add_cell(const DisplacementSpace<dim> &space,
+              const FullMatrix<double> &cell_matrix,
+              const std::vector<types::global_dof_index> &indices,
+              TrilinosWrappers::SparseMatrix &matrix,
+              DistributedVector &reduction);
+
 /** The system A U = f. The matrix is that of a body of size one and modulus one, A = unit × matrix,
  * so that neither units nor sizes of numbers matter to a factorisation. All vectors are in the
  * user's units. */
