@@ -14,12 +14,14 @@
 #include "random_numbers.h"
 #include "scene_text.h"
 
-/** A scene from the text of a parameter file or of its entries (scene_text.h), and its
- * discretization on one level. */
+/** A scene from the text of a parameter file or of its entries (scene_text.h) and overrides, and
+ * its discretization on one level. */
 struct OneLevel
 {
-  OneLevel(const std::string &text, const unsigned int level)
-    : parameters(Signorini::parse_parameters(parameter_file(text), "test"))
+  OneLevel(const std::string &text,
+           const unsigned int level,
+           const std::vector<std::string> &overrides = {})
+    : parameters(Signorini::parse_parameters(parameter_file(text), "test", overrides))
     , scene(Signorini::make_scene<2>(parameters))
     , discretization(parameters, scene, level, MPI_COMM_WORLD)
   {

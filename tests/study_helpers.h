@@ -9,11 +9,14 @@
 
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <ostream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "scene_text.h"
+#include "tests.h"
 
 /** Runs a study silently, without files unless a directory is given. */
 template <int dim>
@@ -69,21 +72,34 @@ double last(const Signorini::StudyResult<dim> &result, const std::string &column
   return Signorini::value(result.levels.back(), column).value();
 }
 
+/** A line by least squares, and how well it fits. */
+struct Line
+{
+  double slope, correlation;
+};
+
+inline Line fit(const std::vector<double> &x, const std::vector<double> &y)
+{
+  const auto covariance = [n = x.size()](const std::vector<double> &a,
+                                         const std::vector<double> &b) {
+    return n * std::inner_product(a.begin(), a.end(), b.begin(), 0.) -
+           std::accumulate(a.begin(), a.end(), 0.) * std::accumulate(b.begin(), b.end(), 0.);
+  };
+  const double xx = covariance(x, x), xy = covariance(x, y);
+  return {xy / xx, xy / std::sqrt(xx * covariance(y, y))};
+}
+
 /** Returns the least-squares slope of log(quantity) against log(h). */
 inline double slope(const std::vector<Signorini::LevelRecord> &levels,
                     const std::function<double(const Signorini::LevelRecord &)> &quantity)
 {
-  double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
+  std::vector<double> x, y;
   for (const Signorini::LevelRecord &level : levels)
   {
-    const double a = std::log(level.sizes.h), b = std::log(quantity(level));
-    n += 1.;
-    x += a;
-    y += b;
-    xx += a * a;
-    xy += a * b;
+    x.push_back(std::log(level.sizes.h));
+    y.push_back(std::log(quantity(level)));
   }
-  return (n * xy - x * y) / (n * xx - x * x);
+  return fit(x, y).slope;
 }
 
 /** Returns the slope of a column. */
@@ -92,6 +108,15 @@ inline double slope(const std::vector<Signorini::LevelRecord> &levels, const std
   return slope(levels, [&column](const Signorini::LevelRecord &level) {
     return Signorini::value(level, column).value();
   });
+}
+
+/** Checks that the slopes of columns lie between two numbers. */
+inline void check_orders(Checks &checks,
+                         const std::vector<Signorini::LevelRecord> &levels,
+                         const std::vector<std::tuple<std::string, double, double>> &orders)
+{
+  for (const auto &[column, low, high] : orders)
+    checks.between("order of " + column, slope(levels, column), low, high);
 }
 
 /** Returns |a - b| / |b|. */

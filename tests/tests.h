@@ -4,7 +4,6 @@
 #include <signorini/base/errors.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/symmetric_tensor.h>
 
 #include <cmath>
 #include <fstream>
@@ -52,20 +51,12 @@ public:
              ", difference " + std::to_string((value - expected) / tolerance) + " tolerances");
   }
 
-  /** Checks that |value - expected| ≤ tolerance for points, vectors and symmetric tensors. */
-  template <int dim>
-  void near(const std::string &name,
-            const dealii::Tensor<1, dim> &value,
-            const dealii::Tensor<1, dim> &expected,
-            const double tolerance)
-  {
-    near(name, (value - expected).norm(), 0., tolerance);
-  }
-  template <int dim>
-  void near(const std::string &name,
-            const dealii::SymmetricTensor<2, dim> &value,
-            const dealii::SymmetricTensor<2, dim> &expected,
-            const double tolerance)
+  /** The same for points, vectors and tensors. */
+  template <typename First, typename Second>
+  auto near(const std::string &name,
+            const First &value,
+            const Second &expected,
+            const double tolerance) -> decltype((value - expected).norm(), void())
   {
     near(name, (value - expected).norm(), 0., tolerance);
   }

@@ -109,11 +109,5 @@ void test_mesh_file(Checks &checks)
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  test_scaling(checks);
-  test_nafems(checks);
-  test_mesh_file(checks);
-  return checks.exit_code();
+  return run_tests(argc, argv, {test_scaling, test_nafems, test_mesh_file});
 }

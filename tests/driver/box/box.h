@@ -3,6 +3,7 @@
 
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/function.h>
 #include <deal.II/base/mpi.h>
@@ -24,32 +25,15 @@ scalar(const std::function<double(const dealii::Point<3> &)> &f)
   return std::make_shared<dealii::ScalarFunctionFromFunctionObject<3>>(f);
 }
 using Vector3 = dealii::Tensor<1, 3>;
-class VectorField : public dealii::Function<3>
-{
-public:
-  explicit VectorField(std::function<Vector3(const dealii::Point<3> &)> f)
-    : dealii::Function<3>(3)
-    , f_(std::move(f))
-  {
-  }
-  double value(const dealii::Point<3> &x, const unsigned int component) const override
-  {
-    return f_(x)[component];
-  }
-  void vector_value(const dealii::Point<3> &x, dealii::Vector<double> &values) const override
-  {
-    for (unsigned int d = 0; d < 3; ++d)
-      values[d] = f_(x)[d];
-  }
-
-private:
-  std::function<Vector3(const dealii::Point<3> &)> f_;
-};
 inline Signorini::FunctionPointer<3>
 field(const std::function<Vector3(const dealii::Point<3> &)> &f)
 {
-  return std::make_shared<VectorField>(f);
+  return std::make_shared<Signorini::FieldFunction<3>>(f);
 }
+
+/** Functions that vanish. */
+inline const Signorini::FunctionPointer<3> zero = scalar([](const auto &) { return 0.; }),
+                                           nothing = field([](const auto &) { return Vector3(); });
 
 /** A box between rollers on its upright sides, prescribed at the top, in contact at the bottom. */
 inline Signorini::Scene<3> make_box_scene(const Signorini::FunctionPointer<3> &gap,
@@ -92,6 +76,15 @@ struct Box
   {
   }
   Box(const Box &) = delete;
+
+  /** The values of p at the centres of the patches: of a product of linear functions the means. */
+  Signorini::Pressure at_centres(const std::function<double(const dealii::Point<2> &)> &p) const
+  {
+    Signorini::Pressure P(multipliers.n_multipliers());
+    for (unsigned int tau = 0; tau < P.size(); ++tau)
+      P[tau] = p(surface.patches()[tau].centre());
+    return P;
+  }
 
   const Signorini::Scene<3> &scene;
   Signorini::Mesh<3> mesh;

@@ -12,33 +12,22 @@
 #include "tests.h"
 
 using namespace Signorini;
-using Vector = dealii::Vector<double>;
 
 namespace
 {
-const auto nothing = field([](const dealii::Point<3> &) { return Vector3(); });
-const auto zero = scalar([](const auto &) { return 0.; });
 constexpr double pi = dealii::numbers::PI;
 
-/** The values of a function at the centres of the patches: of a product of linear functions these
- * are the means. */
-Pressure at_centres(const Box &box, const std::function<double(const dealii::Point<2> &)> &p)
-{
-  Pressure P(box.surface.patches().size());
-  for (unsigned int tau = 0; tau < P.size(); ++tau)
-    P[tau] = p(box.surface.patches()[tau].centre());
-  return P;
-}
+using Function2 = std::function<double(const dealii::Point<2> &)>;
 
-/** The largest difference between the recovered pressure and a function at points of all patches,
- * on their edges, too. */
-double recovery_error(const Box &box,
-                      const Pressure &P,
-                      const std::function<double(const dealii::Point<2> &)> &p)
+/** The recovered pressure is a function at points of all patches, on their edges, too. */
+void check_recovery(Checks &checks,
+                    const std::string &name,
+                    const Box &box,
+                    const Function2 &p,
+                    const Function2 &expected)
 {
-  const RecoveredPressure<3> recovered(box.multipliers, P);
-  double error = 0.;
-  for (unsigned int tau = 0; tau < P.size(); ++tau)
+  const RecoveredPressure<3> recovered(box.multipliers, box.at_centres(p));
+  for (unsigned int tau = 0; tau < box.surface.patches().size(); ++tau)
   {
     const Patch<3> &patch = box.surface.patches()[tau];
     for (const double x : {0., 0.3, 0.5, 1.})
@@ -46,64 +35,44 @@ double recovery_error(const Box &box,
       {
         const dealii::Point<2> s(patch.lower[0] + x * (patch.upper[0] - patch.lower[0]),
                                  patch.lower[1] + y * (patch.upper[1] - patch.lower[1]));
-        error = std::max(error, std::abs(recovered(tau, s) - p(s)));
+        checks.near(name, recovered(tau, s), expected(s), 1e-14);
       }
   }
-  return error;
 }
 
 void recovery(Checks &checks)
 {
   const Scene<3> scene = make_box_scene(zero, nothing, {1., 2., 1.});
-  const auto bilinear = [](const dealii::Point<2> &s) {
+  const Function2 bilinear = [](const auto &s) {
     return -(4. + s[0] - 1.5 * s[1] + 0.5 * s[0] * s[1]);
   };
+  const Function2 pulling = [](const auto &s) { return s[0] - 0.75; },
+                  cut = [](const auto &s) { return std::min(0., s[0] - 0.75); },
+                  constant = [](const auto &) { return -3.; };
   for (const unsigned int ratio : {1U, 2U, 4U})
-  {
-    const Box box(scene, 3, ratio);
-    const std::string name = "H = " + std::to_string(ratio) + " h: ";
-    checks.near(name + "a bilinear pressure is recovered",
-                recovery_error(box, at_centres(box, bilinear), bilinear),
-                0.,
-                1e-14);
-  }
-  const Box box(scene, 3, 2);
-  const auto pulling = [](const dealii::Point<2> &s) { return s[0] - 0.75; };
-  checks.near("nowhere positive, but the line goes on to zero",
-              recovery_error(box,
-                             at_centres(box, pulling),
-                             [&](const dealii::Point<2> &s) { return std::min(0., pulling(s)); }),
-              0.,
-              1e-14);
-  const Box single(scene, 1, 2);
-  Pressure one(1);
-  one[0] = -3.;
-  checks.near("a single patch: a constant",
-              recovery_error(single, one, [](const auto &) { return -3.; }),
-              0.,
-              0.);
+    check_recovery(
+      checks, "a bilinear pressure is recovered", Box(scene, 3, ratio), bilinear, bilinear);
+  check_recovery(
+    checks, "nowhere positive, but the line goes on to zero", Box(scene, 3, 2), pulling, cut);
+  check_recovery(checks, "a single patch: a constant", Box(scene, 1, 2), constant, constant);
 }
 
 void transfer(Checks &checks)
 {
   const Scene<3> scene = make_box_scene(zero, nothing, {1., 2., 1.});
-  const auto linear = [](const dealii::Point<2> &s) { return -(1. + s[0] + 2. * s[1]); };
+  const Function2 linear = [](const auto &s) { return -(1. + s[0] + 2. * s[1]); };
   const Box fine(scene, 3, 2), coarse(scene, 2, 2), next(scene, 4, 2);
-  const Pressure P = at_centres(fine, linear);
+  const Pressure P = fine.at_centres(linear);
   const auto move = [](const Box &from, const Pressure &p, const Box &to) {
     return transfer_pressure<3>({from.surface.patches(), p}, to.surface.patches());
   };
-  const auto distance = [](Pressure a, const Pressure &b) {
+  const auto same = [&](const std::string &name, Pressure a, const Pressure &b) {
     a -= b;
-    return a.linfty_norm();
+    checks.near(name, a.linfty_norm(), 0., 1e-14);
   };
-  checks.near("to the same patches", distance(move(fine, P, fine), P), 0., 1e-15);
-  checks.near("a linear pressure to patches twice as long: its means",
-              distance(move(fine, P, coarse), at_centres(coarse, linear)),
-              0.,
-              1e-14);
-  checks.near(
-    "to finer ones and back", distance(move(next, move(fine, P, next), fine), P), 0., 1e-14);
+  same("to the same patches", move(fine, P, fine), P);
+  same("to patches twice as long: its means", move(fine, P, coarse), coarse.at_centres(linear));
+  same("to finer ones and back", move(next, move(fine, P, next), fine), P);
   checks.near(
     "force",
     summarise_contact(next.multipliers, move(coarse, move(fine, P, coarse), next)).normal_force,
@@ -111,87 +80,18 @@ void transfer(Checks &checks)
     1e-13);
 }
 
-/** Matrices of values are Q(p, q) for column p and row q. */
-void norms(Checks &checks)
+/** Patches of 2, 2 and 3 cells; errors() and inf_sup.cc have the norms themselves. */
+void unequal_patches(Checks &checks)
 {
-  const double a = 1.3, b = 0.7;
-  const RectangleNorm norm(std::array<double, 2>{{a, b}});
-  RectangleNorm::Matrix ones(6, 4);
-  for (unsigned int i = 0; i < 6; ++i)
-    for (unsigned int j = 0; j < 4; ++j)
-      ones(i, j) = 1.;
-  checks.near("norm of one: the root of the area",
-              norm.distance(RectangleNorm::Matrix(), ones),
-              std::sqrt(a * b),
-              1e-14);
-  // What depends on one coordinate has the norm on the edge.
-  RectangleNorm::Matrix across(6, 4), along(4, 6);
-  Vector steps(6);
-  std::vector<double> ends_a, ends_b;
-  for (unsigned int i = 0; i < 7; ++i)
-  {
-    ends_a.push_back(a * i / 6.);
-    ends_b.push_back(b * i / 6.);
-  }
-  for (unsigned int i = 0; i < 6; ++i)
-  {
-    steps[i] = std::sin(1. + 3. * i);
-    for (unsigned int j = 0; j < 4; ++j)
-      across(i, j) = along(j, i) = steps[i];
-  }
-  const SpectralNorm::Modes none(8193);
-  checks.near("steps along the first edge",
-              norm.distance(RectangleNorm::Matrix(), across) /
-                (std::sqrt(b) * SpectralNorm(a).distance(none, ends_a, steps)),
-              1.,
-              1e-6);
-  checks.near("steps along the second edge",
-              norm.distance(RectangleNorm::Matrix(), along) /
-                (std::sqrt(a) * SpectralNorm(b).distance(none, ends_b, steps)),
-              1.,
-              1e-6);
-  // cos(pi s/a) less these steps, on the rectangle and on the edge.
-  RectangleNorm::Matrix f(RectangleNorm::n_modes, RectangleNorm::n_modes);
-  f(1, 0) = std::sqrt(0.5 * a * b);
-  SpectralNorm::Modes f_on_edge(8193);
-  f_on_edge[1] = std::sqrt(0.5 * a);
-  checks.near("distance of steps from a cosine",
-              norm.distance(f, across) /
-                (std::sqrt(b) * SpectralNorm(a).distance(f_on_edge, ends_a, steps)),
-              1.,
-              1e-6);
-  // Two by two patches with the same value are a patch.
-  using Ends = std::array<std::vector<unsigned int>, 2>;
-  const auto coarse = norm.gram_matrix(Ends{{{0, 1, 2, 3}, {0, 1, 2}}}),
-             fine = norm.gram_matrix(Ends{{{0, 1, 2, 3, 4, 5, 6}, {0, 1, 2, 3, 4}}});
-  auto by_cells = norm.gram_matrix(Ends{{{0, 2, 4, 6}, {0, 2, 4}}});
-  by_cells.add(-1., coarse);
-  double difference = 0., largest = 0.;
-  for (unsigned int k = 0; k < 6; ++k)
-    for (unsigned int l = 0; l < 6; ++l)
-    {
-      double sum = 0.;
-      for (unsigned int i = 0; i < 4; ++i)
-        for (unsigned int j = 0; j < 4; ++j)
-          sum += fine(2 * (k % 3) + i % 2 + 6 * (2 * (k / 3) + i / 2),
-                      2 * (l % 3) + j % 2 + 6 * (2 * (l / 3) + j / 2));
-      difference = std::max(difference, std::abs(sum - coarse(k, l)));
-      largest = std::max(largest, std::abs(coarse(k, l)));
-    }
-  checks.near("Gram matrices of nested patches", difference / largest, 0., 1e-5);
-  checks.near("of patches of two by two cells", by_cells.linfty_norm() / largest, 0., 1e-5);
-  // Patches of 2, 2 and 3 cells.
   const PatchGrid uneven = {0, {{{0., 0.2, 0.4, 0.7}, {0., 0.2}}}, {2, 0, 1}};
   checks.that("unequal patches: cells",
               equal_cells(uneven)[0] == std::vector<unsigned int>({0, 2, 4, 7}));
-  Vector P(3);
-  P[0] = 5.;
-  P[1] = 6.;
-  P[2] = 4.;
-  const auto values = values_on(uneven, P);
-  checks.that("their values",
-              values.m() == 7 && values.n() == 1 && values(1, 0) == 4. && values(2, 0) == 5. &&
-                values(6, 0) == 6.);
+  const std::vector<double> P = {5., 6., 4.};
+  const auto values = values_on(uneven, dealii::Vector<double>(P.begin(), P.end()));
+  checks.near("their values",
+              {values.m() * 1., values.n() * 1., values(1, 0), values(2, 0), values(6, 0)},
+              {7., 1., 4., 5., 6.},
+              0.);
 }
 
 /** A scene with the pressure p at the bottom of 1 x 2. */
@@ -238,7 +138,7 @@ void errors(Checks &checks)
   const Box linear(slope, 3, 2);
   const PressureErrors found = compute_pressure_errors(
     linear.multipliers,
-    at_centres(linear, [](const dealii::Point<2> &s) { return -(1. + s[0] + 3. * s[1]); }),
+    linear.at_centres([](const auto &s) { return -(1. + s[0] + 3. * s[1]); }),
     2);
   // H = 1/4 and 1/2; the variance of a linear function on a patch is slope² H²/12 per coordinate.
   checks.near("p - p_H in L2", found.l2, std::sqrt(2. * (1. / 16. + 9. / 4.) / 12.), 1e-13);
@@ -248,11 +148,5 @@ void errors(Checks &checks)
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  Checks checks;
-  recovery(checks);
-  transfer(checks);
-  norms(checks);
-  errors(checks);
-  return checks.exit_code();
+  return run_tests(argc, argv, {recovery, transfer, unequal_patches, errors});
 }

@@ -41,21 +41,18 @@ struct Family
  */
 inline std::string text_of(const Family &family)
 {
-  const std::string X = "x/L", Y = "(y/L)", M = "max(xi-x/L,0)";
   const bool uniform = family.contrast_x == "0" && family.contrast_y == "0";
   const std::string m = uniform ? "1" : "exp(kx*x/L+ky*y/L)";
-  const std::string sine = "sin(pi*" + X + ")", cosine = "cos(pi*" + X + ")";
-  const std::string u = "0.1*L*" + sine + "; y*(-w*" + cosine + "*(1-2*r) - 10*r*" + M + "^3)";
-  const std::string q1 = "(30*" + M + "^2 - 2*w*pi*" + sine + ")";
-  const std::string s11 = "(2*w*" + cosine + "*(1+c) - 10*c*" + M + "^3)";
-  const std::string s12 = Y + "*(w*pi*" + sine + " + r*" + q1 + ")";
-  std::string f1 = "w*pi*" + sine + " - (c+r)*" + q1;
-  std::string f2 = Y + "*(-w*pi^2*" + cosine + "*(1-2*r) + 60*r*" + M + ")";
+  const std::string u = "0.1*L*sin(pi*x/L); y*(-w*cos(pi*x/L)*(1-2*r) - 10*r*max(xi-x/L,0)^3)";
+  const std::string q1 = "(30*max(xi-x/L,0)^2 - 2*w*pi*sin(pi*x/L))";
+  const std::string s12 = "y/L*(w*pi*sin(pi*x/L) + r*" + q1 + ")";
+  std::string f1 = "w*pi*sin(pi*x/L) - (c+r)*" + q1;
+  std::string f2 = "y/L*(-w*pi^2*cos(pi*x/L)*(1-2*r) + 60*r*max(xi-x/L,0))";
   // Terms that vanish would be computed a million times.
   if (!uniform)
   {
-    f1 += " - kx*" + s11 + " - ky*" + s12;
-    f2 += " - kx*" + s12 + " + ky*10*" + M + "^3";
+    f1 += " - kx*(2*w*cos(pi*x/L)*(1+c) - 10*c*max(xi-x/L,0)^3) - ky*" + s12;
+    f2 += " - kx*" + s12 + " + ky*10*max(xi-x/L,0)^3";
   }
   std::ostringstream text;
   text << std::setprecision(17) << "subsection Constants\nset Values = nu=" << family.nu
@@ -66,11 +63,11 @@ inline std::string text_of(const Family &family)
        << std::stod(family.length) * std::stod(family.height)
        << "\nend\nsubsection Material\nset Young's modulus = 2*(1+nu)*S*" << m
        << "\nset Poisson's ratio = nu\nend\nsubsection Boundary\nset Contact = bottom\n"
-       << "set Displacement = left: " << u << " | right: " << u << " | top: " << u << "\nend\n"
-       << entry("Load", "Body force", "S/L*" + m + "*(" + f1 + "); S/L*" + m + "*(" + f2 + ")")
-       << entry("Contact", "Gap", "L*max(x/L-xi,0)^2")
-       << "subsection Exact solution\nset Displacement = " << u << "\nset Pressure = -10*S*exp(kx*"
-       << X << ")*" << M << "^3\nend\n"
+       << "set Displacement = left: " << u << " | right: " << u << " | top: " << u
+       << "\nend\nsubsection Load\nset Body force = S/L*" << m << "*(" << f1 << "); S/L*" << m
+       << "*(" << f2 << ")\nend\nsubsection Contact\nset Gap = L*max(x/L-xi,0)^2\nend\n"
+       << "subsection Exact solution\nset Displacement = " << u
+       << "\nset Pressure = -10*S*exp(kx*x/L)*max(xi-x/L,0)^3\nend\n"
        << "subsection Discretization\nset Kinks at x = "
        << 0.70710678118654752 * std::stod(family.length) << "\nend\n";
   return text.str();
@@ -97,11 +94,11 @@ struct Measured
    */
   bool names(const std::string &cause) const
   {
-    std::string reason = study.verdict.reason;
-    if (!reason.empty())
-      reason[0] = static_cast<char>(std::tolower(reason[0]));
-    return !study.verdict.is_certified() && (reason.find(cause) != std::string::npos ||
-                                             study.verdict.reason.find(cause) != std::string::npos);
+    std::string beginning = cause;
+    beginning[0] = static_cast<char>(std::toupper(beginning[0]));
+    const std::string &reason = study.verdict.reason;
+    return !study.verdict.is_certified() &&
+           (reason.find(cause) != std::string::npos || reason.rfind(beginning, 0) == 0);
   }
 };
 
@@ -130,19 +127,12 @@ inline Measured measure(const std::string &text, const std::vector<std::string> 
   all.insert(
     all.end(),
     {"Output/Inf-sup constant=false", "Output/Compliance=true", "Discretization/Finest level=14"});
-  const Parameters parameters = parse_parameters(text, "test", all);
-  const Scene<2> scene = make_scene<2>(parameters);
-  const Discretization<2> discretization(
-    parameters, scene, measured.finest().sizes.level, MPI_COMM_WORLD);
-  const LevelSolution<2> level =
-    solve_level<2>({parameters, scene, choose_solvers(parameters, scene, 0, 1)},
-                   discretization,
-                   ContactStart(),
-                   [](const std::string &) {});
+  const OneLevel one(text, measured.finest().sizes.level, all);
+  const LevelSolution<2> level = one.solve();
   if (level.dual->C == nullptr)
     return measured;
   const BoundConstrainedQP qp(level.dual->C->dense(), level.dual->F);
-  const SolverParameters &solver = parameters.solver;
+  const SolverParameters &solver = one.parameters.solver;
   measured.condition = condition_number(level.dual->C->dense());
   measured.psor = solve_by_psor(qp,
                                 dealii::Vector<double>(qp.size()),

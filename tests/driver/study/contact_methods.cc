@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// All contact solvers give the same answer; V-cycles need no more of them on finer levels.
+// All contact solvers and linear solvers give the solution of the mixed problem (5), in every scene
+// of the catalogue and in described ones; V-cycles need no more of them on finer levels. Every
+// sweep of projected SOR lowers the dual objective.
 
-#include <signorini/base/errors.h>
 #include <signorini/discretization/elasticity/integration.h>
-#include <signorini/results/record/level_record.h>
+#include <signorini/problem/catalogue/catalogue.h>
+#include <signorini/results/verdict/judge.h>
+#include <signorini/solvers/contact/projected_methods.h>
 
 #include <algorithm>
 
@@ -12,223 +15,250 @@
 #include "tests.h"
 
 using namespace Signorini;
+using Vector = dealii::Vector<double>;
 
 namespace
 {
-struct SceneText
-{
-  std::string name, text;
-  unsigned int level;
-};
+using Settings = std::vector<std::string>;
 
-std::string described(const std::string &geometry,
-                      const std::string &boundary,
-                      const std::string &gap,
-                      const std::string &more = "")
+Settings operator+(Settings a, const Settings &b)
 {
-  return "subsection Geometry\n" + geometry + "\nend\nsubsection Boundary\n" + boundary +
-         "\nend\nsubsection Load\n set Body force = 0.05; -0.2\nend\n" +
-         entry("Contact", "Gap", gap) + more;
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
 }
 
-std::vector<SceneText> scenes()
+const Settings held = {"Boundary/Clamped=top",
+                       "Boundary/Contact=bottom",
+                       "Load/Body force=0.05; -0.2"};
+const Settings block = held + Settings{"Contact/Gap=2*(x-0.4)^2-0.02"};
+
+const std::vector<Settings> described = {block,
+                                         // Nothing touches.
+                                         held + Settings{"Contact/Gap=1"},
+                                         block + Settings{"Material/Young's modulus=1+9*y"},
+                                         // Patches aligned with nothing.
+                                         block + Settings{"Discretization/Patches=11"},
+                                         {"Boundary/Clamped=top",
+                                          "Boundary/Contact=bottom left",
+                                          "Load/Body force=-0.4; -0.5*x",
+                                          "Contact/Gap=bottom: 0.3*x^2 | left: 0.1*y"},
+                                         {"Boundary/Clamped=top",
+                                          "Boundary/Contact=bottom, right",
+                                          "Boundary/Traction=left: 0.3; 0",
+                                          "Load/Body force=0.05; -0.2",
+                                          "Contact/Gap=0.02"},
+                                         {"Boundary/Displacement=top: 0.01*x; -0.05",
+                                          "Boundary/Rollers=left",
+                                          "Boundary/Contact=bottom",
+                                          "Contact/Gap=0.01+0.06*(x-0.8)^2"},
+                                         // The corner of the contact side is moved.
+                                         {"Boundary/Displacement=left: 0.01; -0.02*(1-y)",
+                                          "Boundary/Contact=bottom",
+                                          "Boundary/Traction=top: 0; -0.1",
+                                          "Contact/Gap=0.3*x^2"},
+                                         {"Geometry/Shape=polygon",
+                                          "Geometry/Vertices=0,0; 2,0; 2.5,1; 1,2; -0.5,1",
+                                          "Boundary/Clamped=side2",
+                                          "Boundary/Contact=side0",
+                                          "Load/Body force=0.05; -0.2",
+                                          "Contact/Gap=0.1*(x-1)^2-0.01"},
+                                         {"Boundary/Displacement=top: 0; -0.1",
+                                          "Boundary/Contact=bottom",
+                                          "Material/Poisson's ratio=0.49",
+                                          "Discretization/Element=Q1 B-bar",
+                                          "Contact/Gap=0.2*(x-0.5)^2"}};
+
+/** The body is held by contact, or by a plate: there are free motions. */
+const std::vector<Settings> movable = {
+  {"Geometry/Shape=polygon",
+   "Geometry/Vertices=0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1",
+   "Boundary/Contact=side0 side4",
+   "Boundary/Rollers=side1 side2",
+   "Load/Body force=-0.1; -0.3",
+   "Contact/Gap=side0: 0.4*(x-1)^2 | side4: 0.2*y"},
+  {"Boundary/Contact=bottom", "Load/Body force=0; -1", "Contact/Gap=0.1*(x-0.5)^2"},
+  {"Boundary/Contact=bottom",
+   "Boundary/Rollers=left",
+   "Boundary/Plates=top: 0, -1",
+   "Load/Plate force=top: 0.1",
+   "Contact/Gap=0.1*x^2"}};
+
+/** |a - b| / |b|, or |a| where b vanishes. */
+template <typename First>
+double relative_error(const First &a, const First &b)
 {
-  const std::string square = " set Upper right = 1, 1";
-  const std::string held = " set Clamped = top\n set Contact = bottom";
-  return {
-    {"block", described(square, held, "2*(x-0.4)^2-0.02"), 5},
-    {"nothing touches", described(square, held, "1"), 4},
-    {"prescribed, rollers",
-     described(square,
-               " set Rollers = left\n set Displacement = top: 0.01*x; -0.05\n set Contact = bottom",
-               "0.1*x^2"),
-     5},
-    {"traction, two sides",
-     described(square,
-               " set Clamped = top\n set Contact = bottom, right\n set Traction = left: 0.3; 0",
-               "0.02"),
-     4},
-    {"polygon",
-     described(" set Shape = polygon\n set Vertices = 0,0; 2,0; 2.5,1; 1,2; -0.5,1",
-               " set Clamped = side2\n set Contact = side0",
-               "0.1*(x-1)^2-0.01"),
-     3},
-    {"varying modulus",
-     described(square, held, "2*(x-0.4)^2-0.02", entry("Material", "Young's modulus", "1+9*y")),
-     4},
-    {"E1", named_scene("E1"), 4}};
+  const double size = b.linfty_norm();
+  return distance(a, b) / (size > 0. ? size : 1.);
 }
 
-template <typename Vector>
-double relative_error(const Vector &a, const Vector &b)
+/**
+ * A sweep lowers the objective by at least (1/omega - 1/2) sum C_ii (P_i^{k+1} - P_i^k)²: each of
+ * its steps is part of the way, at most omega times, to the minimum along a coordinate.
+ */
+void check_sweeps(Checks &checks, const BoundConstrainedQP &qp)
 {
-  return distance(a, b) / std::max(1e-300, b.linfty_norm());
+  for (const double relaxation : {0.5, 1.1, 1.8})
+  {
+    Vector P(qp.size());
+    for (unsigned int sweep = 0; sweep < 300; ++sweep)
+    {
+      Vector step(P);
+      double rise = -qp.energy(P);
+      psor_sweep(qp, relaxation, P);
+      rise += qp.energy(P);
+      step -= P;
+      for (unsigned int i = 0; i < P.size(); ++i)
+        rise += (1. / relaxation - 0.5) * qp.diagonal[i] * step[i] * step[i];
+      checks.that("a sweep lowers the objective", rise <= 1e-13 * std::abs(P * qp.F));
+    }
+  }
 }
 
-void compare(Checks &checks, const SceneText &scene)
+void compare(Checks &checks, const Settings &settings, const std::vector<Settings> &solvers)
 {
-  const std::string precise = entry("Solver", "Tolerance", "1e-12");
-  const LevelSolution<2> exact = OneLevel(scene.text + precise, scene.level).solve();
-  const auto check = [&](const std::string &name, const std::string &settings) {
-    const LevelSolution<2> found = OneLevel(scene.text + precise + settings, scene.level).solve();
-    const std::string prefix = scene.name + ", " + name + ": ";
-    checks.that(prefix + "converged", found.record.dual.converged);
-    checks.near(prefix + "U", relative_error(found.U, exact.U), 0., 1e-8);
-    checks.near(
-      prefix + "P", distance(found.P, exact.P) / (1e-12 + exact.P.linfty_norm()), 0., 1e-8);
-    checks.near(prefix + "energy",
-                found.record.certificate.energy,
-                exact.record.certificate.energy,
-                1e-10 * (1e-12 + std::abs(exact.record.certificate.energy)));
-    checks.near(prefix + "duality gap", found.record.certificate.duality_gap, 0., 1e-10);
-    checks.near(
-      prefix + "balances",
-      std::max(found.record.certificate.force_balance, found.record.certificate.stationarity),
-      0.,
-      1e-9);
+  const auto solve_by = [&](const Settings &solver) {
+    return OneLevel("", 4, settings + Settings{"Solver/Tolerance=1e-12"} + solver).solve();
   };
-  check("projected SOR", entry("Solver", "Contact solver", "psor"));
-  check("MPRGP", entry("Solver", "Contact solver", "mprgp"));
-  check("MPRGP by products",
-        entry("Solver", "Contact solver", "mprgp") + entry("Solver", "Linear solver", "multigrid"));
-  check("V-cycles", entry("Solver", "Contact solver", "multigrid"));
+  const LevelSolution<2> exact =
+    solve_by({"Solver/Contact solver=active set", "Output/Compliance=true"});
+  checks.about(settings[0] + ", " + settings.back());
+  checks.near("the mixed problem", max_residual(exact.record.certificate).value, 0., 1e-10);
+  if (exact.dual->C != nullptr)
+    check_sweeps(checks, BoundConstrainedQP(exact.dual->C->dense(), exact.dual->F));
+  for (const Settings &solver : solvers)
+  {
+    const LevelSolution<2> found = solve_by(solver);
+    checks.about(settings[0] + ", " + settings.back() + ", " + solver.back());
+    checks.that("converged", found.record.dual.converged);
+    checks.near("the mixed problem", max_residual(found.record.certificate).value, 0., 1e-9);
+    checks.near("U", relative_error(found.U, exact.U), 0., 1e-8);
+    checks.near("P", relative_error(found.P, exact.P), 0., 1e-8);
+    checks.near("active", found.record.contact.active, exact.record.contact.active, 0.);
+    const double energy = exact.record.certificate.energy, estimate = exact.record.estimate->energy;
+    checks.near(
+      "energy", found.record.certificate.energy, energy, 1e-10 * (1e-12 + std::abs(energy)));
+    checks.near("the estimate", found.record.estimate->energy, estimate, 1e-6 * estimate + 1e-13);
+  }
+}
+
+const std::string psor = "Solver/Contact solver=psor", mprgp = "Solver/Contact solver=mprgp",
+                  multigrid = "Solver/Contact solver=multigrid",
+                  linear_multigrid = "Solver/Linear solver=multigrid",
+                  early = "Solver/Stop at=discretisation error";
+
+void test_scenes(Checks &checks)
+{
+  for (const Settings &settings : described)
+    compare(checks, settings, {{psor}, {mprgp}, {multigrid}, {mprgp, linear_multigrid}});
+  for (const Settings &settings : movable)
+    compare(checks, settings, {{psor}, {linear_multigrid}});
+  for (const CatalogueEntry<2> &scene : catalogue<2>())
+    compare(checks, {"Scene/Name=" + scene.name}, {{psor}});
+  for (const std::string name : {"C4", "E3", "O1", "V1"})
+    compare(checks, {"Scene/Name=" + name}, {{linear_multigrid}});
 }
 
 /** A solver that stops at 1 % says how far it is from the discrete solution (energy norm). */
-void stop_early(Checks &checks)
+void test_early_stop(Checks &checks)
 {
-  const SceneText scene = {"block", scenes()[0].text, 4};
-  const OneLevel level(scene.text + entry("Solver", "Tolerance", "1e-12"), scene.level);
+  const OneLevel level("", 4, block + Settings{"Solver/Tolerance=1e-12"});
   const LevelSolution<2> exact = level.solve();
-  checks.between("exact: algebraic error",
-                 *exact.record.estimate->algebra / exact.record.estimate->energy,
-                 0.,
-                 1e-8);
-  for (const char *method : {"psor", "mprgp", "multigrid"})
+  const ErrorEstimate &estimate = *exact.record.estimate;
+  checks.between("exact: algebraic error", *estimate.algebra / estimate.energy, 0., 1e-8);
+  for (const std::string &method : {psor, mprgp, multigrid})
   {
-    const LevelSolution<2> found = OneLevel(scene.text + entry("Solver", "Tolerance", "1e-2") +
-                                              entry("Solver", "Contact solver", method),
-                                            scene.level)
-                                     .solve();
+    checks.about(method);
+    const LevelSolution<2> found =
+      OneLevel("", 4, block + Settings{"Solver/Tolerance=1e-2", method}).solve();
     Displacement difference(found.U);
     difference -= exact.U;
     const double error = energy_norm(level.space(), level.scene, difference);
-    checks.that(std::string(method) + ": stops early", error > 1e-8 * exact.U.linfty_norm());
-    checks.between(std::string(method) + ": algebraic error over the true one",
-                   *found.record.estimate->algebra / error,
-                   1.,
-                   30.);
+    checks.that("stops early", error > 1e-8 * exact.U.linfty_norm());
+    checks.between(
+      "algebraic error over the true one", *found.record.estimate->algebra / error, 1., 30.);
   }
+}
+
+template <int dim>
+void check_cycles(Checks &checks, const StudyResult<dim> &result)
+{
+  for (const LevelRecord &level : result.levels)
+    checks.between("V-cycles on each level", level.dual.iterations, 5., 20.);
 }
 
 /** Studies on nested levels: certified, and as many V-cycles on every level. */
-void nested(Checks &checks)
+void test_nested(Checks &checks)
 {
-  const std::string text = scenes()[0].text + entry("Solver", "Contact solver", "multigrid");
-  const StudyResult exact = solve(scenes()[0].text, levels(3, 7));
-  const StudyResult found = solve(text, levels(3, 7));
-  const LevelRecord &a = found.levels.back(), &b = exact.levels.back();
-  checks.that("nested: certified", found.verdict.outcome == exact.verdict.outcome);
+  const StudyResult<2> exact = solve("", levels(3, 7, block)),
+                       found = solve("", levels(3, 7, block + Settings{multigrid}));
+  checks.about("nested");
+  checks.that("certified", found.verdict.outcome == exact.verdict.outcome);
+  check_cycles(checks, found);
   // The estimate is solved for loosely, and the bound takes another lift.
-  const std::vector<std::pair<const char *, double>> columns = {{"energy", 1e-9},
-                                                                {"contact_force_n", 1e-7},
-                                                                {"estimated_relative", 1e-4},
-                                                                {"bound_relative", 0.1}};
-  for (const auto &[column, tolerance] : columns)
-  {
-    const double expected = value(b, column).value();
-    checks.near(std::string("nested: ") + column,
-                value(a, column).value(),
-                expected,
-                tolerance * std::abs(expected));
-  }
-  for (const LevelRecord &level : found.levels)
-    checks.between("nested: V-cycles on level " + std::to_string(level.sizes.level),
-                   level.dual.iterations,
-                   5.,
-                   20.);
+  for (const auto &[column, tolerance] : {std::pair("energy", 1e-9),
+                                          std::pair("contact_force_n", 1e-7),
+                                          std::pair("estimated_relative", 1e-4),
+                                          std::pair("bound_relative", 0.1)})
+    checks.near(column, last(found, column) / last(exact, column), 1., tolerance);
   // Ends ten times as early, with an error that nobody sees beside that of the mesh.
-  std::vector<std::string> early = levels(3, 7);
-  early.push_back("Solver/Stop at=discretisation error");
-  const StudyResult stopped = solve(text, early);
-  const LevelRecord &c = stopped.levels.back();
-  checks.between("stop at the error of the mesh: V-cycles", c.dual.iterations, 1., 7.);
-  const double energy_error =
-    std::abs(c.certificate.energy - b.certificate.energy) / std::abs(b.certificate.energy);
-  checks.near("stop at the error of the mesh: energy",
-              energy_error,
-              0.,
-              0.02 * std::pow(b.estimate->relative, 2));
-  checks.that("stop at the error of the mesh: certified",
-              stopped.verdict.outcome == Outcome::certified);
-  checks.near("stop at the error of the mesh: bound",
-              value(c, "bound_relative").value(),
-              value(b, "bound_relative").value(),
-              0.06 * value(b, "bound_relative").value());
-}
-/** The same in space. */
-void in_space(Checks &checks)
-{
-  const auto solve_by = [](const std::string &solver, const std::vector<std::string> &more = {}) {
-    std::vector<std::string> overrides = levels(2, 4);
-    overrides.push_back("Solver/Contact solver=" + solver);
-    overrides.insert(overrides.end(), more.begin(), more.end());
-    return solve<3>("set Dimension = 3\n" + named_scene("D3"), overrides);
-  };
-  const StudyResult<3> exact = solve_by("active set");
-  for (const char *solver : {"multigrid", "mprgp"})
-  {
-    const std::string name = "in space, " + std::string(solver) + ": ";
-    const StudyResult<3> found = solve_by(solver);
-    checks.near(name + "P", relative_error(found.pressure.P, exact.pressure.P), 0., 1e-8);
-    for (const char *column : {"energy", "u_h1", "u_post_h1", "p_l2"})
-      checks.near(name + column,
-                  value(found.levels.back(), column).value() /
-                    value(exact.levels.back(), column).value(),
-                  1.,
-                  1e-8);
-    checks.that(name + "equations hold", found.verdict.equations_hold());
-    if (solver == std::string("multigrid"))
-      for (const LevelRecord &level : found.levels)
-        checks.between(name + "V-cycles on level " + std::to_string(level.sizes.level),
-                       level.dual.iterations,
-                       5.,
-                       20.);
-  }
-  const StudyResult<3> early = solve_by("multigrid", {"Solver/Stop at=discretisation error"});
-  checks.between("in space, early: V-cycles", early.levels.back().dual.iterations, 1., 6.);
-  checks.near("in space, early: error of pi^{2h}",
-              value(early.levels.back(), "u_post_h1").value() /
-                value(exact.levels.back(), "u_post_h1").value(),
+  checks.about("stop at the error of the mesh");
+  const StudyResult<2> stopped = solve("", levels(3, 7, block + Settings{multigrid, early}));
+  checks.between("V-cycles", stopped.levels.back().dual.iterations, 1., 7.);
+  checks.near("energy",
+              last(stopped, "energy") / last(exact, "energy"),
               1.,
-              0.02);
+              0.02 * std::pow(last(exact, "estimated_relative"), 2));
+  checks.that("certified", stopped.verdict.outcome == Outcome::certified);
+  checks.near("bound", last(stopped, "bound_relative") / last(exact, "bound_relative"), 1., 0.06);
 }
 
-/** What V-cycles do not know is refused. */
-void refusals(Checks &checks)
+void test_3d(Checks &checks)
 {
-  const std::string block = scenes()[0].text + entry("Solver", "Contact solver", "multigrid");
-  checks.throws<InputError>("linear solver", "allowed with it: automatic, multigrid.", [&]() {
-    solve(block, {"Solver/Linear solver=condensed"});
-  });
-  checks.throws<InputError>(
-    "graded meshes", "with Strategy 'hp'", [&]() { solve(block, {"Discretization/Strategy=hp"}); });
-  checks.throws<InputError>(
-    "load cases", "with load cases", [&]() { solve(block, {"Load cases/Cases=weight 2"}); });
-  checks.throws<InputError>(
-    "free motions", "moves freely", [&]() { solve(block, {"Boundary/Clamped="}); });
+  const auto solve_by = [](const std::vector<std::string> &overrides) {
+    return solve<3>("set Dimension = 3\n" + named_scene("D3"), levels(2, 4, overrides));
+  };
+  const StudyResult<3> exact = solve_by({"Solver/Contact solver=active set"});
+  for (const std::string &solver : {multigrid, mprgp})
+  {
+    checks.about("3-D, " + solver);
+    const StudyResult<3> found = solve_by({solver});
+    checks.near("P", relative_error(found.pressure.P, exact.pressure.P), 0., 1e-8);
+    for (const char *column : {"energy", "u_h1", "u_post_h1", "p_l2"})
+      checks.near(column, last(found, column) / last(exact, column), 1., 1e-8);
+    checks.that("equations hold", found.verdict.equations_hold());
+    if (solver == multigrid)
+      check_cycles(checks, found);
+  }
+  const StudyResult<3> stopped = solve_by({multigrid, early});
+  checks.between("V-cycles, early", stopped.levels.back().dual.iterations, 1., 6.);
+  checks.near(
+    "error of pi^{2h}, early", last(stopped, "u_post_h1") / last(exact, "u_post_h1"), 1., 0.02);
+}
+
+/** What V-cycles do not know is refused before the first level. */
+void test_refusals(Checks &checks)
+{
+  for (const auto &[solver, other, message] : std::vector<std::array<std::string, 3>>{
+         {multigrid, "Solver/Linear solver=condensed", "allowed with it: automatic, multigrid."},
+         {multigrid, "Discretization/Strategy=hp", "with Strategy 'hp'"},
+         {multigrid, "Load cases/Cases=weight 2", "with load cases"},
+         {multigrid, "Boundary/Clamped=", "moves freely"},
+         {linear_multigrid,
+          "Discretization/Strategy=hp",
+          "--set: Solver/Linear solver: found 'multigrid' with Strategy 'hp', allowed with it: "
+          "automatic, condensed."},
+         {linear_multigrid,
+          "Output/Compliance=true",
+          "--set: Output/Compliance: found 'true' with Linear solver 'multigrid', which assembles "
+          "no matrix, allowed with it: false."}})
+    checks.throws<InputError>(
+      solver + " " + other, message, [overrides = block + Settings{solver, other}] {
+        solve("", overrides);
+      });
 }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  Checks checks;
-  for (const SceneText &scene : scenes())
-    compare(checks, scene);
-  stop_early(checks);
-  nested(checks);
-  in_space(checks);
-  refusals(checks);
-  return checks.exit_code();
+  return run_tests(argc, argv, {test_scenes, test_early_stop, test_nested, test_3d, test_refusals});
 }

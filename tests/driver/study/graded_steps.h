@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -41,36 +40,16 @@ inline std::vector<GradedStep> steps_of(const std::vector<Signorini::LevelRecord
 }
 
 /** A line through log(error) as a function of N^{1/3}, from step 1 on. */
-struct ExponentialFit
+inline Line fit_exponential(const std::vector<GradedStep> &steps)
 {
-  double slope, correlation;
-};
-
-inline ExponentialFit fit_exponential(const std::vector<GradedStep> &steps)
-{
-  double n = 0., x = 0., y = 0., xx = 0., xy = 0., yy = 0.;
+  std::vector<double> x, y;
   for (const GradedStep &step : steps)
-  {
-    if (step.number == 0)
-      continue;
-    const double a = std::cbrt(step.n_unknowns), b = std::log(step.error);
-    n += 1.;
-    x += a;
-    y += b;
-    xx += a * a;
-    xy += a * b;
-    yy += b * b;
-  }
-  const double covariance = n * xy - x * y, variance = n * xx - x * x;
-  return {covariance / variance, covariance / std::sqrt(variance * (n * yy - y * y))};
-}
-
-/** The unknowns of the first step whose error is below a limit; infinite if there is none. */
-inline double unknowns_for(const std::vector<GradedStep> &steps, const double error)
-{
-  const auto found = std::find_if(
-    steps.begin(), steps.end(), [&](const GradedStep &step) { return step.error <= error; });
-  return found == steps.end() ? INFINITY : found->n_unknowns;
+    if (step.number > 0)
+    {
+      x.push_back(std::cbrt(step.n_unknowns));
+      y.push_back(std::log(step.error));
+    }
+  return fit(x, y);
 }
 
 /** The unknowns at which a line between two steps reaches an error, log(error) over N^{1/3}. */

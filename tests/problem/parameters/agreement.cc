@@ -11,35 +11,39 @@ using namespace Signorini;
 
 namespace
 {
+unsigned int rank()
+{
+  return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+}
+
 /** The last rank alone throws. */
 template <typename Exception>
-void fail_on_last_rank(Checks &checks, const std::string &name)
+void fail_on_last_rank(Checks &checks)
 {
-  const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
-  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-  checks.throws<Exception>(name, "the disk of the last rank is full", [&]() {
+  checks.throws<Exception>("an error", "the disk of the last rank is full", [&]() {
     agree(MPI_COMM_WORLD, [&]() {
-      if (rank + 1 == n_ranks)
+      if (rank() + 1 == dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD))
         throw Exception("the disk of the last rank is full");
     });
   });
+}
+
+void test_agreement(Checks &checks)
+{
+  bool done = false;
+  agree(MPI_COMM_WORLD, [&]() { done = true; });
+  checks.that("work without errors", done);
+  fail_on_last_rank<InputError>(checks);
+  fail_on_last_rank<ComputationError>(checks);
+  fail_on_last_rank<std::runtime_error>(checks);
+  const bool alone = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+  checks.that("no rank", list_ranks(MPI_COMM_WORLD, false).empty());
+  checks.that("all but the first rank",
+              list_ranks(MPI_COMM_WORLD, rank() > 0) == (alone ? "" : "rank 1"));
 }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
-  bool done = false;
-  agree(MPI_COMM_WORLD, [&]() { done = true; });
-  checks.that("work without errors", done);
-  fail_on_last_rank<InputError>(checks, "wrong input");
-  fail_on_last_rank<ComputationError>(checks, "a computation that fails");
-  fail_on_last_rank<std::runtime_error>(checks, "another error");
-  const unsigned int rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
-  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-  checks.that("no rank", list_ranks(MPI_COMM_WORLD, false).empty());
-  checks.that("all but the first rank",
-              list_ranks(MPI_COMM_WORLD, rank > 0) == (n_ranks == 1 ? "" : "rank 1"));
-  return checks.exit_code();
+  return run_tests(argc, argv, {test_agreement});
 }

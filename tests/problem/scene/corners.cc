@@ -7,8 +7,6 @@
 
 #include <deal.II/base/numbers.h>
 
-#include <utility>
-
 #include "tests.h"
 
 using namespace Signorini;
@@ -18,92 +16,83 @@ namespace
 {
 using Point = dealii::Point<2>;
 
-/** There is exactly one corner at x, and it is what is expected. */
+/** There is exactly one corner at x, with this angle and between these sides. */
 void check_corner(Checks &checks,
-                  const std::string &name,
                   const Geometry<2> &geometry,
                   const Point &x,
                   const double angle,
-                  const std::string &first,
-                  const std::string &second)
+                  const std::string &sides)
 {
-  unsigned int n = 0;
+  std::vector<double> angles;
   for (const Corner &corner : corners(geometry))
     if (corner.position.distance(x) < 1e-12)
     {
-      ++n;
-      checks.near(name + ": angle", corner.angle, angle, 1e-7);
-      checks.that(name + ": sides",
-                  geometry.sides[corner.sides[0]].name() == first &&
-                    geometry.sides[corner.sides[1]].name() == second);
+      angles.push_back(corner.angle);
+      checks.that("between " + sides,
+                  geometry.sides[corner.sides[0]].name() + " " +
+                      geometry.sides[corner.sides[1]].name() ==
+                    sides);
     }
-  checks.near(name + ": is one corner", n, 1, 0);
+  checks.near("angle between " + sides, angles, {angle}, 1e-7);
 }
 
-double sum_of_angles(const Geometry<2> &geometry)
-{
-  double sum = 0.;
-  for (const Corner &corner : corners(geometry))
-    sum += corner.angle;
-  return sum;
-}
-
-void test_convex_bodies(Checks &checks)
+void test_bodies(Checks &checks)
 {
   const Geometry<2> rectangle = make_rectangle(Point(-1., 2.), Point(2., 4.), {3, 2});
   checks.near("rectangle: number of corners", corners(rectangle).size(), 4, 0);
-  check_corner(checks, "lower left", rectangle, Point(-1., 2.), 0.5 * PI, "bottom", "left");
-  check_corner(checks, "upper left", rectangle, Point(-1., 4.), 0.5 * PI, "left", "top");
-
+  check_corner(checks, rectangle, Point(-1., 2.), 0.5 * PI, "bottom left");
+  check_corner(checks, rectangle, Point(-1., 4.), 0.5 * PI, "left top");
   // The third vertex lies on a straight line with its neighbours.
-  const Geometry<2> pentagon =
-    make_polygon({Point(0., 0.), Point(3., -1.), Point(4., 0.), Point(5., 1.), Point(1., 4.)});
-  checks.near("pentagon: number of corners", corners(pentagon).size(), 5, 0);
-  check_corner(checks, "straight", pentagon, Point(4., 0.), PI, "side2", "side1");
-  checks.near("pentagon: sum of the angles", sum_of_angles(pentagon), 3. * PI, 1e-12);
-}
-
-void test_curved_bodies(Checks &checks)
-{
+  const Geometry<2> pentagon = make_polygon({{0., 0.}, {3., -1.}, {4., 0.}, {5., 1.}, {1., 4.}});
+  double sum = 0.;
+  for (const Corner &corner : corners(pentagon))
+    sum += corner.angle;
+  check_corner(checks, pentagon, Point(4., 0.), PI, "side2 side1");
+  checks.near("pentagon: sum of the angles", sum, 3. * PI, 1e-12);
   const Geometry<2> half = make_half_disc(1.5);
   checks.near("half disc: number of corners", corners(half).size(), 2, 0);
-  check_corner(checks, "half disc, left", half, Point(-1.5, 0.), 0.5 * PI, "arc", "flat");
-  check_corner(checks, "half disc, right", half, Point(1.5, 0.), 0.5 * PI, "flat", "arc");
+  check_corner(checks, half, Point(-1.5, 0.), 0.5 * PI, "arc flat");
+  check_corner(checks, half, Point(1.5, 0.), 0.5 * PI, "flat arc");
   checks.that("ring: no corner", corners(make_ring(1., 2.)).empty());
-  // A disc with two sides is smooth where they meet.
-  Geometry<2> disc = half;
-  disc.sides = {{"lower", Curve::arc(Point(), 1.5, -PI, 0., Body::inside)},
-                {"upper", Curve::arc(Point(), 1.5, 0., PI, Body::inside)}};
-  check_corner(checks, "disc, right", disc, Point(1.5, 0.), PI, "upper", "lower");
-  // The plane without the half disc y < 0, R = 1: a notch of 270 degrees on either side.
-  Geometry<2> notch = half;
-  notch.sides = {{"floor", Curve(Point(1., 0.), Point(2., 0.), Point(0., -1.))},
-                 {"bow", Curve::arc(Point(), 1., 0., PI, Body::outside)}};
-  check_corner(checks, "bow", notch, Point(1., 0.), 0.5 * PI, "floor", "bow");
 }
 
-void test_reentrant_bodies(Checks &checks)
+/** Two sides that meet: smooth, a notch, a re-entrant corner, a crack. */
+void test_pairs_of_sides(Checks &checks)
 {
-  // Around the origin the body fills three quadrants; one side runs against the walk.
-  Geometry<2> l_shape;
-  l_shape.lower = Point(-1., -1.);
-  l_shape.upper = Point(1., 1.);
-  l_shape.sides = {{"step", Curve(Point(0., 0.), Point(1., 0.), Point(0., -1.))},
-                   {"wall", Curve(Point(0., 0.), Point(0., -1.), Point(1., 0.))}};
-  check_corner(checks, "re-entrant", l_shape, Point(), 1.5 * PI, "step", "wall");
-  l_shape.sides = {{"above", Curve(Point(0., 0.), Point(1., 0.), Point(0., -1.))},
-                   {"below", Curve(Point(1., 0.), Point(0., 0.), Point(0., 1.))}};
-  check_corner(checks, "crack", l_shape, Point(), 2. * PI, "above", "below");
+  Geometry<2> geometry = make_half_disc(1.5);
+  const auto check = [&](const std::vector<Side<2>> &sides, const Point &x, const double angle) {
+    geometry.sides = sides;
+    check_corner(checks, geometry, x, angle, sides[0].name() + " " + sides[1].name());
+  };
+  const Point right(1., 0.), down(0., -1.);
+  check({{"upper", Curve::arc(Point(), 1.5, 0., PI, Body::inside)},
+         {"lower", Curve::arc(Point(), 1.5, -PI, 0., Body::inside)}},
+        Point(1.5, 0.),
+        PI);
+  // The plane without the half disc y < 0, R = 1.
+  check({{"floor", Curve(right, Point(2., 0.), down)},
+         {"bow", Curve::arc(Point(), 1., 0., PI, Body::outside)}},
+        right,
+        0.5 * PI);
+  geometry.lower = Point(-1., -1.);
+  geometry.upper = Point(1., 1.);
+  check({{"step", Curve(Point(), right, down)}, {"wall", Curve(Point(), down, right)}},
+        Point(),
+        1.5 * PI);
+  check({{"above", Curve(Point(), right, down)}, {"below", Curve(right, Point(), -down)}},
+        Point(),
+        2. * PI);
   // Two squares that touch in a point: the first and the third quadrant.
-  l_shape.sides = {{"1x", Curve(Point(), Point(1., 0.), Point(0., -1.))},
-                   {"1y", Curve(Point(), Point(0., 1.), Point(-1., 0.))},
-                   {"3x", Curve(Point(), Point(-1., 0.), Point(0., 1.))},
-                   {"3y", Curve(Point(), Point(0., -1.), Point(1., 0.))}};
-  const auto found = corners(l_shape);
-  checks.that("two squares",
-              found.size() == 2 && std::abs(found[0].angle - 0.5 * PI) < 1e-12 &&
-                std::abs(found[1].angle - 0.5 * PI) < 1e-12 && found[0].sides[1] == 1 &&
-                found[1].sides[1] == 3);
+  geometry.sides = {{"1x", Curve(Point(), right, down)},
+                    {"1y", Curve(Point(), -down, -right)},
+                    {"3x", Curve(Point(), -right, -down)},
+                    {"3y", Curve(Point(), down, right)}};
+  const auto found = corners(geometry);
+  checks.near("two squares",
+              {found.at(0).angle, found.at(1).angle, double(found.size())},
+              {0.5 * PI, 0.5 * PI, 2.},
+              1e-12);
+  checks.that("each in itself", found[0].sides[1] == 1 && found[1].sides[1] == 3);
 }
 
 /** The roles of a scene: nu = 0.3 in plane strain, held at the top, contact at the bottom. */
@@ -118,16 +107,14 @@ void test_scene(Checks &checks)
                                               "Material/Poisson's ratio=0.3"}));
   for (const Corner &corner : corners(scene.geometry))
   {
-    const double exponent = corner_exponent(scene, corner);
     const bool left = corner.position[0] < 0.5, bottom = corner.position[1] < 0.5;
-    if (left && bottom)
-      checks.near("contact and rollers: smooth", exponent, 3., 0.);
-    else if (bottom)
-      checks.near("contact and a free side: the state without contact", exponent, 2.739593, 1e-6);
-    else if (!left)
-      checks.near("held and free", exponent, 0.71117, 1e-5);
-    else
-      checks.near("held and rollers: half of a straight held edge", exponent, 3., 0.);
+    // Rollers continue a free or a held edge; a contact side counts as free.
+    checks.near("exponents of a scene",
+                corner_exponent(scene, corner),
+                left     ? 3.
+                : bottom ? 2.739593
+                         : 0.71117,
+                1e-5);
   }
 }
 
@@ -135,52 +122,47 @@ void test_scene(Checks &checks)
  * those that are. */
 void test_agreement(Checks &checks)
 {
-  const auto agree = [&](const std::string &name, const std::vector<std::string> &settings) {
-    std::vector<std::string> all = {"Boundary/Contact=bottom"};
-    all.insert(all.end(), settings.begin(), settings.end());
-    const Parameters parameters = parse_parameters("", "scenes.prm", all);
+  const std::vector<std::pair<std::string, std::vector<std::string>>> rows = {
+    {"along rollers", {"Boundary/Displacement=top: 0.3*x; -0.05", "Boundary/Rollers=left"}},
+    {"a turning plate whose end moves along rollers",
+     {"Boundary/Plates=top: 0, -1 turning",
+      "Load/Plate force=top: 1",
+      "Boundary/Rollers=left right"}},
+    {"a plate that moves past a gap",
+     {"Boundary/Plates=left: 1, -1", "Load/Plate force=left: 1", "Contact/Gap=0"}},
+    {"a plate that rests",
+     {"Boundary/Plates=top: 0.6, -1", "Load/Plate travel=top: 0", "Boundary/Clamped=left"}},
+    {"rounding",
+     {"Boundary/Displacement=top: 1e-3*sin(pi*x); 0 | right: sin(pi)*y; 0",
+      "Boundary/Clamped=left"}},
+    {"rollers and rollers", {"Boundary/Rollers=left right top"}},
+    {"along an inclined side",
+     {"Geometry/Shape=polygon",
+      "Geometry/Vertices=0,0; 1,0; 1,1; 0.577350269,1",
+      "Boundary/Contact=side0",
+      "Boundary/Rollers=side3",
+      "Boundary/Plates=side2: -0.5, -0.866025",
+      "Load/Plate force=side2: 1"}},
+    {"the gap begins where the held side ends",
+     {"Boundary/Displacement=left: 0; -0.01", "Contact/Foundation=plane 0,-0.01 normal 0,1"}},
+    {"in 3-D",
+     {"Dimension=3",
+      "Boundary/Displacement=top: 0.1*x; 0.2*y; -0.05",
+      "Boundary/Rollers=left front"}}};
+  for (const auto &[name, settings] : rows)
+  {
+    const Parameters parameters =
+      parse_parameters("subsection Boundary\nset Contact = bottom\nend\n", "scenes.prm", settings);
     checks.that("agree: " + name,
                 (dimension_of(parameters) == 2
                    ? find_contradiction(make_described_scene<2>(parameters))
                    : find_contradiction(make_described_scene<3>(parameters)))
                   .empty());
-  };
-  agree("along rollers", {"Boundary/Displacement=top: 0.3*x; -0.05", "Boundary/Rollers=left"});
-  agree("a turning plate whose end moves along rollers",
-        {"Boundary/Plates=top: 0, -1 turning",
-         "Load/Plate force=top: 1",
-         "Boundary/Rollers=left right"});
-  agree("a plate that moves past a gap",
-        {"Boundary/Plates=left: 1, -1", "Load/Plate force=left: 1", "Contact/Gap=0"});
-  agree("a plate that rests",
-        {"Boundary/Plates=top: 0.6, -1", "Load/Plate travel=top: 0", "Boundary/Clamped=left"});
-  agree("rounding",
-        {"Boundary/Displacement=top: 1e-3*sin(pi*x); 0 | right: sin(pi)*y; 0",
-         "Boundary/Clamped=left"});
-  agree("rollers and rollers", {"Boundary/Rollers=left right top"});
-  agree("along an inclined side",
-        {"Geometry/Shape=polygon",
-         "Geometry/Vertices=0,0; 1,0; 1,1; 0.577350269,1",
-         "Boundary/Contact=side0",
-         "Boundary/Rollers=side3",
-         "Boundary/Plates=side2: -0.5, -0.866025",
-         "Load/Plate force=side2: 1"});
-  agree("the gap begins where the held side ends",
-        {"Boundary/Displacement=left: 0; -0.01", "Contact/Foundation=plane 0,-0.01 normal 0,1"});
-  agree("in space",
-        {"Dimension=3",
-         "Boundary/Displacement=top: 0.1*x; 0.2*y; -0.05",
-         "Boundary/Rollers=left front"});
+  }
 }
 } // namespace
 
 int main()
 {
-  Checks checks;
-  test_convex_bodies(checks);
-  test_curved_bodies(checks);
-  test_reentrant_bodies(checks);
-  test_scene(checks);
-  test_agreement(checks);
-  return checks.exit_code();
+  return run_tests({test_bodies, test_pairs_of_sides, test_scene, test_agreement});
 }

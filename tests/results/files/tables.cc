@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "csv.h"
@@ -55,16 +56,19 @@ void convergence_csv(Checks &checks)
   const auto rows = read_csv(text);
   checks.that("one complete row per level",
               rows.size() == 2 && !rows[0].empty() && !rows[1].empty());
-  checks.that("counts", rows[0].at("level") == "2" && rows[0].at("dofs") == "50");
-  checks.near("numbers keep all digits", std::stod(rows[0].at("contact_force_n")), 1. / 3., 1e-16);
-  checks.near("effectivity", std::stod(rows[1].at("effectivity")), 0.95, 1e-15);
-  checks.that("what is not known is empty",
-              rows[0].at("inf_sup").empty() && rows[0].at("u_post_h1").empty() &&
-                rows[0].at("p_dual").empty() && rows[0].at("endpoint_error").empty());
-  checks.near("what becomes known is not", std::stod(rows[1].at("p_dual")), 0.02, 1e-17);
-  checks.that("sweeps until the increment was small",
-              rows[0].at("qp_increment_iterations").empty() &&
-                rows[1].at("qp_increment_iterations") == "7");
+  checks.near("numbers keep all digits",
+              {std::stod(rows[0].at("contact_force_n")), std::stod(rows[1].at("p_dual"))},
+              {1. / 3., 0.02},
+              1e-16);
+  using Field = std::array<std::string, 3>;
+  for (const auto &[column, coarse, fine] : {Field{"level", "2", "3"},
+                                             Field{"dofs", "50", "50"},
+                                             Field{"u_post_h1", "", ""},
+                                             Field{"endpoint_error", "", ""},
+                                             Field{"qp_increment_iterations", "", "7"}})
+    checks.that(column, rows[0].at(column) == coarse && rows[1].at(column) == fine);
+  for (const char *column : {"inf_sup", "p_dual"})
+    checks.that("known on one level", rows[0].at(column).empty() && !rows[1].at(column).empty());
 }
 
 /** The same numbers as those of a graded sequence: nothing has an order in h. */
@@ -93,6 +97,13 @@ void graded_tables(Checks &checks)
                 rows[1].at("effectivity").empty() && rows[1].at("estimated_relative") == "0.25");
 }
 
+/** One blank between all words. */
+std::string words_of(std::string text)
+{
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return join(split_words(text), " ");
+}
+
 void screen_table(Checks &checks)
 {
   const auto levels = two_levels();
@@ -101,21 +112,10 @@ void screen_table(Checks &checks)
   checks.that("rows align with the header",
               screen_header().size() == first.size() && first.size() == second.size());
   const std::string errors = error_table(levels);
-  std::string in_one_line = errors;
-  std::replace(in_one_line.begin(), in_one_line.end(), '\n', ' ');
-  const auto words = split_words(in_one_line);
   // h is halved: 0.4 -> 0.2 is order 1, 0.02 -> 0.005 order 2.
-  const auto order_after = [&](const std::string &number) {
-    for (std::size_t i = 0; i + 1 < words.size(); ++i)
-      if (words[i] == number)
-        return words[i + 1];
-    return std::string();
-  };
-  checks.that("order of the H1 error", order_after("2.000e-01") == "1.00");
-  checks.that("order of the L2 error", order_after("5.000e-03") == "2.00");
-  checks.that("no order without a value before", order_after("1.000e-03") == "-");
-  checks.that("no orders on the first level", order_after("4.000e-01") == "-");
-  checks.that("no slope from two levels", errors.find("slope              -") != std::string::npos);
+  for (const char *row :
+       {"4.000e-01 -", "2.000e-01 1.00", "5.000e-03 2.00", "1.000e-03 -", "slope -"})
+    checks.that(std::string("orders: ") + row, words_of(errors).find(row) != std::string::npos);
   auto four = levels;
   // 0.2 -> 0.05 -> 0.0125: with 0.4 -> 0.2 before, least squares over x = 0..3 (in log 2) and
   // y = 0, 1, 3, 5 give the slope sum (x - 1.5)(y - 2.25)/5 = 1.7.
@@ -126,12 +126,10 @@ void screen_table(Checks &checks)
     four.back().displacement_errors->h1 = error;
   }
   const std::string slopes = error_table(four);
-  checks.that("least-squares slope", slopes.find("slope           1.70") != std::string::npos);
-  std::size_t longest = 0;
+  checks.that("least-squares slope", words_of(slopes).find("slope 1.70") != std::string::npos);
   std::istringstream lines(slopes + screen_header() + "\n" + screen_legend());
   for (std::string line; std::getline(lines, line);)
-    longest = std::max(longest, line.size());
-  checks.that("tables have 80 columns", longest <= 80);
+    checks.that("tables have 80 columns", line.size() <= 80);
   for (LevelRecord &level : four)
   {
     level.displacement_errors.reset();
@@ -155,7 +153,6 @@ void certificate(Checks &checks)
   checks.that("no failure", !good.contains("failure"));
   checks.near("tolerance", good.at("tolerance"), 1e-10, 0.);
   checks.near("bound on residuals", good.at("residual_bound"), 1e-8, 1e-22);
-  bool complete = true;
   for (const char *name : {"stationarity",
                            "penetration",
                            "sign",
@@ -165,8 +162,7 @@ void certificate(Checks &checks)
                            "moment_balance",
                            "support",
                            "degenerate_patches"})
-    complete = complete && good.at("levels")[0].at(name).is_number();
-  checks.that("all residuals", complete);
+    checks.that(name, good.at("levels")[0].at(name).is_number());
   checks.that("inf-sup constant where it is known",
               good.at("levels")[0].at("inf_sup").is_null() &&
                 good.at("levels")[1].at("inf_sup") == 0.8);
@@ -187,10 +183,5 @@ void certificate(Checks &checks)
 
 int main()
 {
-  Checks checks;
-  convergence_csv(checks);
-  screen_table(checks);
-  graded_tables(checks);
-  certificate(checks);
-  return checks.exit_code();
+  return run_tests({convergence_csv, screen_table, graded_tables, certificate});
 }

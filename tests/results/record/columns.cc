@@ -5,10 +5,8 @@
 #include <signorini/base/text.h>
 #include <signorini/results/record/level_record.h>
 
-#include <algorithm>
 #include <set>
 #include <stdexcept>
-#include <thread>
 
 #include "tests.h"
 
@@ -16,21 +14,11 @@ using namespace Signorini;
 
 namespace
 {
-std::vector<std::string> names_of(const Columns<LevelRecord> &columns)
-{
-  std::vector<std::string> names;
-  for (const Column<LevelRecord> &column : columns)
-    names.push_back(column.name);
-  return names;
-}
-
 void places(Checks &checks)
 {
-  const std::vector<std::string> names = names_of(level_columns());
-  const std::vector<std::string> &fixed = columns_with_fixed_places();
-  checks.that("every column with a fixed place has it",
-              fixed.size() <= names.size() &&
-                std::equal(fixed.begin(), fixed.end(), names.begin()));
+  std::vector<std::string> names;
+  for (const Column<LevelRecord> &column : level_columns())
+    names.push_back(column.name);
   checks.that("no name stands twice",
               std::set<std::string>(names.begin(), names.end()).size() == names.size());
   // Scripts read columns by their numbers: this line may grow at its end, nothing else.
@@ -69,32 +57,9 @@ void values(Checks &checks)
   checks.throws<std::invalid_argument>("no such column", "u_h2", [&]() { value(record, "u_h2"); });
 }
 
-/** A stage within a stage counts once. */
-void stages(Checks &checks)
-{
-  const auto pause = [](const int milliseconds) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-    return milliseconds;
-  };
-  StageTimes times;
-  {
-    const StageTimer timer(times.qp);
-    pause(20);
-    checks.that("a timed call returns its value",
-                timed(times.compliance, [&]() { return pause(300); }) == 300);
-    pause(20);
-  }
-  pause(300);
-  checks.between("the outer stage", times.qp, 0.04, 0.25);
-  checks.between("the stage within", times.compliance, 0.3, 0.55);
-}
 } // namespace
 
 int main()
 {
-  Checks checks;
-  places(checks);
-  values(checks);
-  stages(checks);
-  return checks.exit_code();
+  return run_tests({places, values});
 }
