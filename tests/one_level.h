@@ -14,6 +14,12 @@
 #include "random_numbers.h"
 #include "scene_text.h"
 
+/** Returns the scene of a text (scene_text.h). */
+inline Signorini::Scene<2> scene_of(const std::string &text)
+{
+  return Signorini::make_scene<2>(Signorini::parse_parameters(parameter_file(text), "test"));
+}
+
 /** A scene from the text of a parameter file or of its entries (scene_text.h) and overrides, and
  * its discretization on one level. */
 struct OneLevel
@@ -24,6 +30,13 @@ struct OneLevel
     : parameters(Signorini::parse_parameters(parameter_file(text), "test", overrides))
     , scene(Signorini::make_scene<2>(parameters))
     , discretization(parameters, scene, level, MPI_COMM_WORLD)
+  {
+  }
+  /** On the mesh of a plan. */
+  OneLevel(const std::string &text, const Signorini::MeshPlan &plan)
+    : parameters(Signorini::parse_parameters(parameter_file(text), "test"))
+    , scene(Signorini::make_scene<2>(parameters))
+    , discretization(parameters, scene, plan)
   {
   }
   OneLevel(const OneLevel &) = delete;

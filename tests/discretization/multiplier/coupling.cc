@@ -51,6 +51,7 @@ void check_column(Checks &checks,
                   const unsigned int tau,
                   const std::map<double, double> &expected)
 {
+  checks.about(name);
   const auto column = column_by_position(level, tau);
   double largest = 0.;
   for (const auto &node : expected)
@@ -58,8 +59,8 @@ void check_column(Checks &checks,
     const auto found = column.find({node.first, 1});
     largest = std::max(largest, found == column.end() ? 1. : std::abs(found->second - node.second));
   }
-  checks.that(name + ": only normal components of its own nodes", column.size() == expected.size());
-  checks.near(name + ": entries", largest, 0., 1e-15);
+  checks.that("only normal components of its own nodes", column.size() == expected.size());
+  checks.near("entries", largest, 0., 1e-15);
 }
 
 /** n = (0, -1): D is minus the integral of a hat function. */
@@ -68,7 +69,7 @@ void hand_computed(Checks &checks)
   const OneLevel nested(square, 1);
   checks.that("H = 2h: one patch", nested.discretization.D.n_columns() == 1);
   check_column(checks, "H = 2h", nested, 0, {{0., -0.25}, {0.5, -0.5}, {1., -0.25}});
-  const OneLevel equal(square + entry("Discretization", "Patch ratio", "1"), 1);
+  const OneLevel equal(square + "Discretization/Patch ratio = 1\n", 1);
   check_column(checks, "H = h", equal, 1, {{0.5, -0.25}, {1., -0.25}});
   // Three patches on two faces: on [0, 1/3] the hats are 1 - 2x and 2x.
   const OneLevel thirds(square + patches("3"), 1);
@@ -121,20 +122,19 @@ void all_sides(Checks &checks)
   const OneLevel nested(pentagon(sides), 2);
   checks.that("pentagon: 4 sides of 8 faces, H = 2h", nested.discretization.D.n_columns() == 16);
   moments(checks, "pentagon, H = 2h", nested);
-  moments(checks,
-          "pentagon, H = 3h",
-          OneLevel(pentagon(sides) + entry("Discretization", "Patch ratio", "3"), 2));
+  moments(
+    checks, "pentagon, H = 3h", OneLevel(pentagon(sides) + "Discretization/Patch ratio = 3\n", 2));
   for (const char *n : {"3", "5", "7"})
     moments(
       checks, "pentagon, patches " + std::string(n), OneLevel(pentagon(sides) + patches(n), 2));
-  moments(checks,
-          "distorted square",
-          OneLevel(square + entry("Geometry", "Distortion", "0.3") + patches("5"), 3));
+  moments(
+    checks, "distorted square", OneLevel(square + "Geometry/Distortion = 0.3\n" + patches("5"), 3));
 }
 
 /** D^T T = (T^T D)^T for U = T U_free, where U_free is arbitrary and k = 0. */
 void condensed(Checks &checks, const std::string &name, const OneLevel &level)
 {
+  checks.about(name);
   const auto &space = level.space();
   RandomNumbers random(5);
   DistributedVector free_values = random_rows(space, random);
@@ -142,7 +142,7 @@ void condensed(Checks &checks, const std::string &name, const OneLevel &level)
   const Displacement U_free = space.displacement(free_values), U = space.complete(free_values);
   const Coupling &condensed_D = level.discretization.condensed_D;
   checks.near(
-    name + ": D^T T U = (T^T D)^T U",
+    "D^T T U = (T^T D)^T U",
     distance(level.discretization.D.transpose_product(U), condensed_D.transpose_product(U_free)),
     0.,
     1e-15);
@@ -150,7 +150,7 @@ void condensed(Checks &checks, const std::string &name, const OneLevel &level)
   for (unsigned int tau = 0; tau < condensed_D.n_columns(); ++tau)
     for (const auto &entry : condensed_D.column(tau))
       free = free && !space.constraints().is_constrained(entry.first);
-  checks.that(name + ": free degrees of freedom only", free);
+  checks.that("free degrees of freedom only", free);
 }
 
 /** D P and D^T U from their definition as sums over columns. */
@@ -175,16 +175,16 @@ void products(Checks &checks)
 
 int main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  hand_computed(checks);
-  all_sides(checks);
-  condensed(checks, "clamped", OneLevel(square, 3));
-  condensed(
-    checks,
-    "oblique roller beside contact",
-    OneLevel(pentagon("set Rollers = side1\nset Clamped = side3\nset Contact = side0 side2\n"), 2));
-  products(checks);
-  return checks.exit_code();
+  return run_tests(
+    argc, argv, {[](Checks &checks) {
+      hand_computed(checks);
+      all_sides(checks);
+      condensed(checks, "clamped", OneLevel(square, 3));
+      condensed(
+        checks,
+        "oblique roller beside contact",
+        OneLevel(pentagon("set Rollers = side1\nset Clamped = side3\nset Contact = side0 side2\n"),
+                 2));
+      products(checks);
+    }});
 }

@@ -134,41 +134,9 @@ void rules(Checks &checks)
   checks.near("|tau| on side3", space.integrals()[14], std::sqrt(4.5) / 5., 1e-15);
 }
 
-/** int sqrt((c - x)_+) = 2/3 c^{3/2}, the behaviour of the pressure at the end of contact. */
-void square_roots(Checks &checks)
-{
-  for (const char *c : {"0.3", "0.5", "0.7071067811865476"})
-  {
-    const OneLevel level(square("0", "set Kinks at x = " + std::string(c) + "\n"), 3);
-    const double kink = std::stod(c);
-    for (const unsigned int n_points : {4U, 8U})
-    {
-      double integral = 0.;
-      for (const Piece<2> &piece : level.discretization.surface.pieces())
-      {
-        const auto rule =
-          level.discretization.surface.rule(piece, n_points, Grading::towards_kinks);
-        for (std::size_t q = 0; q < rule.points.size(); ++q)
-          integral += std::sqrt(std::max(kink - rule.points[q][0], 0.)) * rule.weights[q];
-      }
-      checks.near("square root up to " + std::string(c) + ", points " + std::to_string(n_points),
-                  integral,
-                  2. / 3. * std::pow(kink, 1.5),
-                  1e-8);
-    }
-  }
-}
-
 } // namespace
 
 int main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  gaps(checks);
-  fractional_powers(checks);
-  rules(checks);
-  square_roots(checks);
-  return checks.exit_code();
+  return run_tests(argc, argv, {gaps, fractional_powers, rules});
 }

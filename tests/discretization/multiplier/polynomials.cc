@@ -182,44 +182,14 @@ void couplings(Checks &checks, const Pentagon &level)
               1e-13);
 }
 
-/** On a unit square: u = (0, -x^p) has the trace x^p on the bottom, which only elements of degree p
- * have. */
-void highest_degrees(Checks &checks)
-{
-  for (unsigned int p = 2; p <= 9; ++p)
-  {
-    const GradedLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n",
-                            uniform_plan(2, p));
-    const Displacement U = nodal_values(
-      level.space(), [p](const Point<2> &x) { return Point<2>(0., -std::pow(x[0], p)); });
-    double error = 0.;
-    const MultiplierSpace<2> &space = level.multipliers();
-    const auto b = level.discretization.D.transpose_product(U);
-    for (unsigned int patch = 0; patch < 4; ++patch)
-      for (unsigned int j = 0; j <= p - 2; ++j)
-      {
-        double found = 0.;
-        for (unsigned int k = space.first_of(patch); k < space.first_of(patch + 1); ++k)
-          found += b[k] * std::pow(space.node(k)[0], j);
-        const double exact =
-          (std::pow(0.25 * (patch + 1), p + j + 1) - std::pow(0.25 * patch, p + j + 1)) /
-          (p + j + 1);
-        error = std::max(error, std::abs(found - exact));
-      }
-    checks.near("int x^p x^j, p = " + std::to_string(p), error, 0., 1e-13);
-  }
-}
 } // namespace
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  const Pentagon level("x^3 - 0.1*y");
-  basis(checks, level.multipliers());
-  projections(checks, level.multipliers());
-  couplings(checks, level);
-  highest_degrees(checks);
-  return checks.exit_code();
+  return run_tests(argc, argv, {[](Checks &checks) {
+                     const Pentagon level("x^3 - 0.1*y");
+                     basis(checks, level.multipliers());
+                     projections(checks, level.multipliers());
+                     couplings(checks, level);
+                   }});
 }

@@ -2,10 +2,6 @@
 #pragma once
 
 #include <signorini/discretization/mesh/mesh_plan.h>
-#include <signorini/driver/level/level.h>
-#include <signorini/problem/input/make_scene.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <cmath>
 #include <string>
@@ -13,41 +9,16 @@
 #include "one_level.h"
 
 /** A scene from the text of a parameter file, on the mesh of a plan. */
-struct GradedLevel
+struct GradedLevel : public OneLevel
 {
   GradedLevel(const std::string &text, const Signorini::MeshPlan &plan)
-    : parameters(
-        Signorini::parse_parameters(text + "subsection Discretization\nset Strategy = hp\nend\n",
-                                    "test"))
-    , scene(Signorini::make_scene<2>(parameters))
-    , discretization(parameters, scene, plan)
+    : OneLevel(text + "\nDiscretization/Strategy = hp\n", plan)
   {
   }
-  GradedLevel(const GradedLevel &) = delete;
-
   const Signorini::Mesh<2> &mesh() const
   {
     return discretization.mesh;
   }
-  const Signorini::DisplacementSpace<2> &space() const
-  {
-    return discretization.space;
-  }
-  const Signorini::MultiplierSpace<2> &multipliers() const
-  {
-    return discretization.multipliers;
-  }
-  Signorini::LevelSolution<2> solve() const
-  {
-    return Signorini::solve_level<2>({parameters, scene, choose_solvers(parameters, scene, 0, 1)},
-                                     discretization,
-                                     Signorini::ContactStart(),
-                                     [](const std::string &) {});
-  }
-
-  Signorini::Parameters parameters;
-  Signorini::Scene<2> scene;
-  Signorini::Discretization<2> discretization;
 };
 
 /** A uniform mesh, all of whose cells have the given degree. */

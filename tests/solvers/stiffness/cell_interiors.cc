@@ -19,6 +19,7 @@ const std::string clamped = "subsection Boundary\nset Clamped = top\nset Contact
 /** b = A x is solved for x, for several right-hand sides; C does not depend on the solver. */
 void compare(Checks &checks, const std::string &name, const MeshPlan &plan)
 {
+  checks.about(name);
   const GradedLevel level(clamped, plan);
   const auto A = std::move(assemble_linear_system(level.space(), level.scene, 3).matrix);
   const Coupling &D = level.discretization.condensed_D;
@@ -42,14 +43,14 @@ void compare(Checks &checks, const std::string &name, const MeshPlan &plan)
     x[k] -= exact[k];
     error = std::max(error, x[k].linfty_norm());
   }
-  checks.near(name + ": known answers", error, 0., 1e-11);
-  checks.that(name + ": C is read from the factor",
+  checks.near("known answers", error, 0., 1e-11);
+  checks.that("C is read from the factor",
               condensed->trailing_factor(contact_unknowns(D)).has_value());
   double seconds = 0.;
   dealii::FullMatrix<double> difference(make_compliance(*condensed, D, seconds)->dense());
   const dealii::FullMatrix<double> C = make_compliance(*klu, D, seconds)->dense();
   difference.add(-1., C);
-  checks.near(name + ": C", difference.linfty_norm() / C.linfty_norm(), 0., 1e-11);
+  checks.near("C", difference.linfty_norm() / C.linfty_norm(), 0., 1e-11);
 }
 
 void singular(Checks &checks, const unsigned int degree)
@@ -68,15 +69,13 @@ void singular(Checks &checks, const unsigned int degree)
 
 int main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  for (const unsigned int degree : {2U, 3U, 4U, 6U, 9U})
-    compare(checks, "degree " + std::to_string(degree), uniform_plan(2, degree));
-  MeshPlan graded = uniform_plan(1, 7);
-  graded.singularities = {corner({0., 0.}, 6.)};
-  compare(checks, "graded", graded);
-  for (const unsigned int degree : {2U, 5U, 8U})
-    singular(checks, degree);
-  return checks.exit_code();
+  return run_tests(argc, argv, {[](Checks &checks) {
+                     for (const unsigned int degree : {2U, 3U, 4U, 6U, 9U})
+                       compare(checks, "degree " + std::to_string(degree), uniform_plan(2, degree));
+                     MeshPlan graded = uniform_plan(1, 7);
+                     graded.singularities = {corner({0., 0.}, 6.)};
+                     compare(checks, "graded", graded);
+                     for (const unsigned int degree : {2U, 5U, 8U})
+                       singular(checks, degree);
+                   }});
 }
