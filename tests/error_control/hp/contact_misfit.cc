@@ -15,9 +15,9 @@ namespace
 /** Four faces of degree two between 0 and 1, modulus one; u_h = 0 and g = x. */
 void distances(Checks &checks)
 {
-  const GradedLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
-                            entry("Contact", "Gap", "x") +
-                            entry("Material", "Poisson's ratio", "0"),
+  const GradedLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n"
+                          "Contact/Gap = x\n"
+                          "Material/Poisson's ratio = 0\n",
                           uniform_plan(2, 2));
   const Displacement U = level.space().zero();
   Pressure P(level.multipliers().n_multipliers());
@@ -44,9 +44,5 @@ void distances(Checks &checks)
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  distances(checks);
-  return checks.exit_code();
+  return run_tests(argc, argv, {distances});
 }

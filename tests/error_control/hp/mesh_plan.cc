@@ -19,11 +19,6 @@ std::size_t n_cells(const GradedLevel &level)
   return level.mesh().triangulation().n_active_cells();
 }
 
-double smallest(const GradedLevel &level)
-{
-  return level.mesh().shortest_edge();
-}
-
 MeshPlan graded(const Singularity &singularity, const double rise = 0.)
 {
   MeshPlan plan = uniform_plan(2, 2);
@@ -34,33 +29,29 @@ MeshPlan graded(const Singularity &singularity, const double rise = 0.)
 }
 
 /** At a corner every layer splits one cell: three cells more. At a vertex of the contact side two
- * cells are split, then two cells and their neighbours; inside of a face one or two. */
+ * cells are split, then two cells and their neighbours; inside of a face one or two, and the place
+ * of 1/3 in its cell repeats with every other layer. */
 void layers(Checks &checks)
 {
-  std::vector<std::size_t> at_corner, at_vertex, inside;
-  for (unsigned int n = 0; n <= 12; ++n)
+  const auto cells_of = [](const Singularity &singularity) {
+    return static_cast<int>(n_cells(GradedLevel(square, graded(singularity))));
+  };
+  const auto on_side = [&](const double x, const unsigned int n) {
+    return cells_of(end_of_contact({x, 0.}, 2, x, x, n));
+  };
+  for (unsigned int n = 1; n <= 10; ++n)
   {
-    const GradedLevel corners(square, graded(corner({0., 1.}, n)));
-    at_corner.push_back(n_cells(corners));
-    checks.near("size of the cells at a corner, layers = " + std::to_string(n),
-                smallest(corners),
-                0.25 * std::pow(0.5, n),
-                1e-15);
-    at_vertex.push_back(
-      n_cells(GradedLevel(square, graded(end_of_contact({0.5, 0.}, 2, 0.5, 0.5, n)))));
-    const double x = 1. / 3.;
-    inside.push_back(n_cells(GradedLevel(square, graded(end_of_contact({x, 0.}, 2, x, x, n)))));
+    const GradedLevel level(square, graded(corner({0., 1.}, n)));
+    checks.near("size at a corner", level.mesh().shortest_edge(), 0.25 * std::pow(0.5, n), 1e-15);
+    checks.near("cells at a corner", n_cells(level), 16 + 3 * n, 0.);
+    checks.near(
+      "cells per layer at a vertex of a side", on_side(0.5, n) - on_side(0.5, n - 1), 6, 0.);
+    if (n > 3)
+      checks.near("as many cells per layer at a point of a face",
+                  on_side(1. / 3., n + 2) - on_side(1. / 3., n),
+                  on_side(1. / 3., n) - on_side(1. / 3., n - 2),
+                  0.);
   }
-  for (unsigned int n = 1; n <= 12; ++n)
-  {
-    checks.near("cells per layer at a corner", at_corner[n] - at_corner[n - 1], 3., 0.);
-    // Two cells; the neighbours of neighbours follow from the second layer on.
-    checks.near("cells per layer at a vertex of a side", at_vertex[n] - at_vertex[n - 1], 6., 0.);
-  }
-  // The place of 1/3 in its cell repeats with every other layer.
-  for (unsigned int n = 4; n <= 10; ++n)
-    checks.that("as many cells per layer at a point of a face",
-                inside[n + 2] - inside[n] == inside[n] - inside[n - 2]);
 }
 
 /** Neighbours differ by one split and one degree; degrees fall from 2 + rise to 2. */
@@ -72,18 +63,18 @@ void degrees(Checks &checks)
       MeshPlan plan = graded(corner({1., 1.}, n_layers), rise);
       plan.singularities.push_back(end_of_contact({0.3, 0.}, 2, 0.299, 0.3, n_layers / 2.));
       const GradedLevel level(square, plan);
-      const std::string name =
-        "layers " + std::to_string(static_cast<int>(n_layers)) + ", rise " + std::to_string(rise);
-      checks.that(name + ": graded", is_graded(level.space()));
+      checks.about("layers " + std::to_string(static_cast<int>(n_layers)) + ", rise " +
+                   std::to_string(rise));
+      checks.that("graded", is_graded(level.space()));
       const auto found = degrees_of(level.space());
       const unsigned int most = std::min(9U, 2 + static_cast<unsigned int>(rise));
-      checks.that(name + ": highest degree", *std::max_element(found.begin(), found.end()) == most);
+      checks.that("highest degree", *std::max_element(found.begin(), found.end()) == most);
       unsigned int at_singularity = 0;
       for (const auto &cell : level.mesh().triangulation().active_cell_iterators())
         if (plan.singularities[0].touches(level.scene, cell))
           at_singularity = found[cell->active_cell_index()];
       if (n_layers > 2. * rise)
-        checks.near(name + ": degree at the corner", at_singularity, 2., 0.);
+        checks.near("degree at the corner", at_singularity, 2., 0.);
     }
 }
 
@@ -121,7 +112,7 @@ void demands(Checks &checks)
     if (cell->point_inside(x))
       next.demands[cell->id()] = {true, 0};
   const GradedLevel finer(square, next);
-  checks.near("a child is split", smallest(finer), 0.0625, 1e-15);
+  checks.near("a child is split", finer.mesh().shortest_edge(), 0.0625, 1e-15);
   // The fourteen others have the degrees that their neighbours ask for.
   plan.demands[at_x].degree = 12;
   plan.max_element_degree = 6;
@@ -133,44 +124,32 @@ void demands(Checks &checks)
 void touching(Checks &checks)
 {
   const GradedLevel level(square, uniform_plan(3, 2));
-  const auto count = [&](const Singularity &singularity) {
+  const auto count = [](const GradedLevel &on, const Singularity &singularity) {
     unsigned int n = 0;
-    for (const auto &cell : level.mesh().triangulation().active_cell_iterators())
-      n += singularity.touches(level.scene, cell) ? 1 : 0;
+    for (const auto &cell : on.mesh().triangulation().active_cell_iterators())
+      n += singularity.touches(on.scene, cell) ? 1 : 0;
     return n;
   };
-  checks.near("a corner touches one cell", count(corner({1., 0.}, 1.)), 1., 0.);
-  checks.near("a bracket in a face", count(end_of_contact({}, 2, 0.3, 0.31, 1.)), 1., 0.);
-  checks.near("a bracket over four faces", count(end_of_contact({}, 2, 0.2, 0.6, 1.)), 4., 0.);
-  checks.near("a bracket of another side", count(end_of_contact({}, 0, 0.3, 0.31, 1.)), 1., 0.);
+  checks.near("a corner touches one cell", count(level, corner({1., 0.}, 1.)), 1., 0.);
   const std::vector<Singularity> two = {corner({0., 0.}, 1.), corner({1., 0.}, 1.)};
   checks.that("the nearest one",
               nearest(two, {0.7, 0.1}) == &two[1] && nearest(two, {0.2, 3.}) == &two[0] &&
                 nearest({}, {0., 0.}) == nullptr);
-
   // 16 faces of pi/4 on the outer circle of E1.
-  const GradedLevel ring(entry("Scene", "Name", "E1"), uniform_plan(1, 2));
-  const unsigned int side = ring.multipliers().surface().patches()[0].side;
-  const double h = dealii::numbers::PI / 4., length = 16. * h;
-  const auto on_ring = [&](const double from, const double to) {
-    unsigned int n = 0;
-    for (const auto &cell : ring.mesh().triangulation().active_cell_iterators())
-      n += end_of_contact({}, side, from, to, 1.).touches(ring.scene, cell) ? 1 : 0;
-    return n;
-  };
-  checks.near("circle: around the start", on_ring(length - 0.1 * h, length + 0.1 * h), 2., 0.);
-  checks.near("circle: beyond the start", on_ring(length + 0.1 * h, length + 0.2 * h), 1., 0.);
+  const GradedLevel ring("Scene/Name = E1\n", uniform_plan(1, 2));
+  const unsigned int outer = ring.multipliers().surface().patches()[0].side;
+  const double h = dealii::numbers::PI / 4.;
+  for (const auto &[on, side, from, to, expected] :
+       {std::tuple(&level, 2U, 0.3, 0.31, 1.),
+        std::tuple(&level, 2U, 0.2, 0.6, 4.),
+        std::tuple(&level, 0U, 0.3, 0.31, 1.),
+        std::tuple(&ring, outer, 15.9 * h, 16.1 * h, 2.),
+        std::tuple(&ring, outer, 16.1 * h, 16.2 * h, 1.)})
+    checks.near("brackets", count(*on, end_of_contact({}, side, from, to, 1.)), expected, 0.);
 }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  layers(checks);
-  degrees(checks);
-  demands(checks);
-  touching(checks);
-  return checks.exit_code();
+  return run_tests(argc, argv, {layers, degrees, demands, touching});
 }

@@ -75,14 +75,15 @@ void check(Checks &checks, const std::string &name, const std::string &text, con
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  check(
-    checks, "one side", "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n", 0.3);
-  check(checks,
-        "three sides",
-        "subsection Boundary\nset Clamped = top\nset Contact = left right bottom\nend\n",
-        0.8);
-  return checks.exit_code();
+  return run_tests(
+    argc, argv, {[](Checks &checks) {
+      check(checks,
+            "one side",
+            "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n",
+            0.3);
+      check(checks,
+            "three sides",
+            "subsection Boundary\nset Clamped = top\nset Contact = left right bottom\nend\n",
+            0.8);
+    }});
 }

@@ -116,12 +116,5 @@ void scales(Checks &checks)
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  analytic(checks);
-  errors(checks);
-  singular(checks);
-  scales(checks);
-  return checks.exit_code();
+  return run_tests(argc, argv, {analytic, errors, singular, scales});
 }

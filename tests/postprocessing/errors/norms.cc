@@ -22,10 +22,11 @@ std::string scene(const std::string &geometry,
 {
   return "subsection Geometry\n" + geometry +
          "end\nsubsection Boundary\nset Displacement = top: " + displacement +
-         "\nset Contact = bottom\nend\n" + entry("Contact", "Gap", "9") +
-         "subsection Exact solution\nset Displacement = " + displacement +
-         "\nset Displacement gradient = " + gradient + "\nend\nsubsection Discretization\n" +
-         discretization + "end\n";
+         "\nset Contact = bottom\nend\n"
+         "Contact/Gap = 9\n"
+         "subsection Exact solution\nset Displacement = " +
+         displacement + "\nset Displacement gradient = " + gradient +
+         "\nend\nsubsection Discretization\n" + discretization + "end\n";
 }
 
 DisplacementErrors errors(const OneLevel &level, const Displacement &U)
@@ -46,12 +47,13 @@ void norms(Checks &checks,
            const double h1_seminorm_squared,
            const double tolerance)
 {
+  checks.about(name);
   const DisplacementErrors found = errors(level, nothing(level));
   const double h1 = std::sqrt(l2_squared + h1_seminorm_squared);
-  checks.near(name + ": L2", found.l2, std::sqrt(l2_squared), tolerance);
-  checks.near(name + ": H1", found.h1, h1, tolerance);
+  checks.near("L2", found.l2, std::sqrt(l2_squared), tolerance);
+  checks.near("H1", found.h1, h1, tolerance);
   if (found.post_h1)
-    checks.near(name + ": recovered", *found.post_h1, h1, tolerance);
+    checks.near("recovered", *found.post_h1, h1, tolerance);
 }
 
 void polynomials(Checks &checks)
@@ -71,7 +73,8 @@ void polynomials(Checks &checks)
   norms(checks,
         "polynomial, gradient by differences",
         OneLevel("subsection Boundary\nset Displacement = top: " + u +
-                   "\nset Contact = bottom\nend\n" + entry("Contact", "Gap", "9") +
+                   "\nset Contact = bottom\nend\n"
+                   "Contact/Gap = 9\n" +
                    entry("Exact solution", "Displacement", u),
                  2),
         l2,
@@ -101,7 +104,7 @@ void kinks(Checks &checks)
 /** Against the interpolant of u itself. */
 void interpolants(Checks &checks)
 {
-  const OneLevel a1(entry("Scene", "Name", "A1"), 2);
+  const OneLevel a1("Scene/Name = A1\n", 2);
   const auto &exact = *a1.scene.exact_displacement;
   const Displacement Iu = nodal_values(
     a1.space(), [&](const Point<2> &x) { return Point<2>(exact.value(x, 0), exact.value(x, 1)); });
@@ -146,9 +149,9 @@ void linear_pressure(Checks &checks)
     for (unsigned int tau = 0; tau < n; ++tau)
       P[tau] = -1. - (tau + 0.5) / n;
     const PressureErrors found = compute_pressure_errors(level.multipliers(), P, 4);
-    const std::string name = "linear pressure, patches " + std::to_string(n);
-    checks.near(name + ": L2", found.l2, 1. / n / std::sqrt(12.), 1e-15);
-    checks.near(name + ": recovered", found.post_l2, 0., 1e-14);
+    checks.about("linear pressure, patches " + std::to_string(n));
+    checks.near("L2", found.l2, 1. / n / std::sqrt(12.), 1e-15);
+    checks.near("recovered", found.post_l2, 0., 1e-14);
   }
 }
 
@@ -213,14 +216,6 @@ void threads(Checks &checks)
 
 int main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
-  polynomials(checks);
-  kinks(checks);
-  interpolants(checks);
-  linear_pressure(checks);
-  square_root(checks);
-  threads(checks);
-  return checks.exit_code();
+  return run_tests(
+    argc, argv, {polynomials, kinks, interpolants, linear_pressure, square_root, threads});
 }

@@ -7,6 +7,7 @@
 #include <signorini/solvers/contact/dual_problem.h>
 
 #include <algorithm>
+#include <array>
 
 #include "one_level.h"
 #include "tests.h"
@@ -45,65 +46,45 @@ void locking(Checks &checks)
     const OneLevel level(block + "subsection Material\n" + material + "end\n", 3);
     return locking_number(level.discretization.mesh, *level.scene.material);
   };
-  checks.near("nu = 0.3 does not lock", number("set Poisson's ratio = 0.3\n"), 0., 0.);
-  checks.near("nu = 0.49", number("set Poisson's ratio = 0.49\n"), 50. / 64., 1e-12);
-  checks.near("units do not matter",
-              number("set Poisson's ratio = 0.49\nset Young's modulus = 2e9\n"),
-              50. / 64.,
-              1e-12);
-  checks.near("plane stress does not lock",
-              number("set Poisson's ratio = 0.4999\nset Plane state = stress\n"),
-              0.,
-              0.);
-  // K = (100 + 2 * 98 + 100)/4 = 99, mu = 1 in all directions.
-  checks.near("general law",
-              number("set Law = general\nset Hooke tensor = 100; 98; 0; 100; 0; 1\n"),
-              99. / 64.,
-              1e-12);
+  // General law: K = (100 + 2 * 98 + 100)/4 = 99, mu = 1 in all directions. Units do not matter,
+  // and plane stress does not lock.
+  for (const auto &[material, expected] :
+       {std::pair("set Poisson's ratio = 0.3\n", 0.),
+        std::pair("set Poisson's ratio = 0.49\n", 50. / 64.),
+        std::pair("set Poisson's ratio = 0.49\nset Young's modulus = 2e9\n", 50. / 64.),
+        std::pair("set Poisson's ratio = 0.4999\nset Plane state = stress\n", 0.),
+        std::pair("set Law = general\nset Hooke tensor = 100; 98; 0; 100; 0; 1\n", 99. / 64.)})
+    checks.near(material, number(material), expected, expected == 0. ? 0. : 1e-12);
 }
 
-/** C = (1 1; 1 1) in all, or only where nothing touches. */
+/** Two patches that cannot be told apart, two that can, and two that cannot, but are open. */
 void uniqueness(Checks &checks)
 {
-  dealii::FullMatrix<double> C(3, 3);
-  for (unsigned int i = 0; i < 3; ++i)
-    C(i, i) = 1.;
-  dealii::Vector<double> F(3);
-  const auto is_unique = [&](const double F_2) {
-    F[0] = F[1] = -1.;
-    F[2] = F_2;
-    dealii::Vector<double> P(3);
-    P[0] = -1.;
-    return BoundConstrainedQP(C, F).has_unique_solution(P);
+  struct Row
+  {
+    double c_01, c_02, c_12;
+    std::array<double, 3> F, P;
+    bool is_unique;
   };
-  C(0, 1) = C(1, 0) = 1.;
-  checks.that("two patches that cannot be told apart", !is_unique(1.));
-  C(0, 1) = C(1, 0) = 0.5;
-  F = 0.;
-  dealii::Vector<double> P(3);
-  F[0] = F[1] = -1.5;
-  F[2] = 1.;
-  P[0] = P[1] = -1.;
-  checks.that("two that can", BoundConstrainedQP(C, F).has_unique_solution(P));
-  C(1, 2) = C(2, 1) = 1.;
-  C(0, 2) = C(2, 0) = 0.5;
-  C(0, 1) = C(1, 0) = 0.5;
-  F[0] = -1.;
-  F[1] = 1.;
-  F[2] = 1.;
-  P[0] = -1.;
-  P[1] = P[2] = 0.;
-  checks.that("two that cannot, but are open", BoundConstrainedQP(C, F).has_unique_solution(P));
+  for (const Row &row : {Row{1., 0., 0., {{-1., -1., 1.}}, {{-1., 0., 0.}}, false},
+                         Row{0.5, 0., 0., {{-1.5, -1.5, 1.}}, {{-1., -1., 0.}}, true},
+                         Row{0.5, 0.5, 1., {{-1., 1., 1.}}, {{-1., 0., 0.}}, true}})
+  {
+    dealii::FullMatrix<double> C(3, 3);
+    for (unsigned int i = 0; i < 3; ++i)
+      C(i, i) = 1.;
+    C(0, 1) = C(1, 0) = row.c_01;
+    C(0, 2) = C(2, 0) = row.c_02;
+    C(1, 2) = C(2, 1) = row.c_12;
+    using Vector = dealii::Vector<double>;
+    checks.that("unique",
+                BoundConstrainedQP(C, Vector(row.F.begin(), row.F.end()))
+                    .has_unique_solution(Vector(row.P.begin(), row.P.end())) == row.is_unique);
+  }
 }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  means(checks);
-  locking(checks);
-  uniqueness(checks);
-  return checks.exit_code();
+  return run_tests(argc, argv, {means, locking, uniqueness});
 }

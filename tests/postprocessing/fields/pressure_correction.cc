@@ -6,8 +6,8 @@
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/solvers/contact/compliance.h>
 
-#include "solved_level.h"
 #include "one_level.h"
+#include "solved_level.h"
 #include "study_helpers.h"
 #include "tests.h"
 
@@ -24,14 +24,12 @@ std::string with_ratio(const std::string &text, const unsigned int ratio)
 
 PressureCorrection correct(const SolvedLevel &given, const Pressure &P)
 {
-  const Discretization<2> &level = given.level;
-  const FreeState free =
-    solve_free_state(*given.inverse, level.space, given.system.f, level.D, level.G);
+  const Discretization<2> &level = given.discretization;
   return correct_pressure<2>(
     {level.space,
      given.scene,
      level.multipliers,
-     free.U,
+     given.free.U,
      P,
      level.condensed_D,
      *given.inverse,
@@ -98,7 +96,7 @@ void energy_of_correction(Checks &checks)
       const std::string name = std::string(scene) + ", H = " + std::to_string(ratio) + " h: ";
       checks.that(name + "not zero", found.energy_norm > 0.);
       checks.near(name + "load times solution = energy",
-                  energy_norm(level.level.space, level.scene, found.z) / found.energy_norm,
+                  energy_norm(level.space(), level.scene, found.z) / found.energy_norm,
                   1.,
                   1e-9);
     }
@@ -115,7 +113,7 @@ void nothing_to_correct(Checks &checks)
     constant.add(-0.25);
     const PressureCorrection found = correct(level, constant);
     checks.near(std::string(scene) + ", a constant pressure",
-                found.energy_norm / energy_norm(level.level.space, level.scene, level.U),
+                found.energy_norm / energy_norm(level.space(), level.scene, level.U),
                 0.,
                 1e-12);
   }
@@ -150,12 +148,6 @@ void long_patches(Checks &checks)
 
 int main(int argc, char **argv)
 {
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
-  linear_pressure(checks);
-  energy_of_correction(checks);
-  nothing_to_correct(checks);
-  long_patches(checks);
-  return checks.exit_code();
+  return run_tests(
+    argc, argv, {linear_pressure, energy_of_correction, nothing_to_correct, long_patches});
 }

@@ -19,33 +19,35 @@ Stress3D stress(const double xx, const double yy, const double zz, const double 
   return result;
 }
 
-void principal(Checks &checks,
-               const std::string &name,
-               const Stress3D &state,
-               const std::array<double, 3> &expected)
+void von_mises_stress(Checks &checks)
 {
-  for (unsigned int i = 0; i < 3; ++i)
-    checks.near(
-      name + " " + std::to_string(i + 1), principal_stresses(state)[i], expected[i], 1e-15);
+  // Uniaxial, hydrostatic, pure shear, across the plane, and uniaxial in plane strain, nu = 0.3:
+  // sqrt(1 - nu + nu^2) of the stress.
+  for (const auto &[state, expected] : {std::pair(stress(0., -2., 0., 0.), 2.),
+                                        std::pair(stress(-3., -3., -3., 0.), 0.),
+                                        std::pair(stress(0., 0., 0., 1.), std::sqrt(3.)),
+                                        std::pair(stress(1., 0., 1., 0.), 1.),
+                                        std::pair(stress(0., -1., -0.3, 0.), std::sqrt(0.79))})
+    checks.near("von Mises", von_mises(state), expected, 1e-15);
+  Stress3D out_of_plane;
+  out_of_plane[0][2] = out_of_plane[1][2] = 1.;
+  checks.near("shear out of the plane", von_mises(out_of_plane), std::sqrt(6.), 1e-15);
+}
+
+void principal(Checks &checks)
+{
+  using Three = std::array<double, 3>;
+  for (const auto &[state, expected] :
+       {std::pair(stress(0., 0., 0., 1.), Three{{1., 0., -1.}}),
+        std::pair(stress(3., -1., 0.5, 0.), Three{{3., 0.5, -1.}}),
+        std::pair(stress(-1., -1., -2., 0.), Three{{-1., -1., -2.}}),
+        std::pair(stress(2., 2., -4., 1.), Three{{3., 1., -4.}})})
+    for (unsigned int i = 0; i < 3; ++i)
+      checks.near("principal stresses", principal_stresses(state)[i], expected[i], 1e-15);
 }
 } // namespace
 
 int main()
 {
-  Checks checks;
-  checks.near("uniaxial", von_mises(stress(0., -2., 0., 0.)), 2., 1e-15);
-  checks.near("hydrostatic", von_mises(stress(-3., -3., -3., 0.)), 0., 1e-15);
-  checks.near("pure shear", von_mises(stress(0., 0., 0., 1.)), std::sqrt(3.), 1e-15);
-  checks.near("stress across the plane", von_mises(stress(1., 0., 1., 0.)), 1., 1e-15);
-  // Uniaxial in plane strain, nu = 0.3: sqrt(1 - nu + nu^2) of the stress.
-  checks.near("plane strain", von_mises(stress(0., -1., -0.3, 0.)), std::sqrt(0.79), 1e-15);
-  Stress3D out_of_plane;
-  out_of_plane[0][2] = out_of_plane[1][2] = 1.;
-  checks.near("shear out of the plane", von_mises(out_of_plane), std::sqrt(6.), 1e-15);
-
-  principal(checks, "pure shear", stress(0., 0., 0., 1.), {{1., 0., -1.}});
-  principal(checks, "across between the others", stress(3., -1., 0.5, 0.), {{3., 0.5, -1.}});
-  principal(checks, "all in compression", stress(-1., -1., -2., 0.), {{-1., -1., -2.}});
-  principal(checks, "turned", stress(2., 2., -4., 1.), {{3., 1., -4.}});
-  return checks.exit_code();
+  return run_tests({von_mises_stress, principal});
 }

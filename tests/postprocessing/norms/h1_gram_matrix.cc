@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A_1, the Gram matrix of V^h in (.,.)_{1,Omega}: symmetric, positive definite, and the squares of
+// A_1, the Gram matrix of V^h in (.,.)_{1,Omega}: the squares of
 // the norms of linear fields, integrated over a polygon by hand.
 
 #include <signorini/postprocessing/norms/spectral_norm.h>
 #include <signorini/problem/input/make_scene.h>
-
-#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,19 +20,12 @@ const std::vector<Point<2>> corners = {{0., 0.}, {2., 0.}, {2.5, 1.5}, {1., 2.5}
 /** By the shoelace formula. */
 constexpr double area = 5.;
 
-Scene<2> pentagon()
+/** Nothing holds the body: no row is condensed. */
+Scene<2> loose(const std::string &vertices)
 {
-  return make_scene<2>(parse_parameters("subsection Geometry\nset Shape = polygon\n"
-                                        "set Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\nend\n"
-                                        "subsection Boundary\nset Contact = side0 side2\n"
-                                        "set Rollers = side1\nset Clamped = side3\nend\n",
-                                        "test"));
-}
-
-/** The same without anything that holds it: no row is condensed. */
-Scene<2> loose()
-{
-  Scene<2> scene = pentagon();
+  Scene<2> scene = scene_of("Geometry/Shape = polygon\nBoundary/Contact = side0\n"
+                            "Boundary/Clamped = side2\nGeometry/Vertices = " +
+                            vertices);
   for (auto &condition : scene.boundary)
     condition.role = Role::free;
   return scene;
@@ -96,14 +87,14 @@ void linear_fields(Checks &checks)
   const Field rotation = [](const Point<2> &x) { return Point<2>(-x[1], x[0]); };
   for (const unsigned int level : {0U, 2U})
   {
-    const GramMatrix body(loose(), level);
-    const std::string name = "level " + std::to_string(level);
+    const GramMatrix body(loose("0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1"), level);
+    checks.about("level " + std::to_string(level));
     const Displacement v = nodal_values(body.space, linear), r = nodal_values(body.space, rotation);
     // |grad v|^2 = 0.09 + 0.49 + 1.21 + 0.16.
     const double square = integral(linear, linear) + 1.95 * area;
-    checks.near(name + ": a linear field", body.product(v, v), square, 1e-12 * square);
+    checks.near("a linear field", body.product(v, v), square, 1e-12 * square);
     // grad v : grad r = 1.1 + 0.7.
-    checks.near(name + ": a linear field and a rotation",
+    checks.near("a linear field and a rotation",
                 body.product(v, r),
                 integral(linear, rotation) + 1.8 * area,
                 1e-11);
@@ -119,17 +110,7 @@ void trapezoids(Checks &checks)
 {
   for (const double a : {0.25, 1., 3., 15.})
   {
-    Scene<2> scene = make_scene<2>(
-      parse_parameters("subsection Geometry\nset Shape = polygon\nset Vertices = 0,0; "
-                       "1,0; 1," +
-                         std::to_string(1. + a) +
-                         "; 0,1\nend\n"
-                         "subsection Boundary\nset Contact = side0\n"
-                         "set Clamped = side2\nend\n",
-                       "test"));
-    for (auto &condition : scene.boundary)
-      condition.role = Role::free;
-    const GramMatrix body(std::move(scene), 0);
+    const GramMatrix body(loose("0,0; 1,0; 1," + std::to_string(1. + a) + "; 0,1"), 0);
     const Displacement v =
       nodal_values(body.space, [](const Point<2> &x) { return Point<2>(x[1] > 0. ? 1. : 0., 0.); });
     const double square = (1. + a / 2.) / 3. + (1. + a * a / 3.) * std::log(1. + a) / a;
@@ -140,37 +121,9 @@ void trapezoids(Checks &checks)
   }
 }
 
-void positive_definite(Checks &checks, const std::string &name, const GramMatrix &body)
-{
-  const unsigned int n = body.space.dofs().n_dofs();
-  dealii::LAPACKFullMatrix<double> dense(n, n);
-  double asymmetry = 0., size = 0.;
-  for (const auto &entry : body.A_1)
-    dense(entry.row(), entry.column()) = entry.value();
-  for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int j = 0; j < n; ++j)
-    {
-      asymmetry = std::max(asymmetry, std::abs(dense(i, j) - dense(j, i)));
-      size = std::max(size, std::abs(dense(i, j)));
-    }
-  checks.near(name + ": symmetric", asymmetry, 0., 1e-14 * size);
-  dealii::Vector<double> eigenvalues;
-  dealii::FullMatrix<double> vectors;
-  dense.compute_eigenvalues_symmetric(-1e300, 1e300, 0., eigenvalues, vectors);
-  checks.that(name + ": positive definite",
-              eigenvalues.size() == n &&
-                *std::min_element(eigenvalues.begin(), eigenvalues.end()) > 1e-3 * size / n);
-}
 } // namespace
 
 int main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  linear_fields(checks);
-  trapezoids(checks);
-  positive_definite(checks, "loose", GramMatrix(loose(), 2));
-  positive_definite(checks, "held", GramMatrix(pentagon(), 2));
-  return checks.exit_code();
+  return run_tests(argc, argv, {linear_fields, trapezoids});
 }

@@ -93,73 +93,63 @@ void peak(Checks &checks)
               !peak_pressure(coarse.multipliers, Pressure(coarse.multipliers.n_multipliers())));
 }
 
-/** Which nodes of a row press, as a text: "PPO". */
-std::vector<PressedInterval> intervals(const Polynomials &where, const std::string &pressing)
+/** Which nodes of a row press, as a text: "PPO". @return start, end and uncertainties. */
+std::vector<double> intervals(const Polynomials &where, const std::string &pressing)
 {
   Pressure P(where.multipliers.n_multipliers());
   for (unsigned int k = 0; k < P.size(); ++k)
     P[k] = pressing.at(k) == 'P' ? -1. : 0.;
-  return pressed_intervals(where.multipliers, P);
+  std::vector<double> found;
+  for (const PressedInterval &zone : pressed_intervals(where.multipliers, P))
+    found.insert(found.end(),
+                 {zone.start.s, zone.start.uncertainty, zone.end.s, zone.end.uncertainty});
+  return found;
 }
 
 void zones(Checks &checks)
 {
   // Gauss nodes of two faces: their middles, and (3/5)^{1/2} of half a face away from there.
   const Polynomials where(square(2), 0, 3);
-  const double r = 0.25 * std::sqrt(0.6);
-  const double nodes[] = {0.25 - r, 0.25, 0.25 + r, 0.75 - r, 0.75, 0.75 + r};
-  const auto middle = [&](const int i, const int j) { return 0.5 * (nodes[i] + nodes[j]); };
-  checks.that("no zone", intervals(where, "OOOOOO").empty());
-  auto found = intervals(where, "PPPPPP");
-  checks.that("a whole side",
-              found.size() == 1 && found[0].length() == 1. && found[0].end.uncertainty == 0.);
-  found = intervals(where, "PPPPOO");
-  checks.that("one zone", found.size() == 1 && found[0].start.s == 0.);
-  checks.near("it ends in the middle of two nodes", found[0].end.s, middle(3, 4), 1e-15);
-  checks.near("uncertainty", found[0].end.uncertainty, 0.5 * r, 1e-15);
-  found = intervals(where, "OPPOOP");
-  checks.that("two zones", found.size() == 2);
-  checks.near("  the first", found[0].length(), middle(2, 3) - middle(0, 1), 1e-15);
-  checks.near("  the second", found[1].length(), 1. - middle(4, 5), 1e-15);
-  found = intervals(where, "PPOPOO");
-  checks.that("alternating nodes are one end", found.size() == 1);
-  checks.near("  in their middle", found[0].end.s, middle(1, 4), 1e-15);
-  checks.near("  less certain", found[0].end.uncertainty, 0.5 * (nodes[4] - nodes[1]), 1e-15);
-  found = intervals(where, "OOPOPO");
-  checks.that("or one short zone", found.size() == 1);
-  checks.near("  from", found[0].start.s, middle(1, 2), 1e-15);
-  checks.near("  to", found[0].end.s, middle(4, 5), 1e-15);
+  const double r = 0.25 * std::sqrt(0.6), inner = 0.5 * r, outer = 0.25 - r;
+  // The middles of neighbours, and of the nodes around a lone one.
+  const double a = 0.25 - inner, b = 0.25 + inner, c = 0.5, d = 0.75 - inner, e = 0.75 + inner,
+               alternating = 0.5 * (0.25 + 0.75);
+  for (const auto &[pressing, expected] : std::vector<std::pair<std::string, std::vector<double>>>{
+         {"OOOOOO", {}},
+         {"PPPPPP", {0., 0., 1., 0.}},
+         {"PPPPOO", {0., 0., d, inner}},
+         {"OPPOOP", {a, inner, c, outer, e, inner, 1., 0.}},
+         // Alternating nodes are one end, less certain, or one short zone.
+         {"PPOPOO", {0., 0., alternating, 0.25}},
+         {"OOPOPO", {b, inner, e, inner}}})
+    checks.near("zones " + pressing, intervals(where, pressing), expected, 1e-15);
 
   const Pressure P = where.values([](const double x) { return std::min(0., x - 0.6); });
   const auto of_answer = contact_zones(where.multipliers, P);
   const ContactSummary summary = summarise_contact(where.multipliers, P);
   checks.that("the answer has the same zones",
               of_answer.size() == 1 && of_answer[0].start.place.side == "bottom" &&
-                of_answer[0].length == middle(3, 4));
-  checks.near("its point", of_answer[0].end.place.point[0], middle(3, 4), 1e-15);
-  checks.near("contact length", summary.length, middle(3, 4), 1e-15);
-  checks.that("pressing multipliers", summary.active == 4);
-  checks.near("largest P", summary.max_pressure, 0.6 - nodes[0], 1e-15);
+                summary.active == 4);
+  checks.near("lengths",
+              {of_answer[0].length, of_answer[0].end.place.point[0], summary.length},
+              {d, d, d},
+              1e-15);
+  checks.near("largest P", summary.max_pressure, 0.6 - (0.25 - r), 1e-15);
 }
 
 void zones_around(Checks &checks)
 {
   // Eight faces with two nodes each.
-  const Polynomials ring(entry("Scene", "Name", "E1"), 0, 2);
-  const double around = ring.scene().geometry.sides[1].length(), face = around / 8.;
-  const double inner = face / std::sqrt(3.), outer = face - inner;
-  auto found = intervals(ring, "PPPOOOOOOOOOOOOP");
-  checks.that("a zone across the seam is one", found.size() == 1);
-  checks.near("its start", found[0].start.s, around - 0.5 * face, 1e-12);
-  checks.near("its end", found[0].end.s, around + 1.5 * face, 1e-12);
-  checks.near("uncertainty", found[0].end.uncertainty, 0.5 * inner, 1e-12);
-  found = intervals(ring, "OOOOPPPPPPPPPPPP");
-  checks.that("a zone that ends at the seam", found.size() == 1);
-  checks.near("its end", found[0].end.s, around, 1e-12);
-  checks.near("between two faces", found[0].end.uncertainty, 0.5 * outer, 1e-12);
-  checks.that("two zones", intervals(ring, "PPPPOOOOPPPPOOOO").size() == 2);
-  checks.that("open at one node", intervals(ring, "PPPOPPPPPPPPPPPP").size() == 1);
-  checks.that("pressed at one node", intervals(ring, "OOOPOOOOOOOOOOOO").size() == 1);
+  const Polynomials ring("Scene/Name = E1\n", 0, 2);
+  const double around = ring.scene().geometry.sides[1].length(), face = around / 8.,
+               inner = 0.5 * face / std::sqrt(3.), outer = 0.5 * face - inner;
+  for (const auto &[pressing, expected] : std::vector<std::pair<std::string, std::vector<double>>>{
+         {"PPPOOOOOOOOOOOOP", {around - 0.5 * face, inner, around + 1.5 * face, inner}},
+         {"OOOOPPPPPPPPPPPP", {2. * face, outer, around, outer}}})
+    checks.near("zones across the seam", intervals(ring, pressing), expected, 1e-12);
+  checks.that("two zones", intervals(ring, "PPPPOOOOPPPPOOOO").size() == 8);
+  checks.that("open at one node", intervals(ring, "PPPOPPPPPPPPPPPP").size() == 4);
+  checks.that("pressed at one node", intervals(ring, "OOOPOOOOOOOOOOOO").size() == 4);
   const auto all = contact_zones(ring.multipliers, ring.values([](double) { return -1.; }));
   checks.that("all around", all.size() == 1 && std::abs(all[0].length - around) < 1e-12);
   checks.near("from its start to its start",
@@ -174,10 +164,13 @@ void forces(Checks &checks)
   const Polynomials where(square(3), 0, 3);
   const Pressure P = where.values([](const double x) { return -1. - 3. * x * x; });
   const auto found = contact_force(where.multipliers, {2}, P);
-  checks.near("force", found.resultant.force[1], 2., 1e-14);
-  checks.near("moment", found.resultant.moment[0], 1.25, 1e-14);
-  checks.near("line of action", (*found.through)[0], 0.625, 1e-14);
-  checks.near("normal force", summarise_contact(where.multipliers, P).normal_force, 2., 1e-14);
+  checks.near("force, moment, line of action, normal force",
+              {found.resultant.force[1],
+               found.resultant.moment[0],
+               (*found.through)[0],
+               summarise_contact(where.multipliers, P).normal_force},
+              {2., 1.25, 0.625, 2.},
+              1e-14);
 }
 
 void graded(Checks &checks)
@@ -203,13 +196,5 @@ void graded(Checks &checks)
 
 int main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  peak(checks);
-  zones(checks);
-  zones_around(checks);
-  forces(checks);
-  graded(checks);
-  return checks.exit_code();
+  return run_tests(argc, argv, {peak, zones, zones_around, forces, graded});
 }

@@ -36,6 +36,7 @@ void compare(Checks &checks,
              const dealii::TrilinosWrappers::SparseMatrix &A,
              const double unit)
 {
+  checks.about(name);
   double seconds = 0.;
   const auto compliance = [&](const StiffnessInverse &inverse) {
     return dealii::FullMatrix<double>(
@@ -44,19 +45,18 @@ void compare(Checks &checks,
   const auto &D = level.discretization.condensed_D;
   const auto condensed = factorise(A, unit, LinearSolver::condensed, contact_unknowns(D));
   const auto C = compliance(*condensed);
-  checks.that(name + ": no solve", condensed->n_solves() == 0);
-  checks.near(name + ": symmetric", asymmetry(C), 0., 0.);
+  checks.that("no solve", condensed->n_solves() == 0);
+  checks.near("symmetric", asymmetry(C), 0., 0.);
   for (const LinearSolver solver : {LinearSolver::amesos_klu, LinearSolver::amesos_mumps})
   {
     const auto inverse = factorise(A, unit, solver);
     const std::string other = to_text(solver);
-    checks.near(name + ": C as by " + other, relative_distance(C, compliance(*inverse)), 0., 1e-12);
-    checks.that(name + ": a solve per patch by " + other, inverse->n_solves() == C.m());
+    checks.near("C as by " + other, relative_distance(C, compliance(*inverse)), 0., 1e-12);
+    checks.that("a solve per patch by " + other, inverse->n_solves() == C.m());
   }
   // Without the contact unknowns the columns are solved for.
   const auto plain = factorise(A, unit, LinearSolver::condensed);
-  checks.near(
-    name + ": C by solves with CHOLMOD", relative_distance(compliance(*plain), C), 0., 1e-12);
+  checks.near("C by solves with CHOLMOD", relative_distance(compliance(*plain), C), 0., 1e-12);
 }
 
 void compare(Checks &checks, const std::string &name, const std::string &text, const unsigned int n)
@@ -68,16 +68,11 @@ void compare(Checks &checks, const std::string &name, const std::string &text, c
   compare(checks, name + ", A_1", level, assemble_h1_gram_matrix(level.space()), 1.);
 }
 
-std::string boundary(const std::string &roles)
-{
-  return "subsection Boundary\n" + roles + "end\n";
-}
-
 /** The interface of C with one solve per column that is asked for, and not one more. */
 void columns_on_demand(Checks &checks)
 {
-  const OneLevel level(boundary("set Clamped = top\nset Contact = bottom left\n") +
-                         entry("Material", "Young's modulus", "40"),
+  const OneLevel level("Boundary/Clamped = top\nBoundary/Contact = bottom left\n"
+                       "Material/Young's modulus = 40\n",
                        4);
   const LinearSystem<2> system = assemble_linear_system(level.space(), level.scene, 2);
   const auto &D = level.discretization.condensed_D;
@@ -97,44 +92,39 @@ void columns_on_demand(Checks &checks)
   const auto all = RandomNumbers(4).vector(m);
   for (const LinearSolver solver : {LinearSolver::condensed, LinearSolver::amesos_mumps})
   {
-    const std::string name = "columns by " + std::string(to_text(solver));
+    checks.about("columns by " + std::string(to_text(solver)));
     const auto inverse = factorise(system.matrix, system.unit, solver);
     unsigned int n_done = 0;
     const ColumnCompliance by_columns(
       *inverse, D, seconds, [&](const unsigned int n) { n_done = n; });
-    checks.that(name + ": size", by_columns.size() == m && !by_columns.is_explicit());
-    checks.near(name + ": C P for two pressing patches",
-                distance(by_columns.apply(few), product),
-                0.,
-                1e-12 * size);
-    checks.that(name + ": two solves", inverse->n_solves() == 2 && n_done == 2);
-    checks.near(name + ": C_kk P_k",
+    checks.that("size", by_columns.size() == m && !by_columns.is_explicit());
+    checks.near(
+      "C P for two pressing patches", distance(by_columns.apply(few), product), 0., 1e-12 * size);
+    checks.that("two solves", inverse->n_solves() == 2 && n_done == 2);
+    checks.near("C_kk P_k",
                 distance(by_columns.diagonal_times(few), known->diagonal_times(few)),
                 0.,
                 1e-12 * size);
-    checks.that(name + ": no further solve", inverse->n_solves() == 2);
+    checks.that("no further solve", inverse->n_solves() == 2);
     const dealii::FullMatrix<double> two = by_columns.columns({m - 3, 5});
     double largest = 0.;
     for (unsigned int i = 0; i < m; ++i)
       largest =
         std::max({largest, std::abs(two(i, 0) - C(i, m - 3)), std::abs(two(i, 1) - C(i, 5))});
-    checks.near(name + ": columns in the order asked for", largest, 0., 1e-12 * size);
-    checks.that(name + ": a third solve", inverse->n_solves() == 3 && !by_columns.is_explicit());
+    checks.near("columns in the order asked for", largest, 0., 1e-12 * size);
+    checks.that("a third solve", inverse->n_solves() == 3 && !by_columns.is_explicit());
     const dealii::FullMatrix<double> block = submatrix(by_columns, {2, 5});
-    checks.near(name + ": a block",
+    checks.near("a block",
                 std::abs(block(0, 0) - C(2, 2)) + std::abs(block(1, 1) - C(5, 5)) +
                   std::abs(block(0, 1) - C(2, 5)) + std::abs(block(1, 0) - C(5, 2)),
                 0.,
                 1e-12 * size);
+    checks.near("diagonal", distance(by_columns.diagonal(), known->diagonal()), 0., 1e-12 * size);
+    checks.near("all of C", relative_distance(by_columns.dense(), C), 0., 1e-12);
+    checks.near("symmetric", asymmetry(by_columns.dense()), 0., 0.);
     checks.near(
-      name + ": diagonal", distance(by_columns.diagonal(), known->diagonal()), 0., 1e-12 * size);
-    checks.near(name + ": all of C", relative_distance(by_columns.dense(), C), 0., 1e-12);
-    checks.near(name + ": symmetric", asymmetry(by_columns.dense()), 0., 0.);
-    checks.near(name + ": C P for all patches",
-                distance(by_columns.apply(all), known->apply(all)),
-                0.,
-                1e-12 * size);
-    checks.that(name + ": a solve per column and no more",
+      "C P for all patches", distance(by_columns.apply(all), known->apply(all)), 0., 1e-12 * size);
+    checks.that("a solve per column and no more",
                 inverse->n_solves() == m && n_done == m && by_columns.is_explicit());
   }
 }
@@ -143,38 +133,29 @@ void columns_on_demand(Checks &checks)
 
 int main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  columns_on_demand(checks);
-  const std::string clamped = boundary("set Clamped = top\nset Contact = bottom\n");
-  for (const unsigned int n : {1U, 4U})
-    compare(checks, "level " + std::to_string(n), clamped, n);
-  compare(checks, "H = h", clamped + entry("Discretization", "Patch ratio", "1"), 4);
-  compare(checks,
-          "patches aligned with nothing",
-          clamped + entry("Discretization", "Patches", "5") +
-            entry("Geometry", "Distortion", "0.2"),
-          3);
-  compare(checks,
-          "two contact sides and a corner",
-          boundary("set Clamped = top\nset Contact = bottom left\n"),
-          4);
-  compare(checks,
-          "contact all around",
-          boundary("set Contact = bottom left top\nset Clamped = right\n"),
-          3);
-  compare(
-    checks,
-    "rollers and prescribed displacements",
-    boundary("set Rollers = left right\nset Displacement = top: 0; -0.1\nset Contact = bottom\n"),
-    3);
-  const std::string pentagon = "subsection Geometry\nset Shape = polygon\n"
-                               "set Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\nend\n";
-  compare(checks,
-          "oblique rollers next to oblique contact",
-          pentagon +
-            boundary("set Contact = side0 side2\nset Rollers = side1 side4\nset Clamped = side3\n"),
-          2);
-  return checks.exit_code();
+  return run_tests(
+    argc,
+    argv,
+    {columns_on_demand, [](Checks &checks) {
+       const std::string pentagon =
+         "Geometry/Shape = polygon\nGeometry/Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\n";
+       for (const auto &[name, text, level] :
+            {std::tuple("two faces", "Boundary/Clamped = top\nBoundary/Contact = bottom\n", 1U),
+             std::tuple("patches aligned with nothing",
+                        "Boundary/Clamped = top\nBoundary/Contact = bottom\n"
+                        "Discretization/Patches = 5\nGeometry/Distortion = 0.2\n",
+                        3U),
+             std::tuple("contact all around",
+                        "Boundary/Contact = bottom left top\nBoundary/Clamped = right\n",
+                        3U),
+             std::tuple("rollers and prescribed displacements, H = h",
+                        "Boundary/Rollers = left right\nBoundary/Displacement = top: 0; -0.1\n"
+                        "Boundary/Contact = bottom\nDiscretization/Patch ratio = 1\n",
+                        4U),
+             std::tuple("oblique rollers next to oblique contact",
+                        "Boundary/Contact = side0 side2\nBoundary/Rollers = side1 side4\n"
+                        "Boundary/Clamped = side3\n",
+                        2U)})
+         compare(checks, name, (level == 2 ? pentagon : "") + text, level);
+     }});
 }

@@ -95,47 +95,49 @@ void choice(Checks &checks, const Matrix &C, const Vector &F)
 
 int main()
 {
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  const unsigned int m = 40;
-  const Matrix C = make_compliance(m);
+  return run_tests({[](Checks &checks) {
+    const unsigned int m = 40;
+    const Matrix C = make_compliance(m);
 
-  Vector F(m);
-  for (unsigned int i = 0; i < m; ++i)
-    F[i] = std::pow((double(i) - 20.) / 20., 2) - 0.1;
-  const unsigned int n = compare(checks, "a dent", C, F, Vector());
-  checks.between("a dent: columns", n, 1, 20);
+    Vector F(m);
+    for (unsigned int i = 0; i < m; ++i)
+      F[i] = std::pow((double(i) - 20.) / 20., 2) - 0.1;
+    const unsigned int n = compare(checks, "a dent", C, F, Vector());
+    checks.between("a dent: columns", n, 1, 20);
 
-  Vector start(m);
-  for (unsigned int i = 30; i < m; ++i)
-    start[i] = -1.;
-  compare(checks, "a wrong start", C, F, start);
+    Vector start(m);
+    for (unsigned int i = 30; i < m; ++i)
+      start[i] = -1.;
+    compare(checks, "a wrong start", C, F, start);
 
-  // Pulled down at one place, with negative couplings to patches that were open: they close.
-  Matrix coupled = C;
-  for (unsigned int i = 0; i < m; ++i)
-    for (unsigned int j = 0; j < m; ++j)
-      coupled(i, j) = (i == j ? 2. : 0.) - (std::abs(int(i) - int(j)) == 1 ? 0.9 : 0.);
-  Vector pulled(m);
-  for (unsigned int i = 0; i < m; ++i)
-    pulled[i] = i == 20 ? -1. : 0.01;
-  const unsigned int joined = compare(checks, "patches that join", coupled, pulled, Vector());
-  checks.between("patches that join: columns", joined, 5, m - 5);
+    // Pulled down at one place, with negative couplings to patches that were open: they close.
+    Matrix coupled = C;
+    for (unsigned int i = 0; i < m; ++i)
+      for (unsigned int j = 0; j < m; ++j)
+        coupled(i, j) = (i == j ? 2. : 0.) - (std::abs(int(i) - int(j)) == 1 ? 0.9 : 0.);
+    Vector pulled(m);
+    for (unsigned int i = 0; i < m; ++i)
+      pulled[i] = i == 20 ? -1. : 0.01;
+    const unsigned int joined = compare(checks, "patches that join", coupled, pulled, Vector());
+    checks.between("patches that join: columns", joined, 5, m - 5);
 
-  RandomNumbers random(7);
-  for (unsigned int k = 0; k < 20; ++k)
-  {
-    const Vector shifted = random.vector(m);
-    compare(
-      checks, "random " + std::to_string(k), C, shifted, k % 2 == 0 ? Vector() : random.vector(m));
-  }
+    RandomNumbers random(7);
+    for (unsigned int k = 0; k < 20; ++k)
+    {
+      const Vector shifted = random.vector(m);
+      compare(checks,
+              "random " + std::to_string(k),
+              C,
+              shifted,
+              k % 2 == 0 ? Vector() : random.vector(m));
+    }
 
-  const ColumnsOnDemand columns(C);
-  Vector open(m);
-  open = 1.;
-  const QPResult nothing = solve_on_growing_set(columns, open, Vector(), by_active_set);
-  checks.that("nothing touches: no column",
-              columns.asked().empty() && nothing.P.linfty_norm() == 0.);
-  choice(checks, C, F);
-  return checks.exit_code();
+    const ColumnsOnDemand columns(C);
+    Vector open(m);
+    open = 1.;
+    const QPResult nothing = solve_on_growing_set(columns, open, Vector(), by_active_set);
+    checks.that("nothing touches: no column",
+                columns.asked().empty() && nothing.P.linfty_norm() == 0.);
+    choice(checks, C, F);
+  }});
 }

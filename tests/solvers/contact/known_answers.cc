@@ -48,27 +48,19 @@ BoundConstrainedQP make_qp(const Problem &problem)
   return make_qp(problem, AdmissibleSet::nonpositive(problem.F.size()));
 }
 
-double distance(const dealii::Vector<double> &P, const std::vector<double> &expected)
-{
-  double largest = 0.;
-  for (unsigned int i = 0; i < P.size(); ++i)
-    largest = std::max(largest, std::abs(P[i] - expected[i]));
-  return largest;
-}
-
 void solve(const Problem &problem, const BoundConstrainedQP &qp, Checks &checks)
 {
   const dealii::Vector<double> zero(qp.size());
-  const QPResult psor = solve_by_psor(qp, zero, {1e-12, 1000, 1.1});
-  checks.near(problem.name + ", psor", distance(psor.P, problem.P), 0., 1e-10);
-  const QPResult cold = solve_by_active_set(qp, {}, {1e-12, 100});
-  checks.near(problem.name + ", active set", distance(cold.P, problem.P), 0., 1e-14);
-  const QPResult warm = solve_by_active_set(qp, zero, {1e-12, 100});
-  checks.near(problem.name + ", active set from zero", distance(warm.P, problem.P), 0., 1e-14);
-  const QPResult mprgp = solve_by_mprgp(qp, {}, {1e-12, 1000});
-  checks.near(problem.name + ", mprgp", distance(mprgp.P, problem.P), 0., 1e-10);
-  checks.that(problem.name + ", converged",
-              psor.converged && cold.converged && warm.converged && mprgp.converged);
+  for (const auto &[method, result, tolerance] :
+       {std::tuple("psor", solve_by_psor(qp, zero, {1e-12, 1000, 1.1}), 1e-10),
+        std::tuple("active set", solve_by_active_set(qp, {}, {1e-12, 100}), 1e-14),
+        std::tuple("active set from zero", solve_by_active_set(qp, zero, {1e-12, 100}), 1e-14),
+        std::tuple("mprgp", solve_by_mprgp(qp, {}, {1e-12, 1000}), 1e-10)})
+  {
+    checks.about(problem.name + ", " + method);
+    checks.near("P", std::vector<double>(result.P.begin(), result.P.end()), problem.P, tolerance);
+    checks.that("converged", result.converged);
+  }
 }
 
 /** One patch with a normal unknown, P_0 <= 0, and a tangential one, |P_1| <= 1. */
@@ -98,27 +90,26 @@ void descend(const Problem &problem, Checks &checks)
 
 int main()
 {
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  for (const Problem &problem : problems)
-  {
-    solve(problem, make_qp(problem), checks);
-    descend(problem, checks);
-  }
-  for (const Problem &problem : two_components)
-    solve(problem, make_qp(problem, AdmissibleSet(1, {Interval(), {-1., 1.}})), checks);
-  const BoundConstrainedQP qp = make_qp(problems[0]);
-  const dealii::Vector<double> zero(2);
-  for (const double omega : {-1., 0., 2., 2.05})
-    checks.throws<std::invalid_argument>("omega outside (0,2)", "between 0 and 2", [&]() {
-      solve_by_psor(qp, zero, {1e-10, 10, omega});
+  return run_tests({[](Checks &checks) {
+    for (const Problem &problem : problems)
+    {
+      solve(problem, make_qp(problem), checks);
+      descend(problem, checks);
+    }
+    for (const Problem &problem : two_components)
+      solve(problem, make_qp(problem, AdmissibleSet(1, {Interval(), {-1., 1.}})), checks);
+    const BoundConstrainedQP qp = make_qp(problems[0]);
+    const dealii::Vector<double> zero(2);
+    for (const double omega : {-1., 0., 2., 2.05})
+      checks.throws<std::invalid_argument>("omega outside (0,2)", "between 0 and 2", [&]() {
+        solve_by_psor(qp, zero, {1e-10, 10, omega});
+      });
+    // At the solution the residual vanishes; elsewhere it is the projected step.
+    checks.near("residual at zero", qp.kkt_residual(zero), 1., 1e-15);
+    checks.that("sweeps run out", !solve_by_psor(qp, zero, {1e-12, 3, 0.1}).converged);
+    dealii::FullMatrix<double> indefinite(1, 1);
+    checks.throws<std::invalid_argument>("diagonal of C", "not positive", [&]() {
+      BoundConstrainedQP(indefinite, dealii::Vector<double>(1));
     });
-  // At the solution the residual vanishes; elsewhere it is the projected step.
-  checks.near("residual at zero", qp.kkt_residual(zero), 1., 1e-15);
-  checks.that("sweeps run out", !solve_by_psor(qp, zero, {1e-12, 3, 0.1}).converged);
-  dealii::FullMatrix<double> indefinite(1, 1);
-  checks.throws<std::invalid_argument>("diagonal of C", "not positive", [&]() {
-    BoundConstrainedQP(indefinite, dealii::Vector<double>(1));
-  });
-  return checks.exit_code();
+  }});
 }

@@ -17,13 +17,13 @@ void check(Checks &checks,
            const double pressure,
            const Field &displacement)
 {
+  checks.about(name);
   const LevelSolution<2> solution = level.solve();
   dealii::Vector<double> P(level.multipliers().n_multipliers());
   P = pressure;
-  checks.near(name + ": P", distance(solution.P, P), 0., 1e-12);
-  checks.near(
-    name + ": U", distance(solution.U, nodal_values(level.space(), displacement)), 0., 1e-12);
-  checks.that(name + ": certified", Judge({1e-10, 0.2, 0.}).accepts(solution.record));
+  checks.near("P", distance(solution.P, P), 0., 1e-12);
+  checks.near("U", distance(solution.U, nodal_values(level.space(), displacement)), 0., 1e-12);
+  checks.that("certified", Judge({1e-10, 0.2, 0.}).accepts(solution.record));
 }
 
 std::string discretization(const std::string &entries)
@@ -35,7 +35,7 @@ std::string discretization(const std::string &entries)
 void catalogue_scene(Checks &checks)
 {
   const Field exact = [](const Point<2> &x) { return Point<2>(0., 0.125 * (1. - x[1])); };
-  const std::string scene = entry("Scene", "Name", "D1");
+  const std::string scene = "Scene/Name = D1\n";
   for (const char *partition : {"set Patch ratio = 2",
                                 "set Patch ratio = 3",
                                 "set Patch ratio = 4",
@@ -49,7 +49,7 @@ void catalogue_scene(Checks &checks)
           exact);
   check(checks,
         "D1, one cell, psor",
-        OneLevel(scene + entry("Solver", "Contact solver", "psor"), 0),
+        OneLevel(scene + "Solver/Contact solver = psor\n", 0),
         -0.375,
         exact);
 }
@@ -58,11 +58,10 @@ void distorted_meshes(Checks &checks)
 {
   const std::string geometry = "subsection Geometry\nset Distortion = 0.35\nend\n";
   const std::string isotropic =
-    geometry +
-    "subsection Material\nset Young's modulus = 2.5\nset Poisson's ratio = 0.25\nend\n"
-    "subsection Boundary\nset Clamped = top\nset Contact = bottom\n"
-    "set Traction = left: 0.125; 0 | right: -0.125; 0\nend\n" +
-    entry("Contact", "Gap", "-0.125");
+    geometry + "subsection Material\nset Young's modulus = 2.5\nset Poisson's ratio = 0.25\nend\n"
+               "subsection Boundary\nset Clamped = top\nset Contact = bottom\n"
+               "set Traction = left: 0.125; 0 | right: -0.125; 0\nend\n"
+               "Contact/Gap = -0.125\n";
   const Field exact = [](const Point<2> &x) { return Point<2>(0., 0.125 * (1. - x[1])); };
   check(checks, "distorted mesh", OneLevel(isotropic, 3), -0.375, exact);
   check(checks,
@@ -77,8 +76,8 @@ void distorted_meshes(Checks &checks)
                                   "subsection Material\nset Law = general\n"
                                   "set Hooke tensor = 4; 1; 0.5; 2; 0.4; 1\nend\n"
                                   "subsection Boundary\nset Clamped = top\nset Contact = bottom\n"
-                                  "set Traction = left: 0.08; 0 | right: -0.08; 0\nend\n" +
-                                  entry("Contact", "Gap", "-0.1");
+                                  "set Traction = left: 0.08; 0 | right: -0.08; 0\nend\n"
+                                  "Contact/Gap = -0.1\n";
   check(
     checks, "anisotropic, distorted mesh", OneLevel(anisotropic, 3), -0.184, [](const Point<2> &x) {
       return Point<2>(-0.04 * (1. - x[1]), 0.1 * (1. - x[1]));
@@ -105,11 +104,5 @@ void oblique_sides(Checks &checks)
 
 int main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
-  catalogue_scene(checks);
-  distorted_meshes(checks);
-  oblique_sides(checks);
-  return checks.exit_code();
+  return run_tests(argc, argv, {catalogue_scene, distorted_meshes, oblique_sides});
 }

@@ -114,9 +114,5 @@ void singular_compliance(Checks &checks)
 
 int main()
 {
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks;
-  indenters(checks);
-  singular_compliance(checks);
-  return checks.exit_code();
+  return run_tests({indenters, singular_compliance});
 }

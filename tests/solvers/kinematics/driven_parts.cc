@@ -15,35 +15,20 @@ using namespace Signorini;
 
 namespace
 {
-const std::string lower_corner = "subsection Geometry\nset Upper right = 1, 1\nend\n";
-
-std::string boundary(const std::string &entries)
-{
-  return "subsection Boundary\n" + entries + "end\n";
-}
-std::string load(const std::string &entries)
-{
-  return "subsection Load\n" + entries + "end\n";
-}
-std::string gap(const std::string &expression)
-{
-  return entry("Contact", "Gap", expression);
-}
-
 /** Own weight between rollers: p = -w for every E and nu, u = w ((1+nu)(1-2nu)/(E(1-nu)))
  * (y²/2 - y) - g. */
 void test_column(Checks &checks)
 {
-  const std::string text = entry("Constants", "Values", "E=7, nu=0.2, w=3") +
+  const std::string text = "Constants/Values = E=7, nu=0.2, w=3\n"
                            "subsection Material\nset Young's modulus = E\nset Poisson's ratio = "
-                           "nu\nend\n" +
-                           boundary("set Rollers = left right\nset Contact = bottom\n") +
-                           load("set Body force = 0; -w\n") + gap("0.25");
+                           "nu\nend\n"
+                           "Boundary/Rollers = left right\nBoundary/Contact = bottom\n"
+                           "Load/Body force = 0; -w\n"
+                           "Contact/Gap = 0.25\n";
   const OneLevel level(text, 3);
   const LevelSolution<2> solution = level.solve();
   for (const double p : solution.P)
-    if (std::abs(p + 3.) > 1e-10)
-      checks.near("column: p = -w", p, -3., 1e-10);
+    checks.near("column: p = -w", p, -3., 1e-10);
   // Nodal values of a problem in one dimension with a quadratic solution are exact.
   const double compliance = 3. * 1.2 * 0.6 / (7. * 0.8);
   const Displacement exact = nodal_values(level.space(), [&](const dealii::Point<2> &x) {
@@ -58,8 +43,8 @@ const std::string parabola = "0.5*(x-0.5)^2";
 
 std::string pressed(const std::string &plate, const std::string &loads, const std::string &g)
 {
-  return lower_corner + boundary("set Contact = bottom\nset Plates = top: " + plate + "\n") +
-         load(loads) + gap(g);
+  return "Boundary/Contact = bottom\nBoundary/Plates = top: " + plate + "\n" + loads +
+         "Contact/Gap = " + g;
 }
 
 std::string exactly(const double number)
@@ -73,11 +58,11 @@ std::string exactly(const double number)
 void test_force_and_travel(Checks &checks)
 {
   const StudyResult<2> by_force =
-    solve(pressed("0, -1", "set Plate force = top: 0.05\n", parabola));
+    solve(pressed("0, -1", "Load/Plate force = top: 0.05\n", parabola));
   const PlateRecord &plate = by_force.levels.back().motions.plates.at(0);
   checks.near("force: the reaction is the force", plate.force, 0.05, 1e-12);
   const StudyResult<2> by_travel = solve(
-    pressed("0, -1", "set Plate travel = top: " + exactly(plate.motion.travel) + "\n", parabola));
+    pressed("0, -1", "Load/Plate travel = top: " + exactly(plate.motion.travel) + "\n", parabola));
   const PlateRecord &same = by_travel.levels.back().motions.plates.at(0);
   checks.near("travel: the force", same.force, 0.05, 1e-11);
   checks.near("force and travel: pressures",
@@ -99,7 +84,7 @@ void test_force_and_travel(Checks &checks)
  * 0.005 more, and nothing else changes. */
 void test_turning(Checks &checks)
 {
-  const std::string loads = "set Plate force = top: 0.05\n";
+  const std::string loads = "Load/Plate force = top: 0.05\n";
   const StudyResult<2> straight = solve(pressed("0, -1 turning", loads, parabola));
   const StudyResult<2> tilted = solve(pressed("0, -1 turning", loads, "0.5*(x-0.4)^2"));
   const PlateMotion a = straight.levels.back().motions.plates.at(0).motion;
@@ -116,9 +101,10 @@ void test_elastic_resistance(Checks &checks)
 {
   const StudyResult<2> result = solve(
     "subsection Geometry\nset Upper right = 3, 1\nset Cells = 3, 1\nend\nsubsection "
-    "Material\nset Young's modulus = 5\nset Poisson's ratio = 0\nend\n" +
-      boundary("set Clamped = left\nset Contact = bottom\nset Plates = right: 2, 0 turning\n") +
-      load("set Plate force = right: 0.1\n") + gap("1"),
+    "Material\nset Young's modulus = 5\nset Poisson's ratio = 0\nend\n"
+    "Boundary/Clamped = left\nBoundary/Contact = bottom\nBoundary/Plates = right: 2, 0 turning\n"
+    "Load/Plate force = right: 0.1\n"
+    "Contact/Gap = 1\n",
     levels(1, 3));
   const PlateRecord &plate = result.levels.back().motions.plates.at(0);
   checks.near("bar: travel", plate.motion.travel, 0.1 * 3. / 5., 1e-12);
@@ -129,7 +115,7 @@ void test_elastic_resistance(Checks &checks)
 /** The resultant of the pressure is that of the loads: F at the distance M/F from the middle. */
 void test_moment(Checks &checks)
 {
-  const std::string loads = "set Plate force = top: 2\nset Plate moment = top: 0\n";
+  const std::string loads = "Load/Plate force = top: 2\nLoad/Plate moment = top: 0\n";
   const auto with_moment = [&](const std::string &moment, const std::string &coarsest = "2") {
     return solve(pressed("0, -1 turning", loads, "0"),
                  {"Load/Plate moment=top: " + moment, "Discretization/Coarsest level=" + coarsest});
@@ -152,20 +138,20 @@ void test_moment(Checks &checks)
 void test_escapes(Checks &checks)
 {
   checks.throws<InputError>("upwards", "along (0, 1), and no pressure", [&]() {
-    solve(pressed("0, -1", "set Plate force = top: -1\n", "0"));
+    solve(pressed("0, -1", "Load/Plate force = top: -1\n", "0"));
   });
-  const std::string block = boundary("set Contact = bottom\nset Traction = right: T; 0\n") +
-                            load("set Body force = 0; -1\n");
+  const std::string block = "Boundary/Contact = bottom\nBoundary/Traction = right: T; 0\n"
+                            "Load/Body force = 0; -1\n";
   checks.throws<InputError>("sideways",
                             "the loads drive the translation along (1, 0) of the body",
-                            [&]() { solve(entry("Constants", "Values", "T=-0.01") + block); });
-  const StudyResult<2> still = solve(entry("Constants", "Values", "T=0") + block);
+                            [&]() { solve("Constants/Values = T=-0.01\n" + block); });
+  const StudyResult<2> still = solve("Constants/Values = T=0\n" + block);
   const std::vector<std::string> &undetermined = still.levels.back().motions.undetermined;
   checks.that("at rest: sliding is undetermined, and said so",
               undetermined == std::vector<std::string>{"the translation along (1, 0)"} &&
                 still.verdict.outcome == Outcome::certified);
   checks.throws<InputError>("no load", "no load presses it onto the foundation", [&]() {
-    solve(boundary("set Contact = bottom\n"));
+    solve("Boundary/Contact = bottom\n");
   });
 }
 
@@ -173,12 +159,13 @@ void test_escapes(Checks &checks)
 void test_units(Checks &checks)
 {
   const auto in_matrix_units = [](const std::string &L, const std::string &E) {
-    return solve(
-      "subsection Geometry\nset Upper right = " + L + ", " + L + "\nend\n" +
-        entry("Constants", "Values", "L=" + L) + entry("Material", "Young's modulus", E) +
-        boundary("set Contact = bottom\nset Plates = top: 0, -1 turning\n") +
-        load("set Plate force = top: 1\nset Plate moment = top: 0\n") + gap("0.5*L*(x/L-0.4)^2"),
-      {"Load/Plate force=top: " + std::to_string(0.05 * std::stod(L) * std::stod(E))});
+    return solve("subsection Geometry\nset Upper right = " + L + ", " + L + "\nend\n" +
+                   entry("Constants", "Values", "L=" + L) +
+                   entry("Material", "Young's modulus", E) +
+                   "Boundary/Contact = bottom\nBoundary/Plates = top: 0, -1 turning\n"
+                   "Load/Plate force = top: 1\nLoad/Plate moment = top: 0\n"
+                   "Contact/Gap = 0.5*L*(x/L-0.4)^2\n",
+                 {"Load/Plate force=top: " + std::to_string(0.05 * std::stod(L) * std::stod(E))});
   };
   const LevelRecord a = in_matrix_units("1", "1").levels.back();
   const LevelRecord b = in_matrix_units("1e3", "1e9").levels.back();
@@ -196,7 +183,7 @@ void test_units(Checks &checks)
 /** Graded meshes approach the same travel. */
 void test_graded(Checks &checks)
 {
-  const std::string text = pressed("0, -1", "set Plate force = top: 0.05\n", parabola);
+  const std::string text = pressed("0, -1", "Load/Plate force = top: 0.05\n", parabola);
   const StudyResult<2> nested = solve(text, levels(3, 6));
   const StudyResult<2> graded =
     solve(text, {"Discretization/Strategy=hp", "Discretization/Target error=1e-3"});
@@ -214,10 +201,11 @@ void test_graded(Checks &checks)
  * of all meshes, small ones, too. */
 void test_bounds(Checks &checks)
 {
-  const std::string text = "subsection Geometry\nset Upper right = 3, 1\nset Cells = 3, 1\nend\n" +
-                           boundary("set Clamped = left\nset Contact = bottom\n"
-                                    "set Plates = right: 0, -1 turning\n") +
-                           load("set Plate force = right: 0.02\n") + gap("0.01 + 0.4*(x-1.5)^2");
+  const std::string text =
+    "subsection Geometry\nset Upper right = 3, 1\nset Cells = 3, 1\nend\n"
+    "Boundary/Clamped = left\nBoundary/Contact = bottom\nBoundary/Plates = right: 0, -1 turning\n"
+    "Load/Plate force = right: 0.02\n"
+    "Contact/Gap = 0.01 + 0.4*(x-1.5)^2\n";
   const double energy =
     solve(text, {"Discretization/Strategy=hp", "Discretization/Target error=1e-5"})
       .levels.back()
@@ -235,13 +223,14 @@ void test_bounds(Checks &checks)
 /** A disc on a table, held by its weight alone: its force is pi R² w, and it may roll. */
 void test_roller(Checks &checks)
 {
-  const std::string text = "subsection Geometry\nset Shape = disc\nset Centre = 0, 1\nend\n" +
-                           boundary("set Contact = arc\n") + load("set Body force = 0; -0.01\n") +
-                           entry("Contact", "Foundation", "plane 0,0 normal 0,1");
+  const std::string text = "subsection Geometry\nset Shape = disc\nset Centre = 0, 1\nend\n"
+                           "Boundary/Contact = arc\n"
+                           "Load/Body force = 0; -0.01\n"
+                           "Contact/Foundation = plane 0,0 normal 0,1\n";
   const double pi = std::acos(-1.);
   for (const bool is_graded : {false, true})
   {
-    const std::string name = is_graded ? "roller, hp" : "roller";
+    checks.about(is_graded ? "roller, hp" : "roller");
     const StudyResult<2> result =
       solve(text,
             is_graded ? std::vector<std::string>{"Discretization/Strategy=hp",
@@ -249,12 +238,10 @@ void test_roller(Checks &checks)
                       : levels(3, 5));
     const LevelRecord &finest = result.levels.back();
     const SideForce &contact = finest.answer.contact_force;
-    checks.near(name + ": force / weight",
-                contact.resultant.force[1] / (0.01 * pi),
-                1.,
-                is_graded ? 1e-6 : 1e-2);
-    checks.near(name + ": through its axis", (*contact.through)[0], 0., 1e-6);
-    checks.near(name + ": symmetric zone",
+    checks.near(
+      "force / weight", contact.resultant.force[1] / (0.01 * pi), 1., is_graded ? 1e-6 : 1e-2);
+    checks.near("through its axis", (*contact.through)[0], 0., 1e-6);
+    checks.near("symmetric zone",
                 finest.answer.zones.at(0).start.place.point[0] +
                   finest.answer.zones.at(0).end.place.point[0],
                 0.,
@@ -270,41 +257,42 @@ void test_interference(Checks &checks)
     return solve(
       "subsection Geometry\nset Shape = ring\nset Inner radius = 1\nset Radius = 2\nend\n"
       "subsection Material\nset Young's modulus = 1\nset Poisson's ratio = 0.3\n"
-      "set Plane state = stress\nend\n" +
-        boundary("set Contact = inner\n") + gap(g),
+      "set Plane state = stress\nend\n"
+      "Boundary/Contact = inner\nContact/Gap = " +
+        g,
       levels(2, 3));
   };
   const StudyResult<2> ring = fit("-0.001");
   const double pressure = 0.001 / (5. / 3. + 0.3);
   for (const double p : ring.pressure.P)
-    if (std::abs(p / pressure + 1.) > 3e-3)
-      checks.near("interference: pressure", p, -pressure, 3e-3 * pressure);
+    checks.near("interference: pressure", p, -pressure, 3e-3 * pressure);
   checks.that("interference: verdict", ring.verdict.is_certified());
   const StudyResult<2> moved = fit("-0.001 - 0.0005*x");
   checks.near("interference: beside the centre",
               relative_distance(moved.pressure.P, ring.pressure.P),
               0.,
               1e-8);
-  checks.throws<InputError>("interference that lifts the body off",
-                            "leaves the translation along (0, 1) free",
-                            [&]() { solve(boundary("set Contact = bottom\n") + gap("-0.001")); });
+  checks.throws<InputError>(
+    "interference that lifts the body off", "leaves the translation along (0, 1) free", [&]() {
+      solve("Boundary/Contact = bottom\n"
+            "Contact/Gap = -0.001\n");
+    });
 }
 } // namespace
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  Checks checks;
-  test_column(checks);
-  test_force_and_travel(checks);
-  test_turning(checks);
-  test_elastic_resistance(checks);
-  test_moment(checks);
-  test_escapes(checks);
-  test_units(checks);
-  test_graded(checks);
-  test_bounds(checks);
-  test_roller(checks);
-  test_interference(checks);
-  return checks.exit_code();
+  return run_tests(argc,
+                   argv,
+                   {test_column,
+                    test_force_and_travel,
+                    test_turning,
+                    test_elastic_resistance,
+                    test_moment,
+                    test_escapes,
+                    test_units,
+                    test_graded,
+                    test_bounds,
+                    test_roller,
+                    test_interference});
 }

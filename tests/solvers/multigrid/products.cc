@@ -34,14 +34,15 @@ double distance_to_matrix(const HeldBody<dim> &body)
 template <int dim>
 void check_body(Checks &checks, const std::string &name, const HeldBody<dim> &body)
 {
-  checks.near(name + ": A x", distance_to_matrix(body), 0., 1e-12);
+  checks.about(name);
+  checks.near("A x", distance_to_matrix(body), 0., 1e-12);
   const dealii::Vector<double> a = body.random_vector(2), b = body.random_vector(3);
   dealii::Vector<double> V_a(a), V_b(b);
   body.multigrid.precondition(V_a, a);
   body.multigrid.precondition(V_b, b);
   const double size = std::sqrt((a * V_a) * (b * V_b));
-  checks.near(name + ": V is symmetric", (V_a * b - V_b * a) / size, 0., 1e-5);
-  checks.that(name + ": and positive", a * V_a > 0. && b * V_b > 0.);
+  checks.near("V is symmetric", (V_a * b - V_b * a) / size, 0., 1e-5);
+  checks.that("and positive", a * V_a > 0. && b * V_b > 0.);
   // Entries in constrained rows are not read, and zero in results.
   dealii::Vector<double> c(a), y(a), y_c(a);
   for (const auto &line : body.space.constraints().get_lines())
@@ -53,95 +54,64 @@ void check_body(Checks &checks, const std::string &name, const HeldBody<dim> &bo
   unread = unread && distance(V_a, y_c) == 0.;
   for (const auto &line : body.space.constraints().get_lines())
     zero = zero && V_a[line.index] == 0. && y[line.index] == 0.;
-  checks.that(name + ": constrained rows", unread && zero);
+  checks.that("constrained rows", unread && zero);
 }
 
-void check_plane(Checks &checks,
-                 const std::string &name,
-                 const std::string &text,
-                 const unsigned int coarsest_level,
-                 const unsigned int level,
-                 const StrainOperator strain = StrainOperator::symmetric_gradient)
+const std::string held = "Boundary/Clamped = top\nBoundary/Contact = bottom\n",
+                  polygon = "Geometry/Shape = polygon\nBoundary/Contact = side0\n",
+                  pentagon = polygon + "Geometry/Vertices = 0,0; 2,0; 2.5,1; 1,2; -0.5,1\n",
+                  distorted = held + "Geometry/Distortion = 0.2\n";
+
+/** A body with its coarsest and its finest level. */
+struct Given
 {
+  std::string name, text;
+  unsigned int coarsest, level;
+};
+
+void plane(Checks &checks)
+{
+  std::vector<Given> bodies = {
+    {"one level", held, 0, 1},
+    {"rows of 8 cells", held, 3, 3},
+    {"rows of 32 cells", held, 5, 5},
+    {"20 by 3 blocks of 4 cells", held + "Geometry/Cells = 20, 3\n", 2, 2},
+    {"6 blocks", held + "Geometry/Cells = 3, 2\n", 4, 4},
+    {"prescribed displacements",
+     "Boundary/Rollers = left\nBoundary/Contact = bottom\n"
+     "Boundary/Displacement = top: 0.1*x; -0.1\n",
+     4,
+     5},
+    {"distorted", distorted, 2, 5},
+    {"distorted last", distorted, 4, 4},
+    {"held by contact alone", "Boundary/Contact = bottom\nLoad/Body force = 0; -1\n", 4, 4},
+    {"varying modulus", held + "Material/Young's modulus = 1 + x^2 + sin(3*y)^2\n", 4, 4},
+    {"modulus with a jump inside cells",
+     held + "Material/Young's modulus = if(x<0.3, 1, 10)\nDiscretization/Kinks at x = 0.3\n",
+     4,
+     4},
+    {"varying and distorted", distorted + "Material/Young's modulus = 1 + x*y\n", 3, 4},
+    {"oblique roller", pentagon + "Boundary/Rollers = side1, side3\n", 2, 5},
+    {"two oblique rollers that meet", pentagon + "Boundary/Rollers = side1, side2\n", 2, 4},
+    {"oblique parallelogram",
+     polygon + "Geometry/Vertices = 0,0; 2,0; 2.5,1; 0.5,1\nBoundary/Rollers = side1, side2\n",
+     0,
+     5},
+    {"disc on contact alone",
+     "Geometry/Shape = disc\nGeometry/Radius = 1\nBoundary/Contact = arc\n"
+     "Contact/Gap = 1 + y\nLoad/Body force = 0; -0.01\n",
+     2,
+     4}};
+  for (const std::string name : {"O1", "E1", "E2", "E3", "C4", "B1"})
+    bodies.push_back({"scene " + name, named_scene(name), 2, 4});
+  for (const Given &given : bodies)
+    check_body<2>(
+      checks, given.name, HeldBody<2>(scene_of(given.text), given.coarsest, given.level));
   check_body<2>(
     checks,
-    name,
-    HeldBody<2>(make_scene<2>(parse_parameters(text, "test")), coarsest_level, level, strain));
-}
-
-const std::string held = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
-
-std::string polygon(const std::string &vertices, const std::string &rollers)
-{
-  return "subsection Geometry\nset Shape = polygon\nset Vertices = " + vertices +
-         "\nend\nsubsection Boundary\nset Rollers = " + rollers + "\nset Contact = side0\nend\n";
-}
-
-void rectangles(Checks &checks)
-{
-  check_plane(checks, "one level", held, 0, 1);
-  check_plane(checks, "rows of 8 cells", held, 3, 3);
-  check_plane(checks, "rows of 32 cells", held, 5, 5);
-  check_plane(
-    checks, "20 by 3 blocks of 4 cells", held + entry("Geometry", "Cells", "20, 3"), 2, 2);
-  check_plane(checks, "6 blocks", held + entry("Geometry", "Cells", "3, 2"), 4, 4);
-  check_plane(checks,
-              "prescribed displacements",
-              "subsection Boundary\nset Rollers = left\nset Contact = bottom\n"
-              "set Displacement = top: 0.1*x; -0.1\nend\n",
-              4,
-              5);
-  check_plane(checks, "distorted", held + entry("Geometry", "Distortion", "0.2"), 2, 5);
-  check_plane(checks, "distorted last", held + entry("Geometry", "Distortion", "0.2"), 4, 4);
-  check_plane(checks,
-              "B-bar",
-              held + entry("Material", "Poisson's ratio", "0.49"),
-              4,
-              4,
-              StrainOperator::mean_dilatation);
-  check_plane(checks,
-              "held by contact alone",
-              "subsection Boundary\nset Contact = bottom\nend\n" +
-                entry("Load", "Body force", "0; -1"),
-              4,
-              4);
-  check_plane(checks,
-              "varying modulus",
-              held + entry("Material", "Young's modulus", "1 + x^2 + sin(3*y)^2"),
-              4,
-              4);
-  check_plane(checks,
-              "modulus with a jump inside cells",
-              held + entry("Material", "Young's modulus", "if(x<0.3, 1, 10)") +
-                entry("Discretization", "Kinks at x", "0.3"),
-              4,
-              4);
-  check_plane(checks,
-              "varying and distorted",
-              held + entry("Material", "Young's modulus", "1 + x*y") +
-                entry("Geometry", "Distortion", "0.2"),
-              3,
-              4);
-  check_plane(checks, "orthotropic", named_scene("O1"), 4, 4);
-}
-
-void other_shapes(Checks &checks)
-{
-  const std::string pentagon = "0,0; 2,0; 2.5,1; 1,2; -0.5,1";
-  check_plane(checks, "oblique roller", polygon(pentagon, "side1, side3"), 2, 5);
-  check_plane(checks, "two oblique rollers that meet", polygon(pentagon, "side1, side2"), 2, 4);
-  check_plane(
-    checks, "oblique parallelogram", polygon("0,0; 2,0; 2.5,1; 0.5,1", "side1, side2"), 0, 5);
-  for (const char *const name : {"E1", "E2", "E3", "C4", "B1"})
-    check_plane(checks, std::string("scene ") + name, named_scene(name), 2, 4);
-  check_plane(checks,
-              "disc on contact alone",
-              "subsection Geometry\nset Shape = disc\nset Radius = 1\nend\n"
-              "subsection Boundary\nset Contact = arc\nend\n"
-              "subsection Contact\nset Gap = 1 + y\nend\n" +
-                entry("Load", "Body force", "0; -0.01"),
-              2,
-              4);
+    "B-bar",
+    HeldBody<2>(
+      scene_of(held + "Material/Poisson's ratio = 0.49\n"), 4, 4, StrainOperator::mean_dilatation));
 }
 
 Scene<3> box(const std::vector<unsigned int> &cells)
@@ -182,10 +152,5 @@ void boxes(Checks &checks)
 
 int main(int argc, char **argv)
 {
-  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  Checks checks;
-  rectangles(checks);
-  other_shapes(checks);
-  boxes(checks);
-  return checks.exit_code();
+  return run_tests(argc, argv, {plane, boxes});
 }
