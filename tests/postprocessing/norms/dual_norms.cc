@@ -32,19 +32,36 @@ dealii::Vector<double> checkerboard(const unsigned int m)
   return q;
 }
 
-/** A piecewise constant function at two Gauss points of every cell of a fine grid. */
+/** A function at Gauss points of n cells of every interval between given positions: s, and the
+ * values times weights. */
+struct Samples
+{
+  Samples(const std::vector<double> &positions,
+          const unsigned int n,
+          const unsigned int n_points,
+          const std::function<double(double)> &f)
+  {
+    const dealii::QGauss<1> gauss(n_points);
+    for (std::size_t i = 0; i + 1 < positions.size(); ++i)
+      for (unsigned int c = 0; c < n; ++c)
+        for (unsigned int p = 0; p < n_points; ++p)
+        {
+          const double h = (positions[i + 1] - positions[i]) / n;
+          s.push_back(positions[i] + (c + gauss.point(p)[0]) * h);
+          w.push_back(f(s.back()) * gauss.weight(p) * h);
+        }
+  }
+
+  std::vector<double> s, w;
+};
+
+/** On a grid of n cells. */
 double slobodeckij(const dealii::Vector<double> &q, const double length, const unsigned int n_cells)
 {
-  const dealii::QGauss<1> gauss(2);
-  std::vector<double> s, w;
-  const double h = length / n_cells;
-  for (unsigned int c = 0; c < n_cells; ++c)
-    for (unsigned int p = 0; p < gauss.size(); ++p)
-    {
-      s.push_back((c + gauss.point(p)[0]) * h);
-      w.push_back(q[c * q.size() / n_cells] * h * gauss.weight(p));
-    }
-  return SlobodeckijNorm(length, n_cells).dual_norm(s, w);
+  const Samples samples({0., length}, n_cells, 2, [&](const double s) {
+    return q[static_cast<unsigned int>(s / length * q.size())];
+  });
+  return SlobodeckijNorm(length, n_cells).dual_norm(samples.s, samples.w);
 }
 
 double spectral(const dealii::Vector<double> &q, const double length)
@@ -113,16 +130,9 @@ void check_seminorm(Checks &checks)
 void check_coefficients(Checks &checks)
 {
   const double xi = std::sqrt(0.5);
-  const dealii::QGauss<1> gauss(8);
-  std::vector<double> s, w;
-  const unsigned int n = 4096;
-  for (unsigned int c = 0; c < n; ++c)
-    for (unsigned int p = 0; p < gauss.size(); ++p)
-    {
-      s.push_back(xi * (c + gauss.point(p)[0]) / n);
-      w.push_back(-10. * std::pow(xi - s.back(), 3) * gauss.weight(p) * xi / n);
-    }
-  const auto q = SpectralNorm(1.).coefficients(s, w);
+  const Samples samples(
+    {0., xi}, 4096, 8, [&](const double x) { return -10. * std::pow(xi - x, 3); });
+  const auto q = SpectralNorm(1.).coefficients(samples.s, samples.w);
   double largest = std::abs(q[0] + 2.5 * std::pow(xi, 4));
   for (unsigned int k = 1; k <= 8192; ++k)
   {
@@ -166,18 +176,10 @@ void check_closed_side(Checks &checks)
     }
 
   // 3 cos(2 s) - sin(5 s) on the unit circle: pi (9 (1 + 4)^{-1/2} + (1 + 25)^{-1/2}).
-  const dealii::QGauss<1> gauss(8);
-  const unsigned int n = 64;
-  std::vector<double> s, w;
-  for (unsigned int c = 0; c < n; ++c)
-    for (unsigned int p = 0; p < gauss.size(); ++p)
-    {
-      s.push_back(2. * pi * (c + gauss.point(p)[0]) / n);
-      w.push_back((3. * std::cos(2. * s.back()) - std::sin(5. * s.back())) * gauss.weight(p) * 2. *
-                  pi / n);
-    }
+  const Samples samples(
+    {0., 2. * pi}, 64, 8, [](const double x) { return 3. * std::cos(2. * x) - std::sin(5. * x); });
   const SpectralNorm circle(2. * pi, true);
-  auto modes = circle.coefficients(s, w);
+  auto modes = circle.coefficients(samples.s, samples.w);
   // The rule is exact up to some 8 * 64 oscillations only.
   for (unsigned int c = 0; c < modes.size(); ++c)
     modes[c] = (c - 1) % 4096 < 100 ? modes[c] : 0.;
@@ -193,22 +195,10 @@ double primal(const std::vector<double> &positions,
               const unsigned int n_pieces,
               const std::function<double(double)> &f)
 {
-  const dealii::QGauss<1> gauss(8);
   const double length = positions.back();
-  std::vector<double> s, w;
-  for (std::size_t i = 0; i + 1 < positions.size(); ++i)
-  {
-    const double step = positions[i + 1] - positions[i];
-    const auto n = static_cast<unsigned int>(std::ceil(4096. * step / length));
-    for (unsigned int c = 0; c < n; ++c)
-      for (unsigned int p = 0; p < gauss.size(); ++p)
-      {
-        s.push_back(positions[i] + (c + gauss.point(p)[0]) * step / n);
-        w.push_back(f(s.back()) * gauss.weight(p) * step / n);
-      }
-  }
+  const Samples samples(positions, (n_pieces + 4095) / n_pieces, 8, f);
   const SpectralNorm norm(length);
-  return norm.primal_norm(norm.coefficients(s, w), n_pieces);
+  return norm.primal_norm(norm.coefficients(samples.s, samples.w), n_pieces);
 }
 
 /**
@@ -266,13 +256,11 @@ void check_primal_bubbles(Checks &checks)
 
 int main()
 {
-  Checks checks;
-  check_checkerboards(checks);
-  check_constants(checks);
-  check_seminorm(checks);
-  check_coefficients(checks);
-  check_closed_side(checks);
-  check_primal_hat(checks);
-  check_primal_bubbles(checks);
-  return checks.exit_code();
+  return run_tests({check_checkerboards,
+                    check_constants,
+                    check_seminorm,
+                    check_coefficients,
+                    check_closed_side,
+                    check_primal_hat,
+                    check_primal_bubbles});
 }
