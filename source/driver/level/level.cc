@@ -33,30 +33,16 @@ void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &soluti
     solution.system = nullptr;
 }
 
-/** Returns the limit of Inf-sup constant = automatic. The constant needs a factorisation of its
- * own, which in 3-D costs more than the rest of the level from some thousand unknowns on. */
-constexpr unsigned int max_unknowns_of_automatic_inf_sup(const unsigned int dim)
-{
-  return dim == 2 ? 100000 : 5000;
-}
-
 /** Returns whether the constant of Lemma 1 is computed on a level of this size; on graded meshes
- * only if the user sets it. */
+ * only if the user sets it. The constant needs a factorisation of its own, which in 3-D costs more
+ * than the rest of the level from some thousand unknowns on. */
 template <int dim>
 bool wants_inf_sup(const Parameters &parameters, const ContactState<dim> &contact)
 {
   const Choice choice = parameters.output.inf_sup_constant;
   return choice == Choice::yes || (choice == Choice::automatic && contact.inverse->has_factors() &&
                                    parameters.discretization.strategy == Strategy::nested &&
-                                   contact.U.size() <= max_unknowns_of_automatic_inf_sup(dim));
-}
-
-/** Returns whether the bound is computed: on levels where the study may stop. */
-bool wants_bound(const DiscretizationParameters &given, const unsigned int level)
-{
-  if (given.strategy == Strategy::hp)
-    return false;
-  return level == given.finest_level || given.target_error > 0.;
+                                   contact.U.size() <= (dim == 2 ? 100000U : 5000U));
 }
 
 /** The largest number of unknowns for which the bound is computed: it takes more memory than
@@ -230,6 +216,10 @@ void examine(const Parameters &parameters,
   record.dual = contact.report;
   record.motions.undetermined = contact.undetermined;
   record.contact = summarise_contact(discretization.multipliers, contact.P);
+  const DiscretizationParameters &given = parameters.discretization;
+  // The bound is computed on levels where the study may stop.
+  const bool may_stop = given.strategy == Strategy::nested &&
+                        (record.sizes.level == given.finest_level || given.target_error > 0.);
   const StageTimer timer(record.times.postprocess);
   if (wants_inf_sup<dim>(parameters, contact))
   {
@@ -244,7 +234,7 @@ void examine(const Parameters &parameters,
   if (discretization.mesh.has_parents())
     record.estimate = estimate_of(discretization, solution.scene, contact);
   if constexpr (dim == 2)
-    if (wants_bound(parameters.discretization, record.sizes.level))
+    if (may_stop)
     {
       progress("bound of the error");
       const StageTimer bound_timer(record.times.bound);

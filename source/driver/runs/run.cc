@@ -2,6 +2,7 @@
 // The screen, to which only the first rank writes.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/driver/runs/run.h>
 #include <signorini/driver/study/study.h>
@@ -147,7 +148,7 @@ RunSummary run_parameters(const Parameters &parameters,
     // After wrong input no results remain.
     if (results)
       results->remove_if_empty();
-    throw InputError(name_file(error.what(), parameters.file_name));
+    throw input_error(name_file(error.what(), parameters.file_name));
   }
 }
 
@@ -188,24 +189,25 @@ RunInput read_input(const std::string &file_name,
 
 RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &run)
 {
+  const auto fail = [&](const std::exception &error, const int code, const char *verdict) {
+    screen.complain(error.what());
+    return RunSummary{code, verdict, {}};
+  };
   try
   {
     return run();
   }
   catch (const InputError &error)
   {
-    screen.complain(error.what());
-    return {1, "wrong input", {}};
+    return fail(error, 1, "wrong input");
   }
   catch (const WritingError &error)
   {
-    screen.complain(error.what());
-    return {3, "not written", {}};
+    return fail(error, 3, "not written");
   }
   catch (const ComputationError &error)
   {
-    screen.complain(error.what());
-    return {2, "failed", {}};
+    return fail(error, 2, "failed");
   }
 }
 
@@ -242,90 +244,77 @@ std::string as_file_name(const std::string &value)
   return name;
 }
 
-/** A column of the table: its name in sweep.csv, its title on the screen, and its column of a
- * level. */
-struct SweepColumn
-{
-  const char *name;
-  const char *title;
-  const char *level_column;
-};
+/** The columns of the table: their names, and those of the columns of a level. */
+constexpr std::pair<const char *, const char *> sweep_columns[] = {
+  {"level", "level"},
+  {"dofs", "dofs"},
+  {"contact_force", "contact_force_n"},
+  {"peak_pressure", "peak_pressure"},
+  {"energy", "energy"},
+  {"estimate", "estimated_relative"},
+  {"bound", "bound_relative"},
+  {"seconds", "t_total"}};
 
-constexpr SweepColumn sweep_columns[] = {{"level", "level", "level"},
-                                         {"dofs", "dofs", "dofs"},
-                                         {"contact_force", "force", "contact_force_n"},
-                                         {"peak_pressure", "peak p", "peak_pressure"},
-                                         {"energy", "energy", "energy"},
-                                         {"estimate", "estimate", "estimated_relative"},
-                                         {"bound", "bound", "bound_relative"},
-                                         {"seconds", "seconds", "t_total"}};
-
-/** The form of numbers and texts in a table. */
-struct TableStyle
-{
-  const char *SweepColumn::*title;
-  int precision;
-  const char *missing;
-  std::string (*text)(const std::string &);
-};
-
-/** Returns a field of a CSV file: in quotation marks if it contains a comma. */
-std::string csv_field(const std::string &text)
-{
-  return text.find(',') == std::string::npos ? text : '"' + text + '"';
-}
-
-constexpr TableStyle csv_style = {&SweepColumn::name, 16, "", csv_field};
-constexpr TableStyle screen_style = {&SweepColumn::title, 5, "-", shorten};
+using Table = std::vector<std::vector<std::string>>;
 
 /** Returns a row of titles, and a row for each run. */
-std::vector<std::vector<std::string>> sweep_table(const std::vector<Sweep> &sweeps,
-                                                  const std::vector<SweepPoint> &points,
-                                                  const std::vector<RunSummary> &runs,
-                                                  const TableStyle &style)
+Table sweep_table(const std::vector<Sweep> &sweeps,
+                  const std::vector<SweepPoint> &points,
+                  const std::vector<RunSummary> &runs,
+                  const int precision)
 {
-  std::vector<std::vector<std::string>> rows(1 + runs.size());
+  Table rows(1 + runs.size());
   for (const Sweep &sweep : sweeps)
     rows[0].push_back(sweep.parameter);
-  for (const SweepColumn &column : sweep_columns)
-    rows[0].emplace_back(column.*style.title);
+  for (const auto &column : sweep_columns)
+    rows[0].emplace_back(column.first);
   rows[0].emplace_back("verdict");
   for (std::size_t i = 0; i < runs.size(); ++i)
   {
     std::vector<std::string> &row = rows[1 + i];
-    for (const std::string &value : points[i].values)
-      row.push_back(style.text(value));
-    for (const SweepColumn &column : sweep_columns)
+    row = points[i].values;
+    for (const auto &column : sweep_columns)
     {
       std::ostringstream number;
-      const auto x = runs[i].finest ? value(*runs[i].finest, column.level_column) : std::nullopt;
+      const auto x = runs[i].finest ? value(*runs[i].finest, column.second) : std::nullopt;
       if (x)
-        number << std::setprecision(style.precision) << *x;
-      row.push_back(x ? number.str() : style.missing);
+        number << std::setprecision(precision) << *x;
+      row.push_back(number.str());
     }
     row.push_back(runs[i].verdict);
   }
   return rows;
 }
 
-/** Prints aligned columns, @p n_left of them on the left. */
-void print_table(std::ostream &screen,
-                 const std::vector<std::vector<std::string>> &rows,
-                 const std::size_t n_left)
+/** Writes fields separated by commas; one that contains a comma stands in quotation marks. */
+void write_csv(std::ostream &stream, Table rows)
 {
-  std::vector<std::size_t> widths(n_left);
-  for (const std::vector<std::string> &row : rows)
-    for (std::size_t k = 0; k < n_left; ++k)
+  for (std::vector<std::string> &row : rows)
+  {
+    for (std::string &field : row)
+      if (field.find(',') != std::string::npos)
+        field = '"' + field + '"';
+    stream << join(row, ",") << "\n";
+  }
+}
+
+/** Prints aligned columns, @p n_left of them on the left. */
+void print_table(std::ostream &screen, Table rows, const std::size_t n_left)
+{
+  std::vector<std::size_t> widths(rows[0].size());
+  for (std::vector<std::string> &row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k)
+    {
+      row[k] = row[k].empty() ? "-" : shorten(row[k]);
       widths[k] = std::max(widths[k], row[k].size());
+    }
   screen << "\n";
   for (const std::vector<std::string> &row : rows)
   {
     for (std::size_t k = 0; k + 1 < row.size(); ++k)
-      if (k < n_left)
-        screen << std::left << std::setw(static_cast<int>(widths[k])) << row[k] << "  ";
-      else
-        screen << std::right << std::setw(11) << row[k];
-    screen << "  " << row.back() << "\n";
+      screen << (k < n_left ? std::left : std::right) << std::setw(static_cast<int>(widths[k]))
+             << row[k] << "  ";
+    screen << row.back() << "\n";
   }
   screen << std::flush;
 }
@@ -348,11 +337,11 @@ Sweep read_sweep(const std::string &argument)
   Sweep sweep = {parameter, {}};
   if (equals != std::string::npos)
     sweep.values = split_list(argument.substr(equals + 1), ',');
-  const bool has_gap = std::any_of(
-    sweep.values.begin(), sweep.values.end(), [](const std::string &v) { return v.empty(); });
-  if (parameter.empty() || sweep.values.empty() || has_gap)
-    throw InputError("--sweep: found " + quote(argument) +
-                     ", but 'Subsection/Parameter=value, value, ...' is expected.");
+  if (parameter.empty() || sweep.values.empty() ||
+      std::count(sweep.values.begin(), sweep.values.end(), "") > 0)
+    throw input_error("--sweep: found ",
+                      quote(argument),
+                      ", but 'Subsection/Parameter=value, value, ...' is expected.");
   return sweep;
 }
 
@@ -363,9 +352,11 @@ std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps)
   {
     n *= sweep.values.size();
     if (n > max_runs)
-      throw InputError("--sweep: found more than " + std::to_string(max_runs) +
-                       " combinations of values, allowed: at most " + std::to_string(max_runs) +
-                       ".");
+      throw input_error("--sweep: found more than ",
+                        max_runs,
+                        " combinations of values, allowed: at most ",
+                        max_runs,
+                        ".");
   }
   std::vector<SweepPoint> points = {{}};
   for (const Sweep &sweep : sweeps)
@@ -383,8 +374,9 @@ std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps)
   std::set<std::string> folders;
   for (const SweepPoint &point : points)
     if (!folders.insert(point.folder).second)
-      throw InputError("--sweep: two runs would write into the directory '" + point.folder +
-                       "', allowed: values that differ in their letters and digits.");
+      throw input_error("--sweep: two runs would write into the directory '",
+                        point.folder,
+                        "', allowed: values that differ in their letters and digits.");
   return points;
 }
 
@@ -421,14 +413,13 @@ RunSummary run_sweep(const RunInput &input,
     agree(communicator, [&]() {
       if (first_rank && solved)
         write_file(input.directory / table_name, [&](std::ostream &stream) {
-          for (const auto &row : sweep_table(sweeps, points, runs, csv_style))
-            stream << join(row, ",") << "\n";
+          write_csv(stream, sweep_table(sweeps, points, runs, 16));
         });
     });
   }
   if (results)
     results->remove_if_empty();
-  print_table(screen.out(), sweep_table(sweeps, points, runs, screen_style), sweeps.size());
+  print_table(screen.out(), sweep_table(sweeps, points, runs, 5), sweeps.size());
   return worst;
 }
 } // namespace Signorini

@@ -8,6 +8,7 @@
 #include <signorini/error_control/hp/hidden_data.h>
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/hp/step_examination.h>
+#include <signorini/problem/parameters/entry_error.h>
 
 #include <cmath>
 #include <sstream>
@@ -38,9 +39,12 @@ void require_few(const DiscretizationParameters &given,
 {
   const auto &max_unknowns = given.maximum_unknowns;
   if (n_unknowns > max_unknowns)
-    throw InputError(max_unknowns.where() + ": found '" + std::to_string(max_unknowns.value) +
-                     "', but the first mesh has " + text +
-                     " unknowns, allowed: that many, or a smaller Coarsest level.");
+    throw error_at(max_unknowns,
+                   "found '",
+                   max_unknowns.value,
+                   "', but the first mesh has ",
+                   text,
+                   " unknowns, allowed: that many, or a smaller Coarsest level.");
 }
 
 /** Returns the plan of the first mesh. @throws InputError if the mesh has too many unknowns, which
@@ -52,14 +56,13 @@ MeshPlan make_first_plan(const Scene<2> &scene, const DiscretizationParameters &
   const double fewest = 8. * scene.geometry.n_coarse_cells * std::pow(4., plan.base_level);
   require_few(given, fewest, "more than " + number_text(fewest));
   if (const std::optional<Point<2>> hidden = resolve_hidden_data(scene, plan))
-  {
-    std::ostringstream message;
-    message << given.strategy.where() << ": the material changes within a layer at (" << *hidden
-            << ") that is too thin for cells that are not aligned with it, allowed: lines of the "
-               "mesh at both of its sides (Kinks at x, Kinks at y; in a polygon sides or a mesh "
-               "file that follow it).";
-    throw InputError(message.str());
-  }
+    throw error_at(
+      given.strategy,
+      "the material changes within a layer at (",
+      *hidden,
+      ") that is too thin for cells that are not aligned with it, allowed: lines of the "
+      "mesh at both of its sides (Kinks at x, Kinks at y; in a polygon sides or a mesh "
+      "file that follow it).");
   return plan;
 }
 
@@ -71,8 +74,10 @@ public:
     , scene_(without_graded_rules(context.scene))
     , examination_(scene_, context.judge.target_error())
     , plan_(make_first_plan(scene_, context.parameters.discretization))
-    , next_(make_first_discretization())
+    , next_(make_discretization())
   {
+    const auto n_dofs = next_->space.dofs().n_dofs();
+    require_few(context.parameters.discretization, n_dofs, std::to_string(n_dofs));
   }
 
   std::string name_of_next() const override
@@ -119,15 +124,6 @@ private:
   std::shared_ptr<const Discretization<2>> make_discretization() const
   {
     return std::make_shared<const Discretization<2>>(context_.parameters, scene_, plan_);
-  }
-
-  /** Makes the first discretization. @throws InputError if it has too many unknowns. */
-  std::shared_ptr<const Discretization<2>> make_first_discretization() const
-  {
-    auto first = make_discretization();
-    const auto n_dofs = first->space.dofs().n_dofs();
-    require_few(context_.parameters.discretization, n_dofs, std::to_string(n_dofs));
-    return first;
   }
 
   /** Adds the estimate of the error to the record. */

@@ -6,6 +6,7 @@
 #include <signorini/base/text.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/driver/study/study.h>
+#include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/results/files/answer_output.h>
@@ -23,8 +24,8 @@
 namespace Signorini
 {
 /**
- * Refuses settings that contradict the scene or the number of ranks: a linear solver that needs a
- * serial run, and a coarsest level with sides that end inside faces.
+ * Refuses settings that contradict the scene or the number of ranks: solvers that need a serial
+ * run.
  * @throws InputError
  */
 template <int dim>
@@ -195,104 +196,78 @@ run_study(const Parameters &, const Scene<3> &, MPI_Comm, const StudyReport &);
 
 namespace
 {
-/** @throws InputError which states the option that was found and the others that are allowed. */
+/** @throws InputError which states the option that was found and the others that are allowed, if a
+ * setting is @p wrong. */
 template <typename Option>
-void refuse(const Given<Option> &found, const std::string &context, const std::string &allowed)
+void refuse_if(const bool wrong,
+               const Given<Option> &found,
+               const std::string &context,
+               const std::string &allowed)
 {
-  throw InputError(found.where() + ": found '" + to_text(found.value) + "' " + context +
-                   ", allowed " + allowed + ".");
+  if (wrong)
+    throw error_at(
+      found, "found '", to_text(found.value), "' ", context, ", allowed ", allowed, ".");
 }
 
-/** Refuses serial options on several ranks. @throws InputError */
-template <typename Option>
-void require_one_rank(const Given<Option> &given,
-                      const std::vector<Option> &serial_options,
-                      const unsigned int n_ranks)
-{
-  if (n_ranks == 1 || std::count(serial_options.begin(), serial_options.end(), given.value) == 0)
-    return;
-  std::vector<std::string> allowed = option_names(typeid(Option));
-  for (const Option serial : serial_options)
-    allowed.erase(std::find(allowed.begin(), allowed.end(), to_text(serial)));
-  refuse(given, "on " + std::to_string(n_ranks) + " processes", "on several: " + join(allowed));
-}
-
-/** Returns "with NAME 'option'". */
-template <typename Option>
-std::string with(const std::string &name, const Given<Option> &option)
-{
-  return "with " + name + " '" + to_text(option.value) + "'";
-}
-
-/** Refuses V-cycles for contact with another linear solver, or with several loads.
- * @throws InputError */
-template <int dim>
-void check_contact_solver(const Parameters &parameters, const Scene<dim> &scene)
-{
-  const Given<ContactSolver> &solver = parameters.solver.contact_solver;
-  const Given<LinearSolver> &linear = parameters.solver.linear_solver;
-  if (solver != ContactSolver::multigrid)
-    return;
-  if (linear != LinearSolver::multigrid && linear != LinearSolver::automatic)
-    refuse(linear, with("Contact solver", solver), "with it: automatic, multigrid");
-  if (!scene.load_cases.empty())
-    refuse(solver, "with load cases", "with them: psor, active set");
-}
-
-/** Refuses multigrid for meshes that are not nested, for Q2, and where a matrix is to be written.
- * @throws InputError */
+/** Refuses multigrid for meshes that are not nested, for Q2, and where a matrix
+ * is to be written. @throws InputError */
 template <typename Option>
 void check_multigrid(const Given<Option> &solver,
-                     const std::string &name,
                      const std::string &allowed,
                      const Parameters &parameters)
 {
-  const DiscretizationParameters &given = parameters.discretization;
   if (solver != Option::multigrid)
     return;
-  if (given.strategy == Strategy::hp)
-    refuse(solver, with("Strategy", given.strategy), "with it: " + allowed);
-  if (given.element == Element::q2)
-    refuse(solver, with("Element", given.element), "with it: " + allowed);
-  if (parameters.output.compliance)
-    throw InputError(parameters.output.compliance.where() + ": found 'true' " + with(name, solver) +
-                     ", which assembles no matrix, allowed with it: false.");
+  refuse_if(parameters.discretization.strategy == Strategy::hp,
+            solver,
+            "with Strategy 'hp'",
+            "with it: " + allowed);
+  refuse_if(parameters.discretization.element == Element::q2,
+            solver,
+            "with Element 'Q2'",
+            "with it: " + allowed);
+  refuse_if(parameters.output.compliance,
+            solver,
+            "with Compliance = true, which writes a matrix",
+            "with it: " + allowed);
 }
 
-/** Refuses a coarsest level on which sides end inside faces. Most scenes number their boundary on
- * level 0. @throws InputError */
-void check_coarsest_level(const Given<unsigned int> &coarsest_level, const Geometry<2> &geometry)
-{
-  if (!geometry.number_after_refinement)
-    return;
-  Triangulation<2> mesh;
-  geometry.make_coarse_mesh(mesh);
-  mesh.refine_global(coarsest_level);
-  if (ends_inside_a_face(geometry.sides, mesh))
-    throw InputError(coarsest_level.where() +
-                     ": a side of this scene ends inside a face of the mesh, allowed: a finer "
-                     "coarsest level.");
-}
 } // namespace
 
 template <int dim>
 void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator)
 {
   const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-  require_one_rank(
-    parameters.solver.linear_solver, {LinearSolver::condensed, LinearSolver::multigrid}, n_ranks);
-  require_one_rank(parameters.solver.contact_solver, {ContactSolver::multigrid}, n_ranks);
-  if (const auto &linear = parameters.solver.linear_solver;
-      dim == 3 && linear == LinearSolver::amesos_klu)
-    refuse(linear, "in 3-D", "there: automatic, condensed, amesos_mumps, multigrid");
-  require_one_rank(parameters.discretization.strategy, {Strategy::hp}, n_ranks);
-  check_contact_solver(parameters, scene);
-  check_multigrid(
-    parameters.solver.linear_solver, "Linear solver", "automatic, condensed", parameters);
-  check_multigrid(
-    parameters.solver.contact_solver, "Contact solver", "psor, active set, mprgp", parameters);
-  if constexpr (dim == 2)
-    check_coarsest_level(parameters.discretization.coarsest_level, scene.geometry);
+  const std::string on_several = "on " + std::to_string(n_ranks) + " processes";
+  const Given<ContactSolver> &contact = parameters.solver.contact_solver;
+  const Given<LinearSolver> &linear = parameters.solver.linear_solver;
+  check_multigrid(linear, "automatic, condensed", parameters);
+  check_multigrid(contact, "automatic, psor, active set, mprgp", parameters);
+  const bool by_cycles = contact == ContactSolver::multigrid;
+  refuse_if(n_ranks > 1 && by_cycles,
+            contact,
+            on_several,
+            "on several: automatic, psor, active set, mprgp");
+  refuse_if(n_ranks > 1 && (linear == LinearSolver::condensed || linear == LinearSolver::multigrid),
+            linear,
+            on_several,
+            "on several: automatic, amesos_mumps, amesos_klu");
+  refuse_if(n_ranks > 1 && parameters.discretization.strategy == Strategy::hp,
+            parameters.discretization.strategy,
+            on_several,
+            "on several: nested");
+  refuse_if(dim == 3 && linear == LinearSolver::amesos_klu,
+            linear,
+            "in 3-D",
+            "there: automatic, condensed, amesos_mumps, multigrid");
+  refuse_if(by_cycles && linear != LinearSolver::multigrid && linear != LinearSolver::automatic,
+            linear,
+            "with Contact solver 'multigrid'",
+            "with it: automatic, multigrid");
+  refuse_if(by_cycles && !scene.load_cases.empty(),
+            contact,
+            "with load cases",
+            "with them: psor, active set");
 }
 
 template void check_settings(const Parameters &, const Scene<2> &, MPI_Comm);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Segments, circular arcs and chains of them by arc length.
 
-#include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/problem/geometry/curve.h>
 
 #include <deal.II/base/numbers.h>
@@ -427,12 +427,15 @@ Point<2> ArcCell::pull_back(const Point<2> &x) const
     for (unsigned int d = 0; d < 2; ++d)
       chart_point[d] = std::clamp(chart_point[d], -0.5, 1.5);
   }
-  std::ostringstream text;
-  text << "Geometry: the point (" << x << ") is not found in the coarse cell from (" << corner
-       << ") to (" << opposite
-       << "), an edge of which lies on a circle, allowed: a finer mesh there (Mesh size, or "
-          "another File).";
-  throw ComputationError(text.str());
+  throw ComputationError(
+    concatenate("Geometry: the point (",
+                x,
+                ") is not found in the coarse cell from (",
+                corner,
+                ") to (",
+                opposite,
+                "), an edge of which lies on a circle, allowed: a finer mesh there (Mesh size, or "
+                "another File)."));
 }
 
 bool ArcCell::is_valid(const double min_ratio) const

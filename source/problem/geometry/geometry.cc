@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Omega: rectangles and convex polygons with named sides, and their coarse meshes.
 
-#include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/problem/geometry/geometry.h>
 #include <signorini/problem/geometry/outline.h>
 
@@ -94,7 +94,8 @@ bool ends_inside_a_face(const std::vector<Side<2>> &sides, const Triangulation<2
 void number_boundary(const std::vector<Side<2>> &sides, Triangulation<2> &triangulation)
 {
   if (ends_inside_a_face(sides, triangulation))
-    throw InputError("a side of this scene ends inside a face of the mesh, allowed: a finer mesh.");
+    throw input_error("a side of this scene ends inside a face of the mesh, allowed: a finer mesh "
+                      "(Coarsest level).");
   for (const auto &cell : triangulation.active_cell_iterators())
     for (const auto &face : cell->face_iterators())
       if (face->at_boundary())
@@ -150,11 +151,9 @@ std::vector<std::string> Geometry<dim>::described_sides() const
   std::vector<std::string> texts;
   for (const Side<dim> &side : sides)
   {
-    std::ostringstream text;
-    text << side.name();
+    texts.push_back(side.name());
     if (std::isdigit(static_cast<unsigned char>(side.name()[0])) != 0)
-      text << " at (" << side.centre() << ")";
-    texts.push_back(text.str());
+      texts.back() += concatenate(" at (", side.centre(), ")");
   }
   return texts;
 }

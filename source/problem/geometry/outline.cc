@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Omega between closed loops of segments and arcs, filled with quadrilaterals.
 
-#include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/problem/geometry/outline.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
+#include <deal.II/numerics/rtree.h>
+
+#include <boost/geometry.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
-#include <sstream>
 
 #include "triangles.h"
 
@@ -185,78 +187,56 @@ CoarseMesh make_chords(const std::vector<Side<2>> &sides,
   return chords;
 }
 
-/** A chord with its ends. */
+using Segment = boost::geometry::model::segment<Point<2>>;
+
+/** A chord of a side, and the closed side that this is, or 0 for the sides around the body. */
 struct Chord
 {
-  Point<2> a, b;
-  /** The side, and the hole that it is, or the side 0. */
+  Segment ends;
   unsigned int side, loop;
 };
-
-double cross_product(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-{
-  return a * cross_product_2d(b);
-}
-
-/** Returns the distance from a point to a segment. */
-double distance(const Point<2> &x, const Chord &chord)
-{
-  const Tensor<1, 2> d = chord.b - chord.a;
-  return x.distance(chord.a + std::clamp(((x - chord.a) * d) / (d * d), 0., 1.) * d);
-}
 
 /** Returns whether two chords meet; those with a common end, whether they fold onto each other. */
 bool meet(const Chord &p, const Chord &q, const double tolerance)
 {
-  const Tensor<1, 2> in = p.b - p.a, out = q.b - q.a;
-  if (p.loop == q.loop && (p.b.distance(q.a) < tolerance || q.b.distance(p.a) < tolerance))
-    return in * out < 0. && std::abs(cross_product(in, out)) < 1e-6 * in.norm() * out.norm();
-  const bool cross = cross_product(in, q.a - p.a) * cross_product(in, q.b - p.a) < 0. &&
-                     cross_product(out, p.a - q.a) * cross_product(out, p.b - q.a) < 0.;
-  return cross ||
-         std::min({distance(p.a, q), distance(p.b, q), distance(q.a, p), distance(q.b, p)}) <
-           tolerance;
+  const auto &[a, b] = p.ends;
+  const auto &[c, d] = q.ends;
+  const Tensor<1, 2> in = b - a, out = d - c;
+  if (p.loop == q.loop && (b.distance(c) < tolerance || d.distance(a) < tolerance))
+    return in * out < 0. && std::abs(in * cross_product_2d(out)) < 1e-6 * in.norm() * out.norm();
+  return boost::geometry::distance(p.ends, q.ends) < tolerance;
 }
 
 /** Refuses chords that cross or touch. */
 void refuse_crossings(const std::vector<Side<2>> &sides,
-                      std::vector<Chord> chords,
+                      const std::vector<Chord> &chords,
                       const double tolerance,
                       const std::string &where)
 {
-  const auto lowest = [](const Chord &chord) { return std::min(chord.a[0], chord.b[0]); };
-  std::sort(chords.begin(), chords.end(), [&](const Chord &p, const Chord &q) {
-    return lowest(p) < lowest(q);
-  });
-  for (auto p = chords.begin(); p != chords.end(); ++p)
-    for (auto q = p + 1; q != chords.end() && lowest(*q) < std::max(p->a[0], p->b[0]) + tolerance;
-         ++q)
-      if (std::min(p->a[1], p->b[1]) <= std::max(q->a[1], q->b[1]) + tolerance &&
-          std::max(p->a[1], p->b[1]) >= std::min(q->a[1], q->b[1]) - tolerance &&
-          meet(*p, *q, tolerance))
-      {
-        const auto [first, second] = std::minmax(sides[p->side].name(), sides[q->side].name());
-        std::ostringstream message;
-        message << where << ": "
-                << (first == second ? "the side " + first + " crosses or touches itself"
-                                    : "the sides " + first + " and " + second + " cross or touch")
-                << " near (" << q->a + 0.5 * (q->b - q->a)
-                << "), allowed: sides that meet at their ends only.";
-        throw InputError(message.str());
-      }
-}
-
-/** Returns whether a ray to the right of a point meets a loop an odd number of times. */
-bool encloses(const std::vector<Chord> &chords, const unsigned int loop, const Point<2> &x)
-{
-  bool odd = false;
+  namespace index = boost::geometry::index;
+  std::vector<std::pair<Segment, std::size_t>> ends;
   for (const Chord &chord : chords)
-    if (chord.loop == loop && (chord.a[1] > x[1]) != (chord.b[1] > x[1]))
-    {
-      const double t = (x[1] - chord.a[1]) / (chord.b[1] - chord.a[1]);
-      odd = odd != (chord.a[0] + t * (chord.b[0] - chord.a[0]) > x[0]);
-    }
-  return odd;
+    ends.emplace_back(chord.ends, ends.size());
+  const auto tree = pack_rtree(ends);
+  for (const auto &[p, i] : ends)
+  {
+    BoundingBox<2> near(std::vector<Point<2>>{p.first, p.second});
+    near.extend(tolerance);
+    for (const auto &[q, j] : tree | index::adaptors::queried(index::intersects(near)))
+      if (i < j && meet(chords[i], chords[j], tolerance))
+      {
+        const auto [first, second] =
+          std::minmax(sides[chords[i].side].name(), sides[chords[j].side].name());
+        throw input_error(where,
+                          ": the sides ",
+                          first,
+                          " and ",
+                          second,
+                          " cross or touch near (",
+                          q.first + 0.5 * (q.second - q.first),
+                          "), allowed: sides that meet at their ends only.");
+      }
+  }
 }
 
 /** Refuses sides that cross or touch elsewhere than at common ends, and holes that are not inside
@@ -266,18 +246,25 @@ void check_outline(const std::vector<Side<2>> &sides, const double size, const s
   constexpr double same_point = 1e-9;
   const CoarseMesh polygons = make_chords(sides, numbers::PI / 90., 0., max_coarse_cells);
   std::vector<Chord> chords;
+  std::map<unsigned int, boost::geometry::model::ring<Point<2>, false, false>> loops;
   for (const CoarseMesh::Edge &edge : polygons.edges)
-    chords.push_back({polygons.vertices[edge.start],
-                      polygons.vertices[edge.end],
-                      edge.side,
-                      sides[edge.side].is_closed() ? edge.side : 0});
+  {
+    const Point<2> &start = polygons.vertices[edge.start];
+    const unsigned int loop = sides[edge.side].is_closed() ? edge.side : 0;
+    chords.push_back({{start, polygons.vertices[edge.end]}, edge.side, loop});
+    loops[loop].push_back(start);
+  }
   refuse_crossings(sides, chords, same_point * size, where);
-  for (unsigned int hole = 1; hole < sides.size(); ++hole)
-    for (unsigned int loop = 0; loop < sides.size() && sides[hole].is_closed(); ++loop)
-      if (loop != hole && encloses(chords, loop, sides[hole].start()) != (loop == 0))
-        throw InputError(where + ": " + sides[hole].name() + " lies " +
-                         (loop == 0 ? "outside of the body" : "inside of " + sides[loop].name()) +
-                         ", allowed: holes inside of the body, each by itself.");
+  for (const auto &[hole, unused] : loops)
+    for (const auto &[loop, ring] : loops)
+      if (hole > 0 && loop != hole &&
+          boost::geometry::within(sides[hole].start(), ring) != (loop == 0))
+        throw input_error(where,
+                          ": ",
+                          sides[hole].name(),
+                          " lies ",
+                          loop == 0 ? "outside of the body" : "inside of " + sides[loop].name(),
+                          ", allowed: holes inside of the body, each by itself.");
 }
 
 /** Returns the mesh of make_outlined_body(), with chords of at most @p step (radians) on arcs; none
@@ -295,9 +282,11 @@ std::optional<CoarseMesh> mesh_outline(const std::vector<Side<2>> &sides,
   if (!triangles.too_many)
     triangles = triangulate(chords.vertices, chords.edges, mesh_size, max_coarse_cells / 6);
   if (triangles.too_many)
-    throw InputError(where + ": found more than " + std::to_string(max_coarse_cells) +
-                     " coarse cells, allowed: a larger Mesh size, and sides that do not come very "
-                     "close to each other.");
+    throw input_error(where,
+                      ": found more than ",
+                      max_coarse_cells,
+                      " coarse cells, allowed: a larger Mesh size, and sides that do not come very "
+                      "close to each other.");
   CoarseMesh mesh = {triangles.points, triangles.triangles, {}};
   std::map<unsigned int, unsigned int> next;
   for (const auto &[start, end] : triangles.boundary)
@@ -329,8 +318,8 @@ Geometry<2> make_outlined_body(const std::vector<Side<2>> &sides,
   for (unsigned int attempt = 0; attempt < 10; ++attempt, step *= 0.7)
     if (const auto mesh = mesh_outline(sides, mesh_size, step, where))
       return make_body(sides, *mesh);
-  throw InputError(where +
-                   ": no mesh was found for this shape, allowed: arcs that do not come very "
-                   "close to other sides or meet them at very small angles.");
+  throw input_error(where,
+                    ": no mesh was found for this shape, allowed: arcs that do not come very "
+                    "close to other sides or meet them at very small angles.");
 }
 } // namespace Signorini

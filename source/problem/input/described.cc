@@ -4,9 +4,11 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/input/make_scene.h>
+#include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/scene/functions.h>
 
 #include <algorithm>
+#include <map>
 
 #include "input.h"
 
@@ -32,9 +34,14 @@ public:
   {
     const std::vector<std::string> parts = split_list(text, ';');
     if (parts.size() != n)
-      throw InputError(entry.where() + ": found " + std::to_string(parts.size()) +
-                       " component(s) in " + quote(text) + ", allowed: " + std::to_string(n) +
-                       (n == 1 ? " expression." : " expressions separated by ';'."));
+      throw error_at(entry,
+                     "found ",
+                     parts.size(),
+                     " component(s) in ",
+                     quote(text),
+                     ", allowed: ",
+                     n,
+                     (n == 1 ? " expression." : " expressions separated by ';'."));
     std::vector<Expression<dim>> expressions;
     expressions.reserve(n);
     for (const std::string &part : parts)
@@ -57,24 +64,6 @@ public:
 
   const Constants constants;
 };
-
-/** Refuses entries that a law does not use: they contradict it. */
-void refuse_foreign_moduli(const MaterialParameters &given)
-{
-  const std::vector<std::pair<const Entry *, MaterialLaw>> laws_of_entries = {
-    {&given.youngs_modulus, MaterialLaw::isotropic},
-    {&given.poissons_ratio, MaterialLaw::isotropic},
-    {&given.plane_state, MaterialLaw::isotropic},
-    {&given.hooke_tensor, MaterialLaw::general},
-    {&given.orthotropic_moduli, MaterialLaw::orthotropic},
-    {&given.orientation, MaterialLaw::orthotropic},
-    {&given.moduli_across,
-     given.law == MaterialLaw::general ? MaterialLaw::general : MaterialLaw::orthotropic}};
-  for (const auto &[entry, law] : laws_of_entries)
-    if (law != given.law && entry->changed)
-      throw InputError(entry->where() + ": this entry belongs to Law = " + to_text(law) +
-                       ", found Law = " + to_text(given.law.value) + ".");
-}
 
 template <int dim>
 std::shared_ptr<const Material<dim>> read_one_material(const MaterialParameters &given,
@@ -112,36 +101,42 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
                                                    const SceneReader<dim> &reader,
                                                    const Geometry<dim> &geometry)
 {
-  refuse_foreign_moduli(given);
+  const MaterialLaw law = given.law;
+  const std::string found = "Law = " + to_text(law);
+  refuse_foreign_entries(law == MaterialLaw::isotropic,
+                         {&given.youngs_modulus, &given.poissons_ratio, &given.plane_state},
+                         "Law = isotropic",
+                         found);
+  refuse_foreign_entries(
+    law == MaterialLaw::general, {&given.hooke_tensor}, "Law = general", found);
+  refuse_foreign_entries(law == MaterialLaw::orthotropic,
+                         {&given.orthotropic_moduli, &given.orientation},
+                         "Law = orthotropic",
+                         found);
+  refuse_foreign_entries(
+    law != MaterialLaw::isotropic, {&given.moduli_across}, "Law = orthotropic", found);
   const std::vector<std::string> &regions = geometry.regions;
-  std::vector<MaterialParameters> parts(regions.size(), given);
+  std::map<std::string, MaterialParameters> parts;
+  for (const std::string &region : regions)
+    parts[region] = given;
   bool differ = false;
   for (const auto entry : {&MaterialParameters::youngs_modulus,
                            &MaterialParameters::poissons_ratio,
                            &MaterialParameters::hooke_tensor,
                            &MaterialParameters::orthotropic_moduli,
                            &MaterialParameters::moduli_across})
-    if (!regions.empty() && begins_with_a_name((given.*entry).value))
+    if (const Given<std::string> &text = given.*entry;
+        !regions.empty() && begins_with_a_name(text.value))
     {
       differ = true;
-      const std::string where = (given.*entry).where(),
-                        allowed = "a region (" + join(regions) + ")";
-      const SideTexts texts = read_side_list((given.*entry).value, where, regions, allowed);
-      for (std::size_t r = 0; r < regions.size(); ++r)
-      {
-        const auto text = std::find_if(
-          texts.begin(), texts.end(), [&](const auto &pair) { return pair.first == regions[r]; });
-        if (text == texts.end())
-          throw InputError(where + ": found no entry for the region '" + regions[r] +
-                           "', allowed: one for each region (" + join(regions) + ").");
-        (parts[r].*entry).value = text->second;
-      }
+      for (const auto &[region, value] : read_list_for(regions, text.value, text.where(), regions))
+        (parts[region].*entry).value = value;
     }
   if (!differ)
     return read_one_material(given, reader, geometry);
   std::vector<std::shared_ptr<const Material<dim>>> materials;
-  for (const MaterialParameters &part : parts)
-    materials.push_back(read_one_material(part, reader, geometry));
+  for (const std::string &region : regions)
+    materials.push_back(read_one_material(parts[region], reader, geometry));
   return make_piecewise(materials, geometry.region_at, geometry.inner_point());
 }
 
@@ -160,11 +155,19 @@ void read_boundary(const BoundaryParameters &given,
     [&](const std::string &name, const Role role, const Entry &entry) -> BoundaryCondition<dim> & {
     const std::size_t side = scene.geometry.find_side(name);
     if (side == sides.size())
-      throw InputError(entry.where() + ": found the side " + quote(name) +
-                       ", allowed: " + join(scene.geometry.described_sides()) + ".");
+      throw error_at(entry,
+                     "found the side ",
+                     quote(name),
+                     ", allowed: ",
+                     join(scene.geometry.described_sides()),
+                     ".");
     if (entries[side] != nullptr)
-      throw InputError(entry.where() + ": the side '" + name + "' is listed in " +
-                       entries[side]->name + " already; every side has exactly one role.");
+      throw error_at(entry,
+                     "the side '",
+                     name,
+                     "' is listed in ",
+                     entries[side]->name,
+                     " already; every side has exactly one role.");
     entries[side] = &entry;
     scene.boundary[side].role = role;
     return scene.boundary[side];
@@ -190,8 +193,8 @@ void read_boundary(const BoundaryParameters &given,
         plate_displacement(plate, PlateMotion{plate.travel, 0.});
   }
   if (scene.contact_sides().empty())
-    throw InputError(given.contact.where() +
-                     ": no contact side is given, allowed: one or more of " + join(sides) + ".");
+    throw error_at(
+      given.contact, "no contact side is given, allowed: one or more of ", join(sides), ".");
 }
 
 /** Reads the gaps of all contact sides: rigid obstacles or expressions. */
@@ -207,8 +210,8 @@ void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Sce
     gaps = gaps_without_foundation(given, scene);
   }
   else
-    gaps = read_contact_list(
-      given.gap.value, given.gap.where(), scene.geometry.side_names(), contact_side_names(scene));
+    gaps = read_list_for(
+      contact_side_names(scene), given.gap.value, given.gap.where(), scene.geometry.side_names());
   for (const auto &[side, text] : gaps)
     scene.boundary[scene.geometry.find_side(side)].data = reader.function(text, 1, given.gap);
 }
@@ -221,8 +224,8 @@ void read_exact_pressure(const Given<std::string> &given,
 {
   if (given.value.empty())
     return;
-  for (const auto &[side, text] : read_contact_list(
-         given.value, given.where(), scene.geometry.side_names(), contact_side_names(scene)))
+  for (const auto &[side, text] : read_list_for(
+         contact_side_names(scene), given.value, given.where(), scene.geometry.side_names()))
     scene.boundary[scene.geometry.find_side(side)].exact_pressure =
       std::make_shared<ExpressionFunction<dim>>(reader.components(text, 1, given),
                                                 std::vector<Expression<dim>>(),
@@ -237,8 +240,8 @@ void read_exact_displacement(const ExactSolutionParameters &given,
   if (given.displacement.value.empty())
   {
     if (!given.displacement_gradient.value.empty())
-      throw InputError(given.displacement_gradient.where() + ": it needs " +
-                       given.displacement.name + ", which is not given.");
+      throw error_at(
+        given.displacement_gradient, "it needs ", given.displacement.name, ", which is not given.");
     return;
   }
   std::vector<Expression<dim>> gradients;

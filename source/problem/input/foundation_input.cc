@@ -3,13 +3,14 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/scene/scene.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <map>
-#include <set>
+#include <regex>
 
 #include "input.h"
 
@@ -34,23 +35,18 @@ struct Part
  * as an unknown word. */
 std::vector<Part> split_at_words(const std::string &text)
 {
-  const std::set<std::string> words = {
-    "plane", "circle", "parabola", "normal", "radius", "curvature", "inside"};
+  static const std::regex words("\\b(plane|circle|parabola|normal|radius|curvature|inside)\\b");
   std::vector<Part> parts(1);
-  for (std::size_t i = 0, end = 0; i < text.size(); i = end)
-  {
-    for (end = i; end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 ||
-                                        text[end] == '_' || text[end] == '.');)
-      ++end;
-    end = std::max(end, i + 1);
-    const std::string piece = text.substr(i, end - i);
-    if (words.count(piece) > 0)
-      parts.push_back({piece, ""});
+  bool is_word = false;
+  for (std::sregex_token_iterator piece(text.begin(), text.end(), words, {-1, 0}), end;
+       piece != end;
+       ++piece, is_word = !is_word)
+    if (is_word)
+      parts.push_back({*piece, ""});
     else
-      parts.back().text += piece;
-  }
-  parts.front().word = trim(parts.front().text);
-  if (parts.front().word.empty())
+      parts.back().text = *piece;
+  parts[0].word = trim(parts[0].text);
+  if (parts[0].word.empty())
     parts.erase(parts.begin());
   return parts;
 }
@@ -96,7 +92,7 @@ public:
 private:
   [[noreturn]] void refuse(const std::string &found, const std::string &allowed) const
   {
-    throw InputError(entry_.where() + ": found " + found + ", allowed: " + allowed + ".");
+    throw error_at(entry_, "found ", found, ", allowed: ", allowed, ".");
   }
 
   /** Reads numbers separated by commas, each a formula of the constants. */
@@ -199,8 +195,7 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
   const Geometry<2> &geometry = scene.geometry;
   const std::vector<std::string> texts = split_list(given, '|');
   if (texts.size() > max_obstacles)
-    throw InputError(given.where() + ": found " + std::to_string(texts.size()) +
-                     " things, allowed: at most " + std::to_string(max_obstacles) + ".");
+    throw error_at(given, "found ", texts.size(), " things, allowed: at most ", max_obstacles, ".");
   const double reach = max_gap * geometry.diameter();
   const std::vector<std::string> names = contact_side_names(scene);
   std::map<unsigned int, std::vector<Obstacle>> obstacles;
@@ -223,11 +218,15 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
                 can_touch(obstacle, geometry.sides[side], scene.foundation_position, reach, moves);
     }
     if (!touches)
-      throw InputError(
-        given.where() + ": found " + quote(text) +
-        ", which no outward normal of its contact sides can meet; allowed: things "
-        "ahead of a contact side, with normals towards the body, at a distance below " +
-        number_text(reach) + " (" + number_text(max_gap) + " times the size of the body).");
+      throw error_at(given,
+                     "found ",
+                     quote(text),
+                     ", which no outward normal of its contact sides can meet; allowed: things "
+                     "ahead of a contact side, with normals towards the body, at a distance below ",
+                     reach,
+                     " (",
+                     max_gap,
+                     " times the size of the body).");
   }
   return obstacles;
 }
@@ -241,8 +240,8 @@ void read_foundation(const ContactParameters &given,
   if (given.foundation.value.empty())
   {
     if (given.foundation_position.changed)
-      throw InputError(given.foundation_position.where() + ": it needs " + given.foundation.name +
-                       ", which is not given.");
+      throw error_at(
+        given.foundation_position, "it needs ", given.foundation.name, ", which is not given.");
     return;
   }
   scene.foundation_position = ObstacleReader(given.foundation_position, constants, scene.geometry)
@@ -264,26 +263,22 @@ SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2>
   std::vector<std::string> with, without;
   for (const unsigned int side : scene.contact_sides())
     (scene.boundary[side].foundation == nullptr ? without : with).push_back(all[side]);
-  if (with.empty())
-    return read_contact_list(gap.value, gap.where(), all, without);
-  const auto refuse_both = [&](const std::string &side) {
-    throw InputError(gap.where() + ": found a gap for the side '" + side + "', which has a " +
-                     given.foundation.name + "; allowed: one of them for each contact side.");
-  };
-  if (gap.changed && !begins_with_a_name(gap.value))
-    refuse_both(with.front());
-  if (!gap.changed)
-  {
-    if (!without.empty())
-      throw InputError(given.foundation.where() + ": found nothing for the contact side '" +
-                       without.front() +
-                       "', allowed: something for every contact side, here or in " + gap.name +
-                       " (" + without.front() + ": 0).");
-    return {};
-  }
-  for (const auto &entry : read_side_list(gap.value, gap.where(), all))
-    if (std::count(with.begin(), with.end(), entry.first) > 0)
-      refuse_both(entry.first);
-  return read_contact_list(gap.value, gap.where(), all, without.empty() ? with : without);
+  if (!with.empty() && gap.changed && (without.empty() || !begins_with_a_name(gap.value)))
+    throw error_at(gap,
+                   "found a gap for the side '",
+                   with.front(),
+                   "', which has a ",
+                   given.foundation.name,
+                   "; allowed: one of them for each contact side.");
+  if (!with.empty() && !gap.changed && !without.empty())
+    throw error_at(given.foundation,
+                   "found nothing for the contact side '",
+                   without.front(),
+                   "', allowed: something for every contact side, here or in ",
+                   gap.name,
+                   " (",
+                   without.front(),
+                   ": 0).");
+  return read_list_for(without, gap.value, gap.where(), all);
 }
 } // namespace Signorini

@@ -2,13 +2,17 @@
 // Coordinates, and the sizes of bodies that can be computed with.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/geometry/geometry.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/mesh_file/file_geometry.h>
+#include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameter_text.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/scene.h>
+
+#include <boost/algorithm/string/case_conv.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -27,21 +31,32 @@ std::vector<double> read_coordinates(const std::string &text,
 {
   std::vector<double> numbers;
   if (!read_numbers(text, numbers) || numbers.size() != n)
-    throw InputError(
-      entry.where() + ": found " + quote(text) + ", allowed: " +
+    throw error_at(
+      entry,
+      "found ",
+      quote(text),
+      ", allowed: ",
       (n == 2 ? "two numbers separated by a comma." : "three numbers separated by commas."));
   return numbers;
 }
 
 template <int dim>
-void check_coordinates(const std::vector<Point<dim>> &points, const std::string &where)
+Point<dim> read_point(const std::string &text, const Entry &entry)
 {
-  for (const Point<dim> &x : points)
-    for (unsigned int d = 0; d < dim; ++d)
-      if (!(std::abs(x[d]) <= max_magnitude))
-        throw InputError(where + ": found the coordinate " + number_text(x[d]) +
-                         ", allowed: coordinates up to " + number_text(max_magnitude) +
-                         "; take other units.");
+  const std::vector<double> numbers = read_coordinates(trim(text), dim, entry);
+  Point<dim> x;
+  for (unsigned int d = 0; d < dim; ++d)
+  {
+    x[d] = numbers[d];
+    if (!(std::abs(x[d]) <= max_magnitude))
+      throw error_at(entry,
+                     "found the coordinate ",
+                     x[d],
+                     ", allowed: coordinates up to ",
+                     max_magnitude,
+                     "; take other units.");
+  }
+  return x;
 }
 
 template <int dim>
@@ -54,67 +69,84 @@ void check_size(const Geometry<dim> &geometry, const std::string &where)
     for (const Side<2> &side : geometry.sides)
       shortest = std::min(shortest, side.length());
   if (!(size >= min_magnitude && size <= max_magnitude))
-    throw InputError(where + ": found a body of the size " + number_text(size) +
-                     ", allowed: sizes from " + number_text(min_magnitude) + " to " +
-                     number_text(max_magnitude) + "; take other units.");
+    throw input_error(where,
+                      ": found a body of the size ",
+                      size,
+                      ", allowed: sizes from ",
+                      min_magnitude,
+                      " to ",
+                      max_magnitude,
+                      "; take other units.");
   if (!(distance <= max_distance * size))
-    throw InputError(where + ": found a body of the size " + number_text(size) +
-                     " at the distance " + number_text(distance) +
-                     " from the origin, allowed: at most " + number_text(max_distance) +
-                     " times its size; put the origin near the body.");
+    throw input_error(where,
+                      ": found a body of the size ",
+                      size,
+                      " at the distance ",
+                      distance,
+                      " from the origin, allowed: at most ",
+                      max_distance,
+                      " times its size; put the origin near the body.");
   if (!(shortest * max_slenderness >= size))
-    throw InputError(where + ": found a side of the length " + number_text(shortest) +
-                     " on a body of the size " + number_text(size) +
-                     ", allowed: sides of at least " + number_text(1. / max_slenderness) +
-                     " of the size.");
+    throw input_error(where,
+                      ": found a side of the length ",
+                      shortest,
+                      " on a body of the size ",
+                      size,
+                      ", allowed: sides of at least ",
+                      1. / max_slenderness,
+                      " of the size.");
 }
 
-template void check_coordinates(const std::vector<Point<2>> &, const std::string &);
-template void check_coordinates(const std::vector<Point<3>> &, const std::string &);
+template Point<2> read_point(const std::string &, const Entry &);
+template Point<3> read_point(const std::string &, const Entry &);
 template void check_size(const Geometry<2> &, const std::string &);
 template void check_size(const Geometry<3> &, const std::string &);
 
-// Entries that exist in 2-D only.
+// Entries that exist in 2-D or for one shape or law only.
+
+void refuse_foreign_entries(const bool belong,
+                            const std::vector<const Entry *> &entries,
+                            const std::string &owner,
+                            const std::string &found)
+{
+  for (const Entry *entry : entries)
+    if (!belong && entry->changed)
+      throw error_at(*entry, "this entry belongs to ", owner, ", found ", found, ".");
+}
 
 namespace
 {
-/** Returns the entries that must stay at their defaults in 3-D. */
-std::vector<const Entry *> entries_for_2d_only(const Parameters &parameters)
-{
-  return {&parameters.geometry.arcs,
-          &parameters.material.plane_state,
-          &parameters.material.orthotropic_moduli,
-          &parameters.material.orientation,
-          &parameters.material.moduli_across,
-          &parameters.boundary.plates,
-          &parameters.load.plate_force,
-          &parameters.load.plate_moment,
-          &parameters.load.plate_travel,
-          &parameters.contact.foundation,
-          &parameters.contact.foundation_position,
-          &parameters.load_cases.cases,
-          &parameters.load_cases.fields,
-          &parameters.discretization.kinks_at_x,
-          &parameters.discretization.kinks_at_y,
-          &parameters.discretization.patches,
-          &parameters.output.lemmas};
-}
-
 template <typename Option>
 void refuse_option(const Given<Option> &given, const Option option, const std::string &allowed)
 {
   if (given == option)
-    throw InputError(given.where() + ": found '" + to_text(given.value) +
-                     "' with Dimension = 3, allowed: " + allowed + ".");
+    throw error_at(
+      given, "found '", to_text(given.value), "' with Dimension = 3, allowed: ", allowed, ".");
 }
 } // namespace
 
 void refuse_2d_entries(const Parameters &parameters)
 {
-  for (const Entry *entry : entries_for_2d_only(parameters))
-    if (entry->changed)
-      throw InputError(entry->where() +
-                       ": this entry exists with Dimension = 2 only, found Dimension = 3.");
+  refuse_foreign_entries(false,
+                         {&parameters.geometry.arcs,
+                          &parameters.material.plane_state,
+                          &parameters.material.orthotropic_moduli,
+                          &parameters.material.orientation,
+                          &parameters.material.moduli_across,
+                          &parameters.boundary.plates,
+                          &parameters.load.plate_force,
+                          &parameters.load.plate_moment,
+                          &parameters.load.plate_travel,
+                          &parameters.contact.foundation,
+                          &parameters.contact.foundation_position,
+                          &parameters.load_cases.cases,
+                          &parameters.load_cases.fields,
+                          &parameters.discretization.kinks_at_x,
+                          &parameters.discretization.kinks_at_y,
+                          &parameters.discretization.patches,
+                          &parameters.output.lemmas},
+                         "Dimension = 2",
+                         "Dimension = 3");
   refuse_option(parameters.material.law, MaterialLaw::orthotropic, "isotropic, general");
   refuse_option(parameters.discretization.strategy, Strategy::hp, to_text(Strategy::nested));
   refuse_option(parameters.discretization.element,
@@ -122,9 +154,11 @@ void refuse_2d_entries(const Parameters &parameters)
                 to_text(Element::q1) + ", " + to_text(Element::q2));
   const Given<unsigned int> &ratio = parameters.discretization.patch_ratio;
   if (ratio < 2 && parameters.discretization.element != Element::q2)
-    throw InputError(ratio.where() + ": found '" + std::to_string(ratio.value) +
-                     "' with Dimension = 3, allowed: 2 or more; in space the inf-sup constant of "
-                     "H = h falls like h^2.");
+    throw error_at(ratio,
+                   "found '",
+                   ratio.value,
+                   "' with Dimension = 3, allowed: 2 or more; in space the inf-sup constant of "
+                   "H = h falls like h^2.");
 }
 
 // Geometry/Shape = file: from the name of a mesh file to a body.
@@ -140,26 +174,26 @@ std::string read_mesh_file(const GeometryParameters &given)
   const std::filesystem::path path(given.file.value);
   const std::string allowed =
     ", allowed: a file that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...).";
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](const unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
+  std::string ending = boost::to_lower_copy(path.extension().string());
   ending.erase(0, 1);
   if (given.file.value.empty())
-    throw InputError(given.file.where() + ": found ''" + allowed);
+    throw error_at(given.file, "found ''", allowed);
   std::error_code error;
   if (!std::filesystem::exists(path, error))
-    throw InputError(given.file.where() + ": found " + quote(given.file) +
-                     ", which is neither in the folder of the parameter file" +
-                     (given.folder.empty() ? "" : " (" + shorten_path(given.folder) + ")") +
-                     " nor in the working folder" + allowed);
+    throw error_at(given.file,
+                   "found ",
+                   quote(given.file),
+                   ", which is neither in the folder of the parameter file",
+                   given.folder.empty() ? "" : " (" + shorten_path(given.folder) + ")",
+                   " nor in the working folder",
+                   allowed);
   const std::string content =
     read_whole_file(path.string(), given.file.where() + ": ", "mesh file", max_mesh_file_size);
   if (is_gmsh_text(content))
     return content;
   if (content.empty() || !is_gmsh_ending(ending))
-    throw InputError(given.file.where() + ": found " + quote(given.file) +
-                     (content.empty() ? ", which is empty" : "") + allowed);
+    throw error_at(
+      given.file, "found ", quote(given.file), content.empty() ? ", which is empty" : "", allowed);
   return convert_with_gmsh(content, ending, given.mesh_size, given.file.where() + ": ");
 }
 
@@ -168,26 +202,22 @@ std::string read_mesh_file(const GeometryParameters &given)
 namespace
 {
 /** Refuses entries that belong to another shape. */
-void refuse_foreign_entries(const GeometryParameters &given)
+void refuse_other_shapes(const GeometryParameters &given, const Shape shape)
 {
-  const Shape shape = given.shape;
   const bool is_round = shape == Shape::half_disc || shape == Shape::disc || shape == Shape::ring;
-  const auto refuse = [&](const Entry &entry, const bool belongs, const std::string &owner) {
-    if (entry.changed && !belongs)
-      throw InputError(entry.where() + ": this entry belongs to Shape = " + owner +
-                       ", found Shape = " + to_text(shape) + ".");
-  };
-  for (const Entry *entry :
-       std::initializer_list<const Entry *>{&given.lower_left, &given.upper_right, &given.cells})
-    refuse(*entry, shape == Shape::rectangle || shape == Shape::box, "rectangle or box");
-  for (const Entry *entry : std::initializer_list<const Entry *>{&given.vertices, &given.holes})
-    refuse(*entry, shape == Shape::polygon, "polygon");
-  refuse(given.centre, is_round, "half disc, disc or ring");
-  refuse(given.radius, is_round, "half disc, disc or ring");
-  refuse(given.inner_radius, shape == Shape::ring, "ring");
-  refuse(given.mesh_size, shape == Shape::polygon || shape == Shape::file, "polygon or file");
-  refuse(given.file, shape == Shape::file, "file");
-  refuse(given.arcs, shape == Shape::file, "file");
+  const auto refuse =
+    [found = "Shape = " + to_text(shape)](
+      const bool belong, const std::vector<const Entry *> &entries, const std::string &owner) {
+      refuse_foreign_entries(belong, entries, "Shape = " + owner, found);
+    };
+  refuse(shape == Shape::rectangle || shape == Shape::box,
+         {&given.lower_left, &given.upper_right, &given.cells},
+         "rectangle or box");
+  refuse(shape == Shape::polygon, {&given.vertices, &given.holes}, "polygon");
+  refuse(is_round, {&given.centre, &given.radius}, "half disc, disc or ring");
+  refuse(shape == Shape::ring, {&given.inner_radius}, "ring");
+  refuse(shape == Shape::polygon || shape == Shape::file, {&given.mesh_size}, "polygon or file");
+  refuse(shape == Shape::file, {&given.file, &given.arcs}, "file");
 }
 
 /** Opposite corners and coarse cells of a rectangle or a box. */
@@ -197,18 +227,6 @@ struct Block
   Point<dim> lower, upper;
   std::vector<unsigned int> cells;
 };
-
-/** Reads a point; coordinates that are not given are those of the unit square or cube. */
-template <int dim>
-Point<dim> read_corner(const Given<std::string> &given, const double by_default)
-{
-  const std::vector<double> numbers = given.changed ? read_coordinates(given.value, dim, given)
-                                                    : std::vector<double>(dim, by_default);
-  Point<dim> corner;
-  std::copy(numbers.begin(), numbers.end(), corner.begin_raw());
-  check_coordinates<dim>({corner}, given.where());
-  return corner;
-}
 
 template <int dim>
 Block<dim> read_block(const GeometryParameters &given)
@@ -220,33 +238,48 @@ Block<dim> read_block(const GeometryParameters &given)
   for (const double n : cells)
   {
     if (n < 1 || n > 10000 || n != std::floor(n))
-      throw InputError(given.cells.where() + ": found " + quote(given.cells) +
-                       ", allowed: " + (dim == 2 ? "two" : "three") + " integers from 1 to 10000.");
+      throw error_at(given.cells,
+                     "found ",
+                     quote(given.cells),
+                     ", allowed: ",
+                     (dim == 2 ? "two" : "three"),
+                     " integers from 1 to 10000.");
     block.cells.push_back(static_cast<unsigned int>(n));
   }
-  block.lower = read_corner<dim>(given.lower_left, 0.);
-  block.upper = read_corner<dim>(given.upper_right, 1.);
+  // What is not given is that of the unit square or cube.
+  if (given.lower_left.changed)
+    block.lower = read_point<dim>(given.lower_left, given.lower_left);
+  for (unsigned int d = 0; d < dim; ++d)
+    block.upper[d] = 1.;
+  if (given.upper_right.changed)
+    block.upper = read_point<dim>(given.upper_right, given.upper_right);
   for (unsigned int d = 0; d < dim; ++d)
     if (!(block.upper[d] > block.lower[d]))
-      throw InputError(given.upper_right.where() + ": found " + quote(given.upper_right) +
-                       ", allowed: a point to the right of and above " +
-                       (dim == 2 ? "" : "and behind ") + "Lower left = " + given.lower_left.value +
-                       ".");
+      throw error_at(given.upper_right,
+                     "found ",
+                     quote(given.upper_right),
+                     ", allowed: a point to the right of and above ",
+                     (dim == 2 ? "" : "and behind "),
+                     "Lower left = ",
+                     given.lower_left.value,
+                     ".");
   return block;
 }
 
 Geometry<2> read_round_body(const GeometryParameters &given)
 {
-  const auto xy = read_coordinates(given.centre, 2, given.centre);
-  const Point<2> centre(xy[0], xy[1]);
-  check_coordinates<2>({centre}, given.centre.where());
+  const Point<2> centre = read_point<2>(given.centre, given.centre);
   if (given.shape == Shape::half_disc)
     return make_half_disc(given.radius, centre);
   if (given.shape == Shape::disc)
     return make_disc(given.radius, centre);
   if (!(given.inner_radius < given.radius * (1. - 1. / max_slenderness)))
-    throw InputError(given.inner_radius.where() + ": found " + number_text(given.inner_radius) +
-                     ", allowed: less than Radius = " + number_text(given.radius) + ".");
+    throw error_at(given.inner_radius,
+                   "found ",
+                   given.inner_radius,
+                   ", allowed: less than Radius = ",
+                   given.radius,
+                   ".");
   return make_ring(given.inner_radius, given.radius, centre);
 }
 } // namespace
@@ -255,11 +288,13 @@ template <>
 Geometry<3> make_geometry(const GeometryParameters &given)
 {
   if (given.shape != Shape::box && given.shape.changed)
-    throw InputError(given.shape.where() + ": found '" + to_text(given.shape.value) +
-                     "' with Dimension = 3, allowed: " + to_text(Shape::box) + ".");
-  GeometryParameters box_parameters = given;
-  box_parameters.shape.value = Shape::box;
-  refuse_foreign_entries(box_parameters);
+    throw error_at(given.shape,
+                   "found '",
+                   to_text(given.shape.value),
+                   "' with Dimension = 3, allowed: ",
+                   to_text(Shape::box),
+                   ".");
+  refuse_other_shapes(given, Shape::box);
   const Block<3> block = read_block<3>(given);
   Geometry<3> geometry = make_box(block.lower, block.upper, block.cells);
   check_size(geometry, given.upper_right.where());
@@ -271,7 +306,7 @@ Geometry<3> make_geometry(const GeometryParameters &given)
 template <>
 Geometry<2> make_geometry(const GeometryParameters &given)
 {
-  refuse_foreign_entries(given);
+  refuse_other_shapes(given, given.shape);
   Geometry<2> geometry;
   switch (given.shape.value)
   {
@@ -283,8 +318,8 @@ Geometry<2> make_geometry(const GeometryParameters &given)
     break;
   }
   case Shape::box:
-    throw InputError(given.shape.where() +
-                     ": found 'box' with Dimension = 2, allowed: Dimension = 3, or another shape.");
+    throw error_at(given.shape,
+                   "found 'box' with Dimension = 2, allowed: Dimension = 3, or another shape.");
   case Shape::polygon:
     geometry = read_polygon(given);
     check_size(geometry, given.vertices.where());
@@ -297,8 +332,7 @@ Geometry<2> make_geometry(const GeometryParameters &given)
     break;
   case Shape::file:
     if (given.distortion.changed)
-      throw InputError(given.distortion.where() +
-                       ": meshes from files are not distorted, found Shape = file.");
+      throw error_at(given.distortion, "meshes from files are not distorted, found Shape = file.");
     geometry = make_geometry(
       read_gmsh(given.mesh.empty() ? read_mesh_file(given) : given.mesh,
                 given.file.where() + ": " +

@@ -21,12 +21,10 @@ using SideTexts = std::vector<std::pair<std::string, std::string>>;
 std::vector<std::string> sides_called(const std::string &name,
                                       const std::vector<std::string> &sides);
 
-/** Reads "left: tx; ty | right: tx; ty". @throws InputError if an entry names no side; @p allowed
- * says which there are, "a side (left, right)" by default. */
+/** Reads "left: tx; ty | right: tx; ty". @throws InputError if an entry names no side. */
 SideTexts read_side_list(const std::string &text,
                          const std::string &where,
-                         const std::vector<std::string> &sides,
-                         const std::string &allowed = "");
+                         const std::vector<std::string> &sides);
 
 /** Returns whether a text begins with a word and ':', so that it is for one side. */
 bool begins_with_a_name(const std::string &text);
@@ -41,13 +39,14 @@ std::vector<std::string> contact_side_names(const Scene<dim> &scene)
 }
 
 /**
- * Reads "expression" for all contact sides or "bottom: ... | left: ...", one for each.
- * @throws InputError if a contact side has none or two, or another side is named.
+ * Reads "expression" for all of @p called or "bottom: ... | left: ...", one for each of these
+ * sides.
+ * @throws InputError if one of them has none or two, or another side is named.
  */
-SideTexts read_contact_list(const std::string &text,
-                            const std::string &where,
-                            const std::vector<std::string> &sides,
-                            const std::vector<std::string> &contact_sides);
+SideTexts read_list_for(const std::vector<std::string> &called,
+                        const std::string &text,
+                        const std::string &where,
+                        const std::vector<std::string> &sides);
 
 /** Reads Boundary/Plates with Load/Plate force, Plate moment and Plate travel. @throws InputError.
  */
@@ -77,15 +76,21 @@ SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2>
  * InputError */
 std::vector<double> read_coordinates(const std::string &text, unsigned int n, const Entry &entry);
 
-/** Refuses coordinates beyond max_magnitude, whose squares would overflow before the size of
- * the body is checked. */
+/** Reads a point, too. Coordinates beyond max_magnitude, whose squares would overflow before the
+ * size of the body is checked, are refused. @throws InputError */
 template <int dim>
-void check_coordinates(const std::vector<Point<dim>> &points, const std::string &where);
+Point<dim> read_point(const std::string &text, const Entry &entry);
 
 /** Refuses a body that is too large, too small or too far away to compute with; @p where is the
  * parameter that made it. */
 template <int dim>
 void check_size(const Geometry<dim> &geometry, const std::string &where);
+
+/** Refuses entries that are given, unless they belong to what is found. @throws InputError */
+void refuse_foreign_entries(bool belong,
+                            const std::vector<const Entry *> &entries,
+                            const std::string &owner,
+                            const std::string &found);
 
 /** Refuses, with Dimension = 3, entries that exist in 2-D only. @throws InputError */
 void refuse_2d_entries(const Parameters &parameters);

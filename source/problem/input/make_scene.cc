@@ -2,9 +2,11 @@
 // Problem (1) from the parameters: out of the catalogue, or described by expressions.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/catalogue/catalogue.h>
 #include <signorini/problem/input/make_scene.h>
+#include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/corners.h>
 #include <signorini/problem/scene/rigid_motions.h>
@@ -32,9 +34,14 @@ void refuse_description(const Parameters &parameters)
   if (parameters.changes_of_scene.empty())
     return;
   const Given<std::string> &name = parameters.scene.name;
-  throw InputError(parameters.changes_of_scene.front().where() + ": the catalogue scene '" +
-                   name.value + "' fixes this entry; leave it out, or set " + name.name + " = " +
-                   described + ".");
+  throw error_at(parameters.changes_of_scene.front(),
+                 "the catalogue scene '",
+                 name.value,
+                 "' fixes this entry; leave it out, or set ",
+                 name.name,
+                 " = ",
+                 described,
+                 ".");
 }
 
 /** Returns whether anything could press the body onto the foundation. */
@@ -48,10 +55,8 @@ bool is_loaded(const Scene<2> &scene)
       if (scene.boundary[i].data->value(side.point((k + 0.5) / n_samples * side.length())) < 0.)
         return true;
     }
-  return scene.body_force != nullptr || has_load(scene, LoadKind::travel) ||
-         std::any_of(scene.boundary.begin(), scene.boundary.end(), [](const auto &condition) {
-           return condition.role == Role::traction;
-         });
+  return has_load(scene, LoadKind::force) || has_load(scene, LoadKind::weight) ||
+         has_load(scene, LoadKind::travel);
 }
 
 /** Finds out whether contact alone holds the body, which needs a load. */
@@ -62,10 +67,11 @@ void check_free_motions(Scene<2> &scene, const std::string &where)
   for (const RigidMotion &motion : free_rigid_motions(scene, Plates::released))
     names.push_back(motion.name());
   if (!names.empty() && !is_loaded(scene))
-    throw InputError(where + ": the clamped, prescribed and roller sides leave " +
-                     join(names, " and ") +
-                     " of the body free, and no load presses it onto the foundation; hold the "
-                     "body with Clamped, Displacement or Rollers, or load it.");
+    throw input_error(where,
+                      ": the clamped, prescribed and roller sides leave ",
+                      join(names, " and "),
+                      " of the body free, and no load presses it onto the foundation; hold the "
+                      "body with Clamped, Displacement or Rollers, or load it.");
 }
 
 /** The smallest distance of two kinks as a share of the body. Closer ones cut off slivers, each of
@@ -83,15 +89,24 @@ void refuse_bad_kinks(const Geometry<2> &geometry,
   std::sort(positions.begin(), positions.end());
   for (std::size_t i = 0; i + 1 < positions.size(); ++i)
     if (!(positions[i + 1] - positions[i] >= min_distance))
-      throw InputError(given.where() + ": found kinks at " + number_text(positions[i]) +
-                       " at a distance of " + number_text(positions[i + 1] - positions[i]) +
-                       " from each other, allowed: distances of at least " +
-                       number_text(min_distance) + " (a thousandth of the body).");
+      throw error_at(given,
+                     "found kinks at ",
+                     positions[i],
+                     " at a distance of ",
+                     positions[i + 1] - positions[i],
+                     " from each other, allowed: distances of at least ",
+                     min_distance,
+                     " (a thousandth of the body).");
   for (const double position : given.value)
     if (!(position >= lower && position <= upper))
-      throw InputError(given.where() + ": found " + number_text(position) +
-                       ", allowed: positions on the body, from " + number_text(lower) + " to " +
-                       number_text(upper) + ".");
+      throw error_at(given,
+                     "found ",
+                     position,
+                     ", allowed: positions on the body, from ",
+                     lower,
+                     " to ",
+                     upper,
+                     ".");
 }
 
 /** Refuses supports of which no displacement of finite energy satisfies all. */
@@ -100,7 +115,7 @@ void refuse_contradiction(const Scene<dim> &scene, const std::string &where)
 {
   const std::string contradiction = find_contradiction(scene);
   if (!contradiction.empty())
-    throw InputError(where + ": " + contradiction + ".");
+    throw input_error(where, ": ", contradiction, ".");
 }
 
 /** Returns the scene that the parameters name. */
@@ -123,8 +138,13 @@ Scene<dim> read_scene(const Parameters &parameters)
     scene.description = entry.description;
     return scene;
   }
-  throw InputError(parameters.scene.name.where() + ": found " + quote(name) +
-                   (dim == 2 ? "" : " with Dimension = 3") + ", allowed: " + join(names) + ".");
+  throw error_at(parameters.scene.name,
+                 "found ",
+                 quote(name),
+                 (dim == 2 ? "" : " with Dimension = 3"),
+                 ", allowed: ",
+                 join(names),
+                 ".");
 }
 } // namespace
 
@@ -168,10 +188,11 @@ Scene<3> make_scene(const Parameters &parameters)
   refuse_contradiction(scene, parameters.boundary.where);
   const std::vector<std::string> names = free_rigid_motions(scene);
   if (!names.empty())
-    throw InputError(parameters.boundary.where +
-                     ": the clamped, prescribed and roller sides leave " + join(names, " and ") +
-                     " of the body free; in 3-D, hold the body with Clamped, Displacement or "
-                     "Rollers.");
+    throw input_error(parameters.boundary.where,
+                      ": the clamped, prescribed and roller sides leave ",
+                      join(names, " and "),
+                      " of the body free; in 3-D, hold the body with Clamped, Displacement or "
+                      "Rollers.");
   return scene;
 }
 
@@ -230,11 +251,13 @@ void read_cases(const std::string &entry,
 {
   const auto require = [&](const bool is_understood) {
     if (!is_understood)
-      throw InputError(given.where() + ": found " + quote(entry) +
-                       ", allowed: entries separated by '|' like force 0.5, weight 2 or force 0 to "
-                       "3 in 100 cases, with the names " +
-                       join(factor_names) +
-                       "; what changes the stiffness needs a run of its own (--sweep).");
+      throw error_at(given,
+                     "found ",
+                     quote(entry),
+                     ", allowed: entries separated by '|' like force 0.5, weight 2 or force 0 to "
+                     "3 in 100 cases, with the names ",
+                     join(factor_names),
+                     "; what changes the stiffness needs a run of its own (--sweep).");
   };
   std::string text = entry;
   unsigned int n = 1;
@@ -246,8 +269,7 @@ void read_cases(const std::string &entry,
     text = text.substr(0, text.rfind("in "));
   }
   if (cases.size() + n > max_cases)
-    throw InputError(given.where() + ": found more than " + std::to_string(max_cases) +
-                     " cases, allowed: at most that many.");
+    throw error_at(given, "found more than ", max_cases, " cases, allowed: at most that many.");
   const std::size_t first = cases.size();
   cases.resize(first + n);
   for (const std::string &part : split_list(text, ','))
@@ -259,7 +281,7 @@ void read_cases(const std::string &entry,
     require(name != factor_names.end());
     const std::string useless = uselessness(*name, scene);
     if (!useless.empty())
-      throw InputError(given.where() + ": found the factor '" + *name + "', but " + useless + ".");
+      throw error_at(given, "found the factor '", *name, "', but ", useless, ".");
     const std::vector<std::string> words = split_words(part.substr(name->size()));
     double from = 0., to = 0.;
     require((words.size() == 1 || (words.size() == 3 && words[1] == "to" && n > 1)) &&
@@ -283,7 +305,7 @@ std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Sc
   {
     const unsigned int number = whole_number(word, 1., static_cast<double>(cases.size()));
     if (number == 0)
-      throw InputError(
+      throw input_error(
         given.fields.where() + ": found " + quote(word) + ", allowed: numbers of cases, " +
         (cases.empty() ? "of which there are none" : "from 1 to " + std::to_string(cases.size())) +
         ".");

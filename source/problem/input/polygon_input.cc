@@ -3,9 +3,11 @@
 // left.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/geometry/geometry.h>
 #include <signorini/problem/geometry/outline.h>
+#include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/scene/scene.h>
 
 #include <deal.II/base/numbers.h>
@@ -53,23 +55,34 @@ double cross_product(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
   return a * cross_product_2d(b);
 }
 
-/** Returns the edge from a to b. The centre of an arc is moved so that both are on it to rounding.
- */
-Curve edge_between(const PolygonVertex &a, const PolygonVertex &b, const std::string &where)
+/** Returns the edge from a to b, or from b to a. The centre of an arc is moved so that both are on
+ * it to rounding. */
+Curve edge_between(const PolygonVertex &a,
+                   const PolygonVertex &b,
+                   const bool forwards,
+                   const std::string &where)
 {
   constexpr double allowed_difference = 1e-6;
+  const Point<2> &start = forwards ? a.x : b.x, &end = forwards ? b.x : a.x;
   if (!a.arc)
-    return {a.x, b.x};
+    return {start, end};
   const double from = a.arc->centre.distance(a.x), to = a.arc->centre.distance(b.x);
   if (!(std::abs(from - to) <= allowed_difference * std::max(from, to)) || from == 0.)
-    throw InputError(where + ": the centre of the arc from " + a.name + " to " + b.name +
-                     " is at the distances " + number_text(from) + " and " + number_text(to) +
-                     " from them, allowed: equal ones, to 1e-6.");
+    throw input_error(where,
+                      ": the centre of the arc from ",
+                      a.name,
+                      " to ",
+                      b.name,
+                      " is at the distances ",
+                      from,
+                      " and ",
+                      to,
+                      " from them, allowed: equal ones, to 1e-6.");
   const Tensor<1, 2> chord = b.x - a.x, off = a.arc->centre - (a.x + 0.5 * chord);
-  return Curve::arc_between(a.x,
-                            b.x,
+  return Curve::arc_between(start,
+                            end,
                             a.arc->centre - ((off * chord) / chord.norm_square()) * chord,
-                            a.arc->counter_clockwise);
+                            a.arc->counter_clockwise == forwards);
 }
 
 void refuse_equal_vertices(const PolygonLoop &loop, const std::string &where)
@@ -81,8 +94,12 @@ void refuse_equal_vertices(const PolygonLoop &loop, const std::string &where)
   {
     const PolygonVertex &next = loop[(i + 1) % loop.size()];
     if (!(loop[i].x.distance(next.x) > 1e-9 * size))
-      throw InputError(where + ": " + loop[i].name + " and " + next.name +
-                       " are the same point, allowed: sides that have a length.");
+      throw input_error(where,
+                        ": ",
+                        loop[i].name,
+                        " and ",
+                        next.name,
+                        " are the same point, allowed: sides that have a length.");
   }
 }
 
@@ -102,9 +119,11 @@ PolygonLoop round_corners(const PolygonLoop &loop, const std::string &where)
     const Tensor<1, 2> u = to_last / to_last.norm(), v = to_next / to_next.norm();
     const double half = 0.5 * std::atan2(std::abs(cross_product(u, v)), u * v);
     if (vertex.arc || before.arc || !(half > 1e-3 && half < 0.5 * PI - 1e-3))
-      throw InputError(where + ": found a fillet at " + vertex.name +
-                       ", where no corner of straight sides is, allowed: fillets between straight "
-                       "sides that form a corner.");
+      throw input_error(where,
+                        ": found a fillet at ",
+                        vertex.name,
+                        ", where no corner of straight sides is, allowed: fillets between straight "
+                        "sides that form a corner.");
     cuts[i] = vertex.fillet / std::tan(half);
     // The vector u points back: a corner to the left has v on the right of u.
     rounded.back().arc = {vertex.x + vertex.fillet / std::sin(half) * (u + v) / (u + v).norm(),
@@ -119,9 +138,16 @@ PolygonLoop round_corners(const PolygonLoop &loop, const std::string &where)
     const PolygonVertex &next = loop[(i + 1) % n];
     const double length = loop[i].x.distance(next.x), taken = cuts[i] + cuts[(i + 1) % n];
     if (!(length - taken > 1e-6 * length))
-      throw InputError(where + ": the fillets at " + loop[i].name + " and " + next.name + " need " +
-                       number_text(taken) + " of a side of the length " + number_text(length) +
-                       ", allowed: smaller radii.");
+      throw input_error(where,
+                        ": the fillets at ",
+                        loop[i].name,
+                        " and ",
+                        next.name,
+                        " need ",
+                        taken,
+                        " of a side of the length ",
+                        length,
+                        ", allowed: smaller radii.");
   }
   return rounded;
 }
@@ -136,33 +162,25 @@ std::vector<Side<2>> sides_of(const PolygonLoop &given,
                               const std::string &where)
 {
   refuse_equal_vertices(given, where);
-  PolygonLoop loop = round_corners(given, where);
+  const PolygonLoop loop = round_corners(given, where);
   const std::size_t n = loop.size();
   double area = 0.;
   for (std::size_t i = 0; i < n; ++i)
   {
     const PolygonVertex &a = loop[i], &b = loop[(i + 1) % n];
-    const Curve edge = edge_between(a, b, where);
+    const Curve edge = edge_between(a, b, true, where);
     area += 0.5 * cross_product(a.x - loop[0].x, b.x - loop[0].x);
     const double R = edge.radius(), angle = a.arc ? edge.length() / R : 0.;
     area += (a.arc && a.arc->counter_clockwise ? 0.5 : -0.5) * R * R * (angle - std::sin(angle));
   }
-  if ((area > 0.) != is_outer)
-  {
-    const PolygonLoop forwards = loop;
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      const PolygonVertex &edge = forwards[(2 * n - 2 - i) % n];
-      loop[i] = forwards[n - 1 - i];
-      loop[i].edge_name = edge.edge_name;
-      loop[i].arc = edge.arc;
-      if (loop[i].arc)
-        loop[i].arc->counter_clockwise = !loop[i].arc->counter_clockwise;
-    }
-  }
+  const bool forwards = (area > 0.) == is_outer;
   std::vector<Side<2>> sides;
   for (std::size_t i = 0; i < n; ++i)
-    sides.emplace_back(loop[i].edge_name, edge_between(loop[i], loop[(i + 1) % n], where));
+  {
+    const std::size_t e = forwards ? i : (2 * n - 2 - i) % n;
+    sides.emplace_back(loop[e].edge_name,
+                       edge_between(loop[e], loop[(e + 1) % n], forwards, where));
+  }
   return sides;
 }
 
@@ -171,16 +189,7 @@ std::vector<Side<2>> sides_of(const PolygonLoop &given,
 void check_number(const std::size_t n, const std::string &where)
 {
   if (n > max_vertices)
-    throw InputError(where + ": found " + std::to_string(n) + " vertices, allowed: at most " +
-                     std::to_string(max_vertices) + ".");
-}
-
-Point<2> read_point(const std::string &text, const Entry &entry)
-{
-  const std::vector<double> xy = read_coordinates(trim(text), 2, entry);
-  const Point<2> x(xy[0], xy[1]);
-  check_coordinates<2>({x}, entry.where());
-  return x;
+    throw input_error(where, ": found ", n, " vertices, allowed: at most ", max_vertices, ".");
 }
 
 /** Reads "arc cx,cy ccw". */
@@ -190,24 +199,26 @@ PolygonArc read_arc(const std::string &text, const Entry &entry)
   const std::size_t blank = rest.find_last_of(" \t");
   const std::string direction = blank == std::string::npos ? "" : rest.substr(blank + 1);
   if (direction != "cw" && direction != "ccw")
-    throw InputError(entry.where() + ": found " + quote(text) +
-                     ", allowed: 'arc cx,cy ccw' (counter-clockwise) or 'arc cx,cy cw'.");
-  return {read_point(rest.substr(0, blank), entry), direction == "ccw"};
+    throw error_at(entry,
+                   "found ",
+                   quote(text),
+                   ", allowed: 'arc cx,cy ccw' (counter-clockwise) or 'arc cx,cy cw'.");
+  return {read_point<2>(rest.substr(0, blank), entry), direction == "ccw"};
 }
 
 /** Reads "x,y" or "x,y fillet r". */
 PolygonVertex read_vertex(const std::string &text, const std::size_t number, const Entry &entry)
 {
   const std::size_t word = text.find("fillet");
-  PolygonVertex vertex = {read_point(text.substr(0, word), entry),
+  PolygonVertex vertex = {read_point<2>(text.substr(0, word), entry),
                           0.,
                           "vertex " + std::to_string(number),
                           "side" + std::to_string(number),
                           {}};
   if (word != std::string::npos &&
       (!read_number(trim(text.substr(word + 6)), vertex.fillet) || !(vertex.fillet > 0.)))
-    throw InputError(entry.where() + ": found " + quote(text) +
-                     ", allowed: 'x,y fillet r' with a positive radius r.");
+    throw error_at(
+      entry, "found ", quote(text), ", allowed: 'x,y fillet r' with a positive radius r.");
   return vertex;
 }
 
@@ -220,31 +231,33 @@ PolygonLoop read_loop(const std::string &text, const Entry &entry)
     if (part.compare(0, 3, "arc") == 0)
     {
       if (loop.empty() || loop.back().arc)
-        throw InputError(entry.where() + ": found " + quote(part) +
-                         " without a vertex before it, "
-                         "allowed: one arc between two vertices, or after the last.");
+        throw error_at(entry,
+                       "found ",
+                       quote(part),
+                       " without a vertex before it, "
+                       "allowed: one arc between two vertices, or after the last.");
       loop.back().arc = read_arc(part, entry);
     }
     else
       loop.push_back(read_vertex(part, loop.size(), entry));
   const std::size_t n = loop.size();
   if (n < 2 || (n == 2 && !loop[0].arc && !loop[1].arc))
-    throw InputError(entry.where() + ": found " + std::to_string(n) +
-                     (n == 1 ? " vertex" : " vertices") +
-                     ", allowed: three or more, x0,y0; x1,y1; ...");
+    throw error_at(entry,
+                   "found ",
+                   n,
+                   (n == 1 ? " vertex" : " vertices"),
+                   ", allowed: three or more, x0,y0; x1,y1; ...");
   return loop;
 }
 
 /** Reads "circle cx,cy,r"; the circle runs clockwise. */
 Curve read_circle(const std::string &text, const Entry &entry)
 {
-  std::vector<double> numbers;
-  if (!read_numbers(text.substr(6), numbers) || numbers.size() != 3 || !(numbers[2] > 0.))
-    throw InputError(entry.where() + ": found " + quote(text) +
-                     ", allowed: 'circle cx,cy,r' with a positive radius r.");
-  const Point<2> centre(numbers[0], numbers[1]);
-  check_coordinates<2>({centre, Point<2>(numbers[2], 0.)}, entry.where());
-  return Curve::arc(centre, numbers[2], PI, -PI, Body::outside);
+  const Point<3> circle = read_point<3>(text.substr(6), entry);
+  if (!(circle[2] > 0.))
+    throw error_at(
+      entry, "found ", quote(text), ", allowed: 'circle cx,cy,r' with a positive radius r.");
+  return Curve::arc({circle[0], circle[1]}, circle[2], PI, -PI, Body::outside);
 }
 
 void add_holes(const Given<std::string> &given, std::vector<Side<2>> &sides)
@@ -260,8 +273,10 @@ void add_holes(const Given<std::string> &given, std::vector<Side<2>> &sides)
       continue;
     }
     if (!holes[k].empty() && std::isalpha(static_cast<unsigned char>(holes[k][0])) != 0)
-      throw InputError(given.where() + ": found " + quote(holes[k]) +
-                       ", allowed: 'circle cx,cy,r' or vertices 'x0,y0; x1,y1; ...'.");
+      throw error_at(given,
+                     "found ",
+                     quote(holes[k]),
+                     ", allowed: 'circle cx,cy,r' or vertices 'x0,y0; x1,y1; ...'.");
     const std::vector<Side<2>> pieces = sides_of(read_loop(holes[k], given), false, given.where());
     sides.emplace_back(name, Curve::chain({pieces.begin(), pieces.end()}));
   }

@@ -2,13 +2,15 @@
 // Lists by boundary name: entries separated by '|', the name before the first ':'.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/scene/scene.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <functional>
+#include <map>
 #include <set>
 
 #include "input.h"
@@ -43,53 +45,47 @@ std::vector<std::string> sides_called(const std::string &name,
 
 SideTexts read_side_list(const std::string &text,
                          const std::string &where,
-                         const std::vector<std::string> &sides,
-                         const std::string &allowed)
+                         const std::vector<std::string> &sides)
 {
   SideTexts entries;
   for (const std::string &part : split_list(text, '|'))
   {
     const auto colon = part.find(':');
-    const std::string name = trim(part.substr(0, colon));
-    const std::vector<std::string> called = sides_called(name, sides);
+    const std::vector<std::string> called = sides_called(trim(part.substr(0, colon)), sides);
     if (colon == std::string::npos || called.empty())
-      throw InputError(where + ": found " + quote(part) + ", allowed: " +
-                       (allowed.empty() ? "a side (" + join(sides) + ")" : allowed) +
-                       ", ':' and its value.");
+      throw input_error(
+        where, ": found ", quote(part), ", allowed: one of ", join(sides), ", ':' and its value.");
     for (const std::string &side : called)
       entries.emplace_back(side, trim(part.substr(colon + 1)));
   }
   return entries;
 }
 
-SideTexts read_contact_list(const std::string &text,
-                            const std::string &where,
-                            const std::vector<std::string> &sides,
-                            const std::vector<std::string> &contact_sides)
+SideTexts read_list_for(const std::vector<std::string> &called,
+                        const std::string &text,
+                        const std::string &where,
+                        const std::vector<std::string> &sides)
 {
   SideTexts entries;
   if (!begins_with_a_name(text))
-  {
-    for (const std::string &side : contact_sides)
+    for (const std::string &side : called)
       entries.emplace_back(side, trim(text));
-    return entries;
-  }
-  const auto has_entry = [&](const std::string &side) {
-    return std::any_of(
-      entries.begin(), entries.end(), [&](const auto &entry) { return entry.first == side; });
-  };
-  for (const auto &entry : read_side_list(text, where, sides))
-  {
-    if (has_entry(entry.first) ||
-        std::count(contact_sides.begin(), contact_sides.end(), entry.first) == 0)
-      throw InputError(where + ": found an entry for " + quote(entry.first) +
-                       ", allowed: one for each contact side (" + join(contact_sides) + ").");
-    entries.push_back(entry);
-  }
-  for (const std::string &side : contact_sides)
-    if (!has_entry(side))
-      throw InputError(where + ": found no entry for the contact side '" + side +
-                       "', allowed: one for each contact side.");
+  else
+    entries = read_side_list(text, where, sides);
+  std::multiset<std::string> names;
+  for (const auto &entry : entries)
+    names.insert(entry.first);
+  for (const std::string &name : sides)
+    if (const bool belongs = std::count(called.begin(), called.end(), name) > 0;
+        names.count(name) != (belongs ? 1U : 0U))
+      throw input_error(where,
+                        ": the number of entries for '",
+                        name,
+                        "' is ",
+                        names.count(name),
+                        ", allowed: one for each of ",
+                        join(called),
+                        ".");
   return entries;
 }
 
@@ -112,8 +108,12 @@ Plate read_plate(const std::string &name,
     numbers = trim(text.substr(0, place));
   std::vector<double> d;
   if (!read_numbers(numbers, d) || d.size() != 2 || !(std::hypot(d[0], d[1]) > 0.))
-    throw InputError(entry.where() + ": found " + quote(text) + " for the side '" + name +
-                     "', allowed: a direction dx, dy, perhaps followed by the word turning.");
+    throw error_at(entry,
+                   "found ",
+                   quote(text),
+                   " for the side '",
+                   name,
+                   "', allowed: a direction dx, dy, perhaps followed by the word turning.");
   plate.side = geometry.find_side(name);
   const Side<2> &side = geometry.sides[plate.side];
   plate.centre = side.point(0.5 * side.length());
@@ -121,64 +121,24 @@ Plate read_plate(const std::string &name,
   return plate;
 }
 
-/** Reads "side: number" entries for plates. */
-void read_numbers_of(const Given<std::string> &given,
-                     const Geometry<2> &geometry,
-                     std::vector<Plate> &plates,
-                     const std::function<void(Plate &, const std::string &name, double)> &take)
+/** Reads "side: number" entries for plates, by their names. */
+std::map<std::string, double> read_numbers_of(const Given<std::string> &given,
+                                              const std::vector<std::string> &plates)
 {
-  if (given.value.empty())
-    return;
-  std::vector<std::string> names;
-  for (const Plate &plate : plates)
-    names.push_back(geometry.sides[plate.side].name());
-  if (names.empty())
-    throw InputError(given.where() + ": found " + quote(given.value) +
-                     ", but Boundary/Plates names no plate.");
-  for (const auto &[name, text] : read_side_list(given.value, given.where(), names))
-  {
-    double number = 0.;
-    if (!read_number(text, number) || !(std::abs(number) <= max_magnitude))
-      throw InputError(given.where() + ": found " + quote(text) + " for the plate '" + name +
-                       "', allowed: one number up to " + number_text(max_magnitude) + ".");
-    take(plates[std::find(names.begin(), names.end(), name) - names.begin()], name, number);
-  }
-}
-
-/** Reads the force or the travel of each plate. */
-void read_drives(const LoadParameters &load,
-                 const Given<std::string> &given,
-                 const Geometry<2> &geometry,
-                 std::vector<Plate> &plates)
-{
-  std::set<unsigned int> driven;
-  read_numbers_of(
-    load.plate_force, geometry, plates, [&](Plate &plate, const auto &, double force) {
-      driven.insert(plate.side);
-      plate.is_pushed = true;
-      plate.force = force;
-    });
-  read_numbers_of(
-    load.plate_travel, geometry, plates, [&](Plate &plate, const auto &name, double travel) {
-      if (plate.is_pushed)
-        throw InputError(load.plate_travel.where() + ": the plate '" + name +
-                         "' has a Plate force already; allowed: one of the two.");
-      driven.insert(plate.side);
-      plate.travel = travel;
-    });
-  read_numbers_of(
-    load.plate_moment, geometry, plates, [&](Plate &plate, const auto &name, double moment) {
-      if (!plate.turns)
-        throw InputError(load.plate_moment.where() + ": the plate '" + name +
-                         "' does not turn; allowed: moments of plates with the word turning in "
-                         "Boundary/Plates.");
-      plate.moment = moment;
-    });
-  for (const Plate &plate : plates)
-    if (driven.count(plate.side) == 0)
-      throw InputError(given.where() + ": the plate '" + geometry.sides[plate.side].name() +
-                       "' has no entry in Load/Plate force or Load/Plate travel, allowed: one of "
-                       "the two.");
+  std::map<std::string, double> numbers;
+  if (!given.value.empty() && plates.empty())
+    throw error_at(given, "found ", quote(given.value), ", but Boundary/Plates names no plate.");
+  for (const auto &[name, text] : read_side_list(given.value, given.where(), plates))
+    if (!read_number(text, numbers[name]) || !(std::abs(numbers[name]) <= max_magnitude))
+      throw error_at(given,
+                     "found ",
+                     quote(text),
+                     " for the plate '",
+                     name,
+                     "', allowed: one number up to ",
+                     max_magnitude,
+                     ".");
+  return numbers;
 }
 } // namespace
 
@@ -187,9 +147,37 @@ std::vector<Plate> read_plates(const Given<std::string> &given,
                                const Geometry<2> &geometry)
 {
   std::vector<Plate> plates;
+  std::vector<std::string> names;
   for (const auto &[name, text] : read_side_list(given.value, given.where(), geometry.side_names()))
+  {
     plates.push_back(read_plate(name, text, given, geometry));
-  read_drives(load, given, geometry, plates);
+    names.push_back(name);
+  }
+  const auto forces = read_numbers_of(load.plate_force, names),
+             travels = read_numbers_of(load.plate_travel, names),
+             moments = read_numbers_of(load.plate_moment, names);
+  for (std::size_t p = 0; p < plates.size(); ++p)
+  {
+    const auto force = forces.find(names[p]), travel = travels.find(names[p]),
+               moment = moments.find(names[p]);
+    plates[p].is_pushed = force != forces.end();
+    if (plates[p].is_pushed == (travel != travels.end()))
+      throw error_at(given,
+                     "the plate '",
+                     names[p],
+                     "' has ",
+                     plates[p].is_pushed ? "both" : "none",
+                     " of Load/Plate force and Load/Plate travel, allowed: one of the two.");
+    if (moment != moments.end() && !plates[p].turns)
+      throw error_at(load.plate_moment,
+                     "the plate '",
+                     names[p],
+                     "' does not turn; allowed: moments of plates with the word turning in "
+                     "Boundary/Plates.");
+    (plates[p].is_pushed ? plates[p].force : plates[p].travel) =
+      plates[p].is_pushed ? force->second : travel->second;
+    plates[p].moment = moment == moments.end() ? 0. : moment->second;
+  }
   return plates;
 }
 } // namespace Signorini

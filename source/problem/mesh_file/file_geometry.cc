@@ -2,11 +2,14 @@
 // The body of a mesh file: sides of segments and arcs, regions, and the coarse mesh.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/geometry/outline.h>
 #include <signorini/problem/mesh_file/file_geometry.h>
 
 #include <deal.II/numerics/rtree.h>
+
+#include <boost/geometry.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -92,8 +95,10 @@ std::vector<std::string> names_of(const FileMesh &mesh, const std::vector<Chain>
   }
   for (std::size_t i = 0; i < names.size(); ++i)
     if (std::count(names.begin(), names.end(), names[i]) > 1)
-      throw InputError(mesh.name + ": two sides have the name '" + names[i] +
-                       "', which also numbers the parts of a side, allowed: another name.");
+      throw input_error(mesh.name,
+                        ": two sides have the name '",
+                        names[i],
+                        "', which also numbers the parts of a side, allowed: another name.");
   return names;
 }
 
@@ -138,12 +143,6 @@ Curve arc_through(const Nodes &nodes)
   return Curve::arc_between(start, nodes[last]->x, centre, product > 0.);
 }
 
-/** Returns how far a point lies off a curve or its continuation. */
-double distance(const Curve &curve, const Point<2> &x)
-{
-  return curve.point(curve.arc_length(x)).distance(x);
-}
-
 /** The edges [first, last) of a chain, which are one segment or one arc. */
 struct Piece
 {
@@ -151,50 +150,30 @@ struct Piece
   Curve curve;
 };
 
-/** Returns the whole chain as one arc. @throws InputError that begins with @p where if it is none.
- */
-Piece make_arc(const FileMesh &mesh, const Chain &chain, const std::string &where)
-{
-  const Nodes nodes = nodes_along(mesh, chain, 0, chain.size());
-  const Curve arc = arc_through(nodes);
-  if (arc.is_flat())
-    throw InputError(where + " is straight from node " + std::to_string(nodes.front()->tag) +
-                     " to node " + std::to_string(nodes.back()->tag) +
-                     ", allowed: edges that lie on one circle.");
-  const FileMesh::Node *const farthest =
-    *std::max_element(nodes.begin(), nodes.end(), [&](const auto *a, const auto *b) {
-      return distance(arc, a->x) < distance(arc, b->x);
-    });
-  if (!(distance(arc, farthest->x) <= arc_tolerance * arc.radius()))
-    throw InputError(where + ": node " + std::to_string(farthest->tag) + " lies " +
-                     number_text(distance(arc, farthest->x)) + " off the circle with the radius " +
-                     number_text(arc.radius()) + " through others, allowed: nodes within " +
-                     number_text(arc_tolerance) + " of the radius.");
-  return {0, chain.size(), arc};
-}
-
 /** Divides a chain into segments and arcs, as long as possible: edges of second order that are bent
- * are parts of arcs. */
-std::vector<Piece> divide_chain(const FileMesh &mesh, const Chain &chain)
+ * are parts of arcs, and so are all edges of a side that is declared one. */
+std::vector<Piece> divide_chain(const FileMesh &mesh, const Chain &chain, const bool is_declared)
 {
   std::vector<Piece> pieces;
   for (std::size_t first = 0, last = 0; first < chain.size(); first = last)
   {
-    const bool is_arc = is_bent(mesh, chain[first]);
+    const bool is_arc = is_declared || is_bent(mesh, chain[first]);
     const auto curve_along = [&](const std::size_t end) {
       const Nodes nodes = nodes_along(mesh, chain, first, end);
       return is_arc ? arc_through(nodes) : Curve(nodes.front()->x, nodes.back()->x);
     };
-    const Curve curve = curve_along(first + 1);
+    const Curve curve = curve_along(is_declared ? chain.size() : first + 1);
     const auto fits = [&](const unsigned int node) {
       const Point<2> &x = mesh.nodes[node].x;
-      return distance(curve, x) <= (is_arc ? arc_tolerance * curve.radius()
-                                           : segment_tolerance * curve.start().distance(x));
+      return curve.point(curve.arc_length(x)).distance(x) <=
+             (is_arc ? arc_tolerance * curve.radius()
+                     : segment_tolerance * curve.start().distance(x));
     };
-    last = first + 1;
-    while (last < chain.size() && is_bent(mesh, chain[last]) == is_arc && fits(chain[last].end) &&
-           (!is_arc || fits(chain[last].middle)))
+    last = is_declared ? first : first + 1;
+    while (last < chain.size() && (is_declared || is_bent(mesh, chain[last]) == is_arc) &&
+           fits(chain[last].end) && (!is_arc || fits(chain[last].middle)))
       ++last;
+    last = std::max(last, first + 1);
     pieces.push_back({first, last, curve_along(last)});
   }
   return pieces;
@@ -226,53 +205,30 @@ std::vector<bool> find_arcs(const std::vector<Chain> &chains,
       if (names[i] == arc || chains[i][0].name == arc)
         found = is_arc[i] = true;
     if (!found)
-      throw InputError(where + ": found the side " + quote(arc) + ", allowed: " + join(names) +
-                       ".");
+      throw input_error(where, ": found the side ", quote(arc), ", allowed: ", join(names), ".");
   }
   return is_arc;
 }
 
-/** The cells of a mesh by their places. */
+/** The cells of a mesh with their regions, by their places. */
 struct RegionMap
 {
-  FileMesh mesh;
-  /** The numbers of the regions of the cells. */
+  std::vector<boost::geometry::model::ring<Point<2>, false, false>> cells;
   std::vector<unsigned int> regions;
   RTree<std::pair<BoundingBox<2>, unsigned int>> boxes;
-
-  const Point<2> &corner(const unsigned int cell, const unsigned int i) const
-  {
-    return mesh.nodes[mesh.cells[cell].nodes[i % mesh.cells[cell].n_corners]].x;
-  }
-
-  /** Returns how far inside of a cell a point lies: the distance from the nearest edge. */
-  double depth(const unsigned int cell, const Point<2> &x) const
-  {
-    double depth = std::numeric_limits<double>::infinity();
-    for (unsigned int i = 0; i < mesh.cells[cell].n_corners; ++i)
-    {
-      const Tensor<1, 2> edge = corner(cell, i + 1) - corner(cell, i);
-      depth = std::min(depth, edge * cross_product_2d(x - corner(cell, i)) / edge.norm());
-    }
-    return depth;
-  }
 
   /** Returns the region of a point. Beyond chords of arcs no cell has it: the nearest one counts.
    */
   unsigned int region_at(const Point<2> &x) const
   {
     constexpr unsigned int n_near = 8;
-    unsigned int best = 0;
-    double most = -std::numeric_limits<double>::infinity();
+    std::pair<double, unsigned int> nearest(HUGE_VAL, 0);
     for (auto entry = boxes.qbegin(boost::geometry::index::nearest(x, n_near));
-         entry != boxes.qend() && most <= 0.;
+         entry != boxes.qend() && nearest.first > 0.;
          ++entry)
-      if (const double found = depth(entry->second, x); found > most)
-      {
-        most = found;
-        best = entry->second;
-      }
-    return regions[best];
+      nearest =
+        std::min(nearest, {boost::geometry::distance(x, cells[entry->second]), entry->second});
+    return regions[nearest.second];
   }
 };
 
@@ -287,16 +243,15 @@ void add_regions(const FileMesh &mesh, Geometry<2> &geometry)
   if (names.size() == 1)
     return;
   const auto map = std::make_shared<RegionMap>();
-  map->mesh = mesh;
   std::vector<std::pair<BoundingBox<2>, unsigned int>> boxes;
-  for (unsigned int c = 0; c < mesh.cells.size(); ++c)
+  for (const FileMesh::Element &cell : mesh.cells)
   {
-    BoundingBox<2> box({map->corner(c, 0), map->corner(c, 0)});
-    for (unsigned int i = 1; i < mesh.cells[c].n_corners; ++i)
-      box.merge_with({{map->corner(c, i), map->corner(c, i)}});
-    boxes.emplace_back(box, c);
-    map->regions.push_back(
-      std::distance(names.begin(), names.find(mesh.name_of(mesh.cells[c], 2))));
+    std::vector<Point<2>> corners;
+    for (unsigned int i = 0; i < cell.n_corners; ++i)
+      corners.push_back(mesh.nodes[cell.nodes[i]].x);
+    boxes.emplace_back(BoundingBox<2>(corners), boxes.size());
+    map->cells.emplace_back(corners.begin(), corners.end());
+    map->regions.push_back(std::distance(names.begin(), names.find(mesh.name_of(cell, 2))));
   }
   map->boxes = pack_rtree(boxes);
   geometry.region_at = [map](const Point<2> &x) { return map->region_at(x); };
@@ -316,10 +271,14 @@ Geometry<2> make_geometry(FileMesh mesh,
   CoarseMesh coarse;
   for (unsigned int i = 0; i < chains.size(); ++i)
   {
-    if (is_arc[i])
-      pieces.push_back({make_arc(mesh, chains[i], where + ": the side " + quote(names[i]))});
-    else
-      pieces.push_back(divide_chain(mesh, chains[i]));
+    pieces.push_back(divide_chain(mesh, chains[i], is_arc[i]));
+    if (is_arc[i] && (pieces[i].size() > 1 || pieces[i][0].curve.is_flat()))
+      throw input_error(where,
+                        ": the side ",
+                        quote(names[i]),
+                        " is not one arc, allowed: nodes on one circle, to ",
+                        arc_tolerance,
+                        " of its radius.");
     std::vector<Curve> curves;
     for (const Piece &piece : pieces[i])
     {
@@ -344,8 +303,11 @@ Geometry<2> make_geometry(FileMesh mesh,
   for (const FileMesh::Element &cell : mesh.cells)
     tags.insert(tags.end(), n_triangles > 0 ? cell.n_corners : 1, cell.tag);
   if (const auto folded = find_folded_cell(coarse, 0.))
-    throw InputError(mesh.name + ": the element " + std::to_string(tags[*folded]) +
-                     " is turned inside out by its edge on a circle, allowed: a finer mesh there.");
+    throw input_error(
+      mesh.name,
+      ": the element ",
+      tags[*folded],
+      " is turned inside out by its edge on a circle, allowed: a finer mesh there.");
   Geometry<2> geometry = make_body(sides, coarse);
   add_regions(mesh, geometry);
   if (n_triangles > 0)

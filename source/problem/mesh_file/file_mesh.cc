@@ -2,6 +2,7 @@
 // From the nodes and elements of a file to a checked 2-D mesh in order, with its boundary.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/mesh_file/file_mesh.h>
 
@@ -49,20 +50,32 @@ void check_nodes(const FileMesh &mesh, const unsigned int n_corners)
     size = std::max(size, node->x.distance(nodes[0]->x));
   const double tolerance = min_node_distance * size;
   if ((*highest)->z - (*lowest)->z > tolerance)
-    throw InputError(mesh.place((*highest)->line) + "node " + std::to_string((*highest)->tag) +
-                     " has z = " + number_text((*highest)->z) + ", node " +
-                     std::to_string((*lowest)->tag) + " z = " + number_text((*lowest)->z) +
-                     ", allowed: a plane body in x and y, with the same z everywhere.");
+    throw input_error(mesh.place((*highest)->line),
+                      "node ",
+                      (*highest)->tag,
+                      " has z = ",
+                      (*highest)->z,
+                      ", node ",
+                      (*lowest)->tag,
+                      " z = ",
+                      (*lowest)->z,
+                      ", allowed: a plane body in x and y, with the same z everywhere.");
   for (auto a = nodes.begin(); a != nodes.end(); ++a)
     for (auto b = a + 1; b != nodes.end() && ((*b)->x - (*a)->x) * oblique < tolerance; ++b)
       if ((*a)->x.distance((*b)->x) < tolerance)
       {
         const auto [first, second] = std::minmax((*a)->tag, (*b)->tag);
-        std::ostringstream message;
-        message << mesh.place(std::max((*a)->line, (*b)->line)) << "nodes " << first << " and "
-                << second << " lie both at (" << (*a)->x[0] << ", " << (*a)->x[1]
-                << "), which is a crack, allowed: one node for every place (Gmsh: Coherence Mesh).";
-        throw InputError(message.str());
+        throw input_error(
+          mesh.place(std::max((*a)->line, (*b)->line)),
+          "nodes ",
+          first,
+          " and ",
+          second,
+          " lie both at (",
+          (*a)->x[0],
+          ", ",
+          (*a)->x[1],
+          "), which is a crack, allowed: one node for every place (Gmsh: Coherence Mesh).");
       }
 }
 
@@ -91,9 +104,12 @@ void make_counter_clockwise(const FileMesh &mesh, FileElement &cell)
   for (unsigned int i = 0; i < n; ++i)
     if (!((n_left >= n_right ? sines[i] : -sines[i]) > min_sine))
       wrong = i;
-  throw InputError(mesh.place(cell.line) + "the element " + std::to_string(cell.tag) +
-                   " is not convex at node " + std::to_string(mesh.nodes[cell.nodes[wrong]].tag) +
-                   ", allowed: convex elements, all angles below 180 degrees.");
+  throw input_error(mesh.place(cell.line),
+                    "the element ",
+                    cell.tag,
+                    " is not convex at node ",
+                    mesh.nodes[cell.nodes[wrong]].tag,
+                    ", allowed: convex elements, all angles below 180 degrees.");
 }
 
 /** Lets a cell begin with the corner whose edge to the next one points most to the right (of two
@@ -202,10 +218,14 @@ std::vector<HalfEdge> find_edges(const FileMesh &mesh)
   if (twin == edges.end())
     return edges;
   const auto [first, second] = std::minmax(twin->cell->tag, (twin + 1)->cell->tag);
-  throw InputError(mesh.place(std::max(twin->cell->line, (twin + 1)->cell->line)) + "the edge" +
-                   edge_text(mesh, twin->start, twin->end) + " has the elements " +
-                   std::to_string(first) + " and " + std::to_string(second) +
-                   " on the same side, allowed: elements that do not lie on one another.");
+  throw input_error(mesh.place(std::max(twin->cell->line, (twin + 1)->cell->line)),
+                    "the edge",
+                    edge_text(mesh, twin->start, twin->end),
+                    " has the elements ",
+                    first,
+                    " and ",
+                    second,
+                    " on the same side, allowed: elements that do not lie on one another.");
 }
 
 using Ends = std::pair<unsigned int, unsigned int>;
@@ -222,8 +242,7 @@ std::map<Ends, const FileElement *> find_lines(const FileMesh &mesh,
       return std::binary_search(edges.begin(), edges.end(), HalfEdge{start, end, 0, nullptr});
     };
     const auto refuse = [&](const std::string &what) {
-      throw InputError(mesh.place(line.line) + "the line " + std::to_string(line.tag) +
-                       edge_text(mesh, a, b) + what);
+      throw input_error(mesh.place(line.line), "the line ", line.tag, edge_text(mesh, a, b), what);
     };
     if (!has(a, b) && !has(b, a))
     {
@@ -261,9 +280,10 @@ void find_loops(FileMesh &mesh)
         found.middle = line->second->nodes[2];
     }
     if (!edge_from.emplace(edge.start, found).second)
-      throw InputError(mesh.name + ": the body touches itself at node " +
-                       std::to_string(mesh.nodes[edge.start].tag) +
-                       ", allowed: a body whose parts share edges.");
+      throw input_error(mesh.name,
+                        ": the body touches itself at node ",
+                        mesh.nodes[edge.start].tag,
+                        ", allowed: a body whose parts share edges.");
   }
   std::vector<unsigned int> outer;
   while (!edge_from.empty())
@@ -284,9 +304,12 @@ void find_loops(FileMesh &mesh)
       outer.push_back(mesh.loops.back()[0].start);
   }
   if (outer.size() > 1)
-    throw InputError(mesh.name + ": nodes " + std::to_string(mesh.nodes[outer[0]].tag) + " and " +
-                     std::to_string(mesh.nodes[outer[1]].tag) +
-                     " belong to parts that no edges connect, allowed: one body.");
+    throw input_error(mesh.name,
+                      ": nodes ",
+                      mesh.nodes[outer[0]].tag,
+                      " and ",
+                      mesh.nodes[outer[1]].tag,
+                      " belong to parts that no edges connect, allowed: one body.");
 }
 } // namespace
 
@@ -302,12 +325,17 @@ std::string FileMesh::name_of(const Element &element, const unsigned int dim) co
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
   });
   if (!is_word)
-    throw InputError(name + ": found the physical name " + quote(group) +
-                     ", allowed: names of letters, digits, '_', '-' and '.', because the parameter "
-                     "file separates names by blanks.");
+    throw input_error(
+      name,
+      ": found the physical name ",
+      quote(group),
+      ", allowed: names of letters, digits, '_', '-' and '.', because the parameter "
+      "file separates names by blanks.");
   if (group == unnamed)
-    throw InputError(name + ": found the physical name " + quote(group) +
-                     ", allowed: another one, because this is the name of all that have none.");
+    throw input_error(name,
+                      ": found the physical name ",
+                      quote(group),
+                      ", allowed: another one, because this is the name of all that have none.");
   return group;
 }
 

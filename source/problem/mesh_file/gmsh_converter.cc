@@ -2,6 +2,7 @@
 // Gmsh's program as a converter, in a process of its own: what it does cannot harm this one.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/mesh_file/file_geometry.h>
 #include <signorini/problem/parameters/parameter_text.h>
@@ -37,8 +38,10 @@ struct TemporaryFolder
   {
     std::string name = (std::filesystem::temp_directory_path() / "signorini-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
-      throw InputError(where + "no temporary folder can be made in " +
-                       std::filesystem::temp_directory_path().string() + ".");
+      throw input_error(where,
+                        "no temporary folder can be made in ",
+                        std::filesystem::temp_directory_path().string(),
+                        ".");
     path = name;
   }
   TemporaryFolder(const TemporaryFolder &) = delete;
@@ -83,9 +86,14 @@ void check_script(const std::string &text, const std::string &where)
       continue;
     }
     if (refused.count(word) > 0)
-      throw InputError(where + "found " + quote(word) + " in line " + std::to_string(line) +
-                       ", allowed: shapes, sizes and physical groups; statements that run programs "
-                       "or read or write other files are not run.");
+      throw input_error(
+        where,
+        "found ",
+        quote(word),
+        " in line ",
+        line,
+        ", allowed: shapes, sizes and physical groups; statements that run programs "
+        "or read or write other files are not run.");
     word.clear();
     line += c == '\n' ? 1 : 0;
   }
@@ -169,8 +177,8 @@ std::string convert_with_gmsh(const std::string &content,
   if (ending == "geo")
     check_script(content, where);
   if (ending == "msh" && content.rfind("$MeshFormat", 0) != 0 && content.rfind("$NOD", 0) != 0)
-    throw InputError(where +
-                     "found no $MeshFormat at its beginning, allowed: a mesh file of Gmsh.");
+    throw input_error(where,
+                      "found no $MeshFormat at its beginning, allowed: a mesh file of Gmsh.");
   const TemporaryFolder folder(where);
   const std::string input = "part." + ending;
   std::ofstream(folder.path / input, std::ios::binary) << content;
@@ -197,9 +205,10 @@ std::string convert_with_gmsh(const std::string &content,
                    {"-nopopup", "-nt", "1", "-v", "2", "-format", "msh41", "-o", "result.msh"});
   const int status = run_gmsh(folder.path.string(), arguments);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-    throw InputError(where + "files of this kind are read by Gmsh, and no program gmsh is found, "
-                             "allowed: to install it (Debian: apt install gmsh), or a mesh file of "
-                             "text of Gmsh, version 2.2 or 4.1.");
+    throw input_error(where,
+                      "files of this kind are read by Gmsh, and no program gmsh is found, "
+                      "allowed: to install it (Debian: apt install gmsh), or a mesh file of "
+                      "text of Gmsh, version 2.2 or 4.1.");
   // After an error Gmsh writes an empty mesh, without elements.
   const std::string result = (folder.path / "result.msh").string();
   std::error_code error;
@@ -207,8 +216,9 @@ std::string convert_with_gmsh(const std::string &content,
   if (status == 0 && std::filesystem::exists(result, error))
     text = read_whole_file(result, where, "mesh file", max_file_size);
   if (text.find("$Elements") == std::string::npos)
-    throw InputError(where + describe_failure(status, folder.path / "log") +
-                     ", allowed: a file from which Gmsh makes a mesh (gmsh -2).");
+    throw input_error(where,
+                      describe_failure(status, folder.path / "log"),
+                      ", allowed: a file from which Gmsh makes a mesh (gmsh -2).");
   return text;
 }
 } // namespace Signorini

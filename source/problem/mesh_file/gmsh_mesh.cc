@@ -2,6 +2,7 @@
 // The format MSH of Gmsh, versions 2.2 and 4.1, section by section.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/mesh_file/file_mesh.h>
 #include <signorini/problem/scene/scene.h>
@@ -40,7 +41,7 @@ public:
   std::string_view word(const char *what)
   {
     if (is_at_end())
-      throw InputError(name_ + ": the file ends where " + what + " should be.");
+      throw input_error(name_, ": the file ends where ", what, " should be.");
     const std::size_t start = position_;
     while (position_ < text_.size() && !is_blank(text_[position_]))
       ++position_;
@@ -109,7 +110,7 @@ public:
   /** Throws an error at the line of the last word. */
   [[noreturn]] void refuse(const std::string &message) const
   {
-    throw InputError(name_ + ":" + std::to_string(line_) + ": " + message);
+    throw input_error(name_, ":", line_, ": ", message);
   }
   [[noreturn]] void refuse(const std::string_view found, const std::string &allowed) const
   {
@@ -182,8 +183,8 @@ public:
       scanner_.expect(end);
     }
     if (mesh_.cells.empty())
-      throw InputError(mesh_.name +
-                       ": found no cells, allowed: a mesh of quadrilaterals or triangles.");
+      throw input_error(mesh_.name,
+                        ": found no cells, allowed: a mesh of quadrilaterals or triangles.");
     return std::move(mesh_);
   }
 

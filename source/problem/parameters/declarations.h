@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/parameters/parameter_text.h>
 #include <signorini/problem/parameters/parameters.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -56,13 +58,13 @@ private:
   };
 
   /** Adds an entry that may be any text. */
-  void add(const std::string &name, Given<std::string> &given, const std::string &help);
-  void add(const std::string &name, Given<bool> &given, const std::string &help);
+  void add(const std::string &path, Given<std::string> &given, const std::string &help);
+  void add(const std::string &path, Given<bool> &given, const std::string &help);
   /** Adds a list of numbers. */
-  void add(const std::string &name, Given<std::vector<double>> &given, const std::string &help);
+  void add(const std::string &path, Given<std::vector<double>> &given, const std::string &help);
   /** Adds a number between two bounds. */
   template <typename Number>
-  void add(const std::string &name,
+  void add(const std::string &path,
            Given<Number> &given,
            const std::string &help,
            Number min,
@@ -70,17 +72,25 @@ private:
            std::string allowed = "");
   /** Adds an option, which is one of its names. */
   template <typename Option>
-  void add(const std::string &name, Given<Option> &given, const std::string &help);
+  void add(const std::string &path, Given<Option> &given, const std::string &help);
   /** Adds an entry whose value @p set takes from a text. */
-  void add(const std::string &name,
+  void add(const std::string &path,
            Entry &entry,
            const std::string &default_text,
            const std::string &help,
            const Patterns::PatternBase &pattern,
            const std::string &allowed,
            const std::function<void(const std::string &)> &set);
-  void enter(const std::string &section);
-  void leave();
+  /** Adds an entry whose values deal.II reads by its pattern. */
+  template <typename T>
+  void add(const std::string &path,
+           Given<T> &given,
+           const std::string &help,
+           const Patterns::PatternBase &pattern,
+           const std::string &allowed);
+  /** Calls @p act with the name of an entry inside of its subsection. */
+  void in_section(const std::string &path,
+                  const std::function<void(const std::string &)> &act) const;
 
   void declare_scene(Parameters &parameters);
   void declare_geometry(GeometryParameters &geometry);
@@ -93,13 +103,12 @@ private:
 
   mutable ParameterHandler handler_;
   std::string file_name_;
-  std::string section_;
   /** The entries by subsection and name. */
   std::map<std::string, Declared> declared_;
 };
 
 template <typename Number>
-void Declarations::add(const std::string &name,
+void Declarations::add(const std::string &path,
                        Given<Number> &given,
                        const std::string &help,
                        const Number min,
@@ -108,26 +117,34 @@ void Declarations::add(const std::string &name,
 {
   constexpr bool is_integer = std::is_integral_v<Number>;
   if (allowed.empty())
-    allowed = (is_integer ? "an integer from " : "a number from ") +
-              (is_integer ? std::to_string(min) + " to " + std::to_string(max)
-                          : number_text(min) + " to " + number_text(max));
+    allowed = concatenate(is_integer ? "an integer" : "a number", " from ", min, " to ", max);
   using Pattern = std::conditional_t<is_integer, Patterns::Integer, Patterns::Double>;
-  add(name,
+  add(path, given, help, Pattern(min, max), allowed);
+}
+
+template <typename T>
+void Declarations::add(const std::string &path,
+                       Given<T> &given,
+                       const std::string &help,
+                       const Patterns::PatternBase &pattern,
+                       const std::string &allowed)
+{
+  using Convert = Patterns::Tools::Convert<T>;
+  const std::shared_ptr<const Patterns::PatternBase> form(pattern.clone());
+  add(path,
       given,
-      Patterns::Tools::Convert<Number>::to_string(given.value),
+      Convert::to_string(given.value, pattern),
       help,
-      Pattern(min, max),
+      pattern,
       allowed,
-      [&given](const std::string &text) {
-        given.value = Patterns::Tools::Convert<Number>::to_value(text);
-      });
+      [&given, form](const std::string &text) { given.value = Convert::to_value(text, *form); });
 }
 
 template <typename Option>
-void Declarations::add(const std::string &name, Given<Option> &given, const std::string &help)
+void Declarations::add(const std::string &path, Given<Option> &given, const std::string &help)
 {
   const std::vector<std::string> &names = option_names(typeid(Option));
-  add(name,
+  add(path,
       given,
       to_text(given.value),
       help,

@@ -3,7 +3,9 @@
 // (ParameterHandler loses what is set twice, and the line of a missing 'end'.)
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameter_text.h>
 
 #include <boost/algorithm/string/replace.hpp>
@@ -47,15 +49,17 @@ public:
     else if (keyword == "set" && rest.find('=') != std::string::npos && rest[0] != '=')
       add(rest);
     else
-      throw InputError(place_ + ": found " + quote(line) +
-                       ", but a line must be 'set Name = value', 'subsection Name' or 'end'.");
+      throw input_error(place_,
+                        ": found ",
+                        quote(line),
+                        ", but a line must be 'set Name = value', 'subsection Name' or 'end'.");
   }
 
   std::vector<Assignment> finish() const
   {
     if (!section_.empty())
-      throw InputError(section_place_ + ": subsection " + quote(section_) +
-                       " is not closed by 'end'.");
+      throw input_error(
+        section_place_, ": subsection ", quote(section_), " is not closed by 'end'.");
     return assignments_;
   }
 
@@ -63,9 +67,14 @@ private:
   void enter_section(const std::string &name)
   {
     if (!section_.empty())
-      throw InputError(place_ + ": found the subsection " + quote(name) + " inside of " +
-                       quote(section_) + " (" + section_place_ +
-                       "), allowed: one after the other, each closed by 'end'.");
+      throw input_error(place_,
+                        ": found the subsection ",
+                        quote(name),
+                        " inside of ",
+                        quote(section_),
+                        " (",
+                        section_place_,
+                        "), allowed: one after the other, each closed by 'end'.");
     section_ = name;
     section_place_ = place_;
     is_empty_ = true;
@@ -74,11 +83,14 @@ private:
   void leave_section()
   {
     if (section_.empty())
-      throw InputError(place_ + ": found 'end' without an open subsection.");
+      throw input_error(place_, ": found 'end' without an open subsection.");
     if (is_empty_ && known_sections_.count(section_) == 0)
-      throw InputError(section_place_ + ": found the subsection " + quote(section_) +
-                       ", allowed: " + join({known_sections_.begin(), known_sections_.end()}) +
-                       ".");
+      throw input_error(section_place_,
+                        ": found the subsection ",
+                        quote(section_),
+                        ", allowed: ",
+                        join({known_sections_.begin(), known_sections_.end()}),
+                        ".");
     section_.clear();
   }
 
@@ -90,8 +102,12 @@ private:
     is_empty_ = false;
     const auto earlier = places_.emplace(path, place_);
     if (!earlier.second)
-      throw InputError(place_ + ": " + shorten(path) + " was set already at " +
-                       earlier.first->second + "; set every parameter only once.");
+      throw input_error(place_,
+                        ": ",
+                        shorten(path),
+                        " was set already at ",
+                        earlier.first->second,
+                        "; set every parameter only once.");
     assignments_.push_back({path, trim(text.substr(equals + 1)), place_});
   }
 
@@ -138,9 +154,12 @@ std::vector<Assignment> scan_parameter_text(const std::string &text,
     ++number;
     for (const unsigned char c : line)
       if (is_control(c) && c != '\t')
-        throw InputError(file_name + ":" + std::to_string(number) +
-                         ": found the control character number " + std::to_string(c) +
-                         ", allowed: plain text.");
+        throw input_error(file_name,
+                          ":",
+                          number,
+                          ": found the control character number ",
+                          std::to_string(c),
+                          ", allowed: plain text.");
     const auto comment = line.find('#');
     line = trim(line.substr(0, comment));
     // A line that is nothing but a comment may stand between the parts of a continued line.
@@ -164,8 +183,8 @@ Assignment scan_override(const std::string &argument)
   std::replace_if(line.begin(), line.end(), is_control, ' ');
   const auto equals = line.find('=');
   if (equals == std::string::npos || trim(line.substr(0, equals)).empty())
-    throw InputError("--set: found " + quote(line) +
-                     ", but 'Subsection/Parameter=value' is expected.");
+    throw input_error(
+      "--set: found ", quote(line), ", but 'Subsection/Parameter=value' is expected.");
   return {trim(line.substr(0, equals)), trim(line.substr(equals + 1)), "--set"};
 }
 
@@ -180,7 +199,7 @@ std::string read_whole_file(const std::string &file_name,
   const fs::file_status status = fs::status(file_name, error);
   // Pipes and some devices would wait for what never comes.
   if (fs::is_other(status))
-    throw InputError(name + ": this is a device or a pipe, allowed: a file of text on a disk.");
+    throw input_error(name, ": this is a device or a pipe, allowed: a file of text on a disk.");
   std::ifstream stream(file_name, std::ios::binary);
   const std::size_t size = fs::is_regular_file(status) ? fs::file_size(file_name, error) : 0;
   // Files of the kernel have the size 0, and may have no end.
@@ -188,12 +207,12 @@ std::string read_whole_file(const std::string &file_name,
   std::string text(most + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!stream.is_open() || stream.bad() || fs::is_directory(status))
-    throw InputError(name + ": this " + kind + " cannot be read.");
+    throw input_error(name, ": this ", kind, " cannot be read.");
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > most)
-    throw InputError(name + ": this file has " +
-                     (size > 0 ? std::to_string(size) : "more than " + std::to_string(most)) +
-                     " bytes, allowed: at most " + std::to_string(max_size) + ".");
+    throw input_error(name + ": this file has " +
+                      (size > 0 ? std::to_string(size) : "more than " + std::to_string(most)) +
+                      " bytes, allowed: at most " + std::to_string(max_size) + ".");
   return text;
 }
 
@@ -201,7 +220,7 @@ std::string read_text_file(const std::string &file_name)
 {
   const std::string text = read_whole_file(file_name, "", "parameter file", max_file_size);
   if (text.find('\0') != std::string::npos)
-    throw InputError(shorten_path(file_name) + ": this is not a text file.");
+    throw input_error(shorten_path(file_name), ": this is not a text file.");
   return text;
 }
 
@@ -250,30 +269,27 @@ void Declarations::assign(const Assignment &assignment)
       std::min_element(declared_.begin(), declared_.end(), [&](const auto &a, const auto &b) {
         return edit_distance(a.first, path) < edit_distance(b.first, path);
       });
-    throw InputError(assignment.place + ": " + shorten(path) +
-                     ": unknown parameter; did you mean '" + nearest->first +
-                     "'? (--print-parameters lists all)");
+    throw input_error(assignment.place,
+                      ": ",
+                      shorten(path),
+                      ": unknown parameter; did you mean '",
+                      nearest->first,
+                      "'? (--print-parameters lists all)");
   }
   const Declared &declared = known->second;
   Entry &entry = *declared.entry;
   entry.place = assignment.place;
   entry.changed = !value.empty() && !is_same_value(value, declared.default_text);
-  const auto slash = path.find('/');
-  const bool is_in_section = slash != std::string::npos;
-  if (is_in_section)
-    handler_.enter_subsection(path.substr(0, slash));
   try
   {
-    handler_.set(path.substr(is_in_section ? slash + 1 : 0),
-                 value.empty() ? declared.default_text : value);
+    in_section(path, [&](const std::string &name) {
+      handler_.set(name, value.empty() ? declared.default_text : value);
+    });
   }
   catch (const ExceptionBase &)
   {
-    throw InputError(entry.where() + ": found " + quote(value) + ", allowed: " + declared.allowed +
-                     ".");
+    throw error_at(entry, "found ", quote(value), ", allowed: ", declared.allowed, ".");
   }
-  if (is_in_section)
-    handler_.leave_subsection();
 }
 
 std::set<std::string> Declarations::sections() const

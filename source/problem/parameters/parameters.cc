@@ -2,7 +2,9 @@
 // From the text of a parameter file and overrides to checked plain values.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameter_text.h>
 #include <signorini/problem/parameters/parameters.h>
 
@@ -44,11 +46,15 @@ std::string with_constant(const std::string &list, const Assignment &assignment)
     found = true;
   }
   if (!found)
-    throw InputError(assignment.place + ": found the constant " + quote(name) + ", allowed: " +
-                     (names.empty() ? constants_path + ", which is empty" : join(names)) + ".");
+    throw input_error(assignment.place + ": found the constant " + quote(name) + ", allowed: " +
+                      (names.empty() ? constants_path + ", which is empty" : join(names)) + ".");
   if (split_list(assignment.value, ',').size() != 1)
-    throw InputError(assignment.place + ": " + assignment.path + ": found " +
-                     quote(assignment.value) + ", allowed: one value.");
+    throw input_error(assignment.place,
+                      ": ",
+                      assignment.path,
+                      ": found ",
+                      quote(assignment.value),
+                      ", allowed: one value.");
   return join(parts);
 }
 
@@ -94,13 +100,19 @@ void check(const Parameters &parameters)
   const DiscretizationParameters &discretization = parameters.discretization;
   if (discretization.strategy == Strategy::nested &&
       discretization.finest_level < discretization.coarsest_level)
-    throw InputError(discretization.finest_level.where() + ": found '" +
-                     std::to_string(discretization.finest_level) +
-                     "', allowed: an integer not below " + discretization.coarsest_level.name +
-                     " = " + std::to_string(discretization.coarsest_level) + ".");
+    throw error_at(discretization.finest_level,
+                   "found '",
+                   discretization.finest_level,
+                   "', allowed: an integer not below ",
+                   discretization.coarsest_level.name,
+                   " = ",
+                   discretization.coarsest_level,
+                   ".");
   if (parameters.output.lemmas && !parameters.output.errors)
-    throw InputError(parameters.output.lemmas.where() + ": found 'true' beside " +
-                     parameters.output.errors.name + " = false, allowed: both, or false.");
+    throw error_at(parameters.output.lemmas,
+                   "found 'true' beside ",
+                   parameters.output.errors.name,
+                   " = false, allowed: both, or false.");
 }
 } // namespace
 

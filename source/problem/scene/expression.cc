@@ -3,6 +3,7 @@
 // and accepts what nobody means: 1, 2 and x = 3 and 0.2<x<0.4.)
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/scene/expression.h>
 
@@ -27,56 +28,34 @@ constexpr std::array<const char *, 3> coordinate_names = {{"x", "y", "z"}};
  * square: 0.2 s for this many. */
 constexpr std::size_t max_constants = 1000;
 
-/** Returns the length of the operator at text[i] that compares; 0 if there is none. */
-std::size_t comparison_at(const std::string &text, const std::size_t i)
-{
-  const bool followed_by_equals = i + 1 < text.size() && text[i + 1] == '=';
-  if (text[i] == '<' || text[i] == '>')
-    return followed_by_equals ? 2 : 1;
-  return (text[i] == '=' || text[i] == '!') && followed_by_equals ? 2 : 0;
-}
-
-/** Returns whether a comparison is compared: 0.2<x<0.4 is (0.2<x)<0.4 for muParser, which is never
- * meant. */
-bool chains_comparisons(const std::string &text)
+/**
+ * Finds what muParser accepts and nobody means: `1, 2` is 2, `x = 3` an assignment, and 0.2<x<0.4
+ * is (0.2<x)<0.4.
+ * @return what is wrong, or nothing.
+ */
+std::string find_misuse(const std::string &text)
 {
   // The number of comparisons since the last operator that ends one, by depth of parentheses.
   std::vector<unsigned int> comparisons = {0};
   for (std::size_t i = 0; i < text.size(); ++i)
   {
-    const std::size_t length = comparison_at(text, i);
-    if (length > 0 && ++comparisons.back() > 1)
-      return true;
-    if (text[i] == '(')
-      comparisons.push_back(0);
-    else if (text[i] == ')' && comparisons.size() > 1)
-      comparisons.pop_back();
-    else if (std::string(",&|?:").find(text[i]) != std::string::npos)
-      comparisons.back() = 0;
-    i += length > 0 ? length - 1 : 0;
-  }
-  return false;
-}
-
-/**
- * Finds a comma or an equals sign that nobody means: muParser takes `1, 2` for 2 and `x = 3` for an
- * assignment.
- * @return what is wrong, or nothing.
- */
-std::string find_misuse(const std::string &text)
-{
-  int depth = 0;
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
-    const char before = i > 0 ? text[i - 1] : ' ';
-    const char after = i + 1 < text.size() ? text[i + 1] : ' ';
-    depth += text[i] == '(' ? 1 : (text[i] == ')' ? -1 : 0);
-    if (text[i] == ',' && depth == 0)
+    const char c = text[i], next = i + 1 < text.size() ? text[i + 1] : ' ';
+    if (c == ',' && comparisons.size() == 1)
       return "a comma stands outside of a function's parentheses";
-    if (text[i] == '=' && after != '=' && std::string("=<>!").find(before) == std::string::npos)
-      return "'=' assigns; comparisons are written '=='";
-    if (text[i] == '"')
+    if (c == '"')
       return "a quotation mark has no meaning here";
+    if (c == '=' && next != '=')
+      return "'=' assigns; comparisons are written '=='";
+    if (c == '(')
+      comparisons.push_back(0);
+    else if (c == ')' && comparisons.size() > 1)
+      comparisons.pop_back();
+    else if (std::string(",&|?:").find(c) != std::string::npos)
+      comparisons.back() = 0;
+    const bool compares = c == '<' || c == '>' || (next == '=' && (c == '=' || c == '!'));
+    if (compares && ++comparisons.back() > 1)
+      return "it compares the answer of a comparison; a<x<b is written (a<x) && (x<b)";
+    i += compares && next == '=' ? 1 : 0;
   }
   return trim(text).empty() ? "it is empty" : "";
 }
@@ -193,8 +172,12 @@ Expression<dim>::Expression(const std::string &text,
 {
   const std::string misuse = find_misuse(text_);
   if (!misuse.empty())
-    throw InputError(where_ + ": the expression " + quote(text_) + " cannot be used: " + misuse +
-                     "; allowed: a formula in x, y, the constants and pi.");
+    throw input_error(where_,
+                      ": the expression ",
+                      quote(text_),
+                      " cannot be used: ",
+                      misuse,
+                      "; allowed: a formula in x, y, the constants and pi.");
   try
   {
     Parser parser(text_, constants_, false);
@@ -205,13 +188,13 @@ Expression<dim>::Expression(const std::string &text,
   }
   catch (const mu::ParserError &error)
   {
-    throw InputError(where_ + ": the expression " + quote(text_) + " cannot be parsed: " +
-                     reason_of(error) + "; allowed: a formula in x, y, the constants and pi.");
+    throw input_error(where_,
+                      ": the expression ",
+                      quote(text_),
+                      " cannot be parsed: ",
+                      reason_of(error),
+                      "; allowed: a formula in x, y, the constants and pi.");
   }
-  if (chains_comparisons(text_))
-    throw InputError(where_ + ": the expression " + quote(text_) +
-                     " compares the answer of a comparison; allowed: (a<x) && (x<b) for a<x<b, or "
-                     "parentheses around one of them.");
 }
 
 template <int dim>
@@ -249,24 +232,30 @@ Constants read_constants(const std::string &text, const std::string &where)
   Constants constants;
   const std::vector<std::string> parts = split_list(text, ',');
   if (parts.size() > max_constants)
-    throw InputError(where + ": found " + std::to_string(parts.size()) +
-                     " constants, allowed: at most " + std::to_string(max_constants) + ".");
+    throw input_error(
+      where, ": found ", parts.size(), " constants, allowed: at most ", max_constants, ".");
   for (const std::string &part : parts)
   {
     const auto equals = part.find('=');
     const std::string name = trim(part.substr(0, equals));
     if (equals == std::string::npos || !is_name(name))
-      throw InputError(where + ": found " + quote(part) +
-                       ", allowed: name=number, separated by commas.");
+      throw input_error(
+        where, ": found ", quote(part), ", allowed: name=number, separated by commas.");
     if (is_taken(name) || constants.count(name) > 0)
-      throw InputError(where + ": the name " + quote(name) +
-                       " is taken; x, y, z, pi and the functions are known, and a constant is set "
-                       "once.");
+      throw input_error(where,
+                        ": the name ",
+                        quote(name),
+                        " is taken; x, y, z, pi and the functions are known, and a constant is set "
+                        "once.");
     const Expression<1> value(part.substr(equals + 1), constants, where);
     const double number = value(Point<1>(0.));
     if (!value.is_constant() || !std::isfinite(number))
-      throw InputError(where + ": the value of " + quote(name) +
-                       " must be a finite number, found " + quote(value.text()) + ".");
+      throw input_error(where,
+                        ": the value of ",
+                        quote(name),
+                        " must be a finite number, found ",
+                        quote(value.text()),
+                        ".");
     constants[name] = number;
   }
   return constants;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The kernel of A, found from the boundary conditions alone: no finite elements.
 
+#include <signorini/base/message.h>
 #include <signorini/problem/scene/rigid_motions.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -107,9 +108,7 @@ double rounded(const double value)
 
 std::string point_text(const double x, const double y)
 {
-  std::ostringstream text;
-  text << "(" << rounded(x) << ", " << rounded(y) << ")";
-  return text.str();
+  return concatenate("(", rounded(x), ", ", rounded(y), ")");
 }
 
 /** Returns the point that does not move, as text. */

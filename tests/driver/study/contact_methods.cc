@@ -249,8 +249,8 @@ void test_refusals(Checks &checks)
           "automatic, condensed."},
          {linear_multigrid,
           "Output/Compliance=true",
-          "--set: Output/Compliance: found 'true' with Linear solver 'multigrid', which assembles "
-          "no matrix, allowed with it: false."}})
+          "--set: Solver/Linear solver: found 'multigrid' with Compliance = true, which writes a "
+          "matrix, allowed with it: automatic, condensed."}})
     checks.throws<InputError>(
       solver + " " + other, message, [overrides = block + Settings{solver, other}] {
         solve("", overrides);

@@ -104,9 +104,8 @@ void check_failures(Checks &checks)
   checks.that("sweeps run out: not certified, no finer level, and the cause is named",
               !exhausted.verdict.is_certified() && exhausted.levels.size() == 1 &&
                 exhausted.verdict.reason.find("Maximum iterations") != std::string::npos);
-  checks.refuses("--set: Discretization/Coarsest level: a side of this scene ends inside "
-                 "a face of "
-                 "the mesh, allowed: a finer coarsest level.",
+  checks.refuses("a side of this scene ends inside a face of the mesh, allowed: a finer mesh "
+                 "(Coarsest level).",
                  []() { solve(named_scene("C4"), {"Discretization/Coarsest level=1"}); });
 }
 } // namespace

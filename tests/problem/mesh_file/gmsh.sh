@@ -112,8 +112,8 @@ refuse() {
   check "  and leaves nothing behind" [ ! -e none -a -z "$(ls -A left)" ]
 }
 refuse "allowed: 1 at (40 0), 2 at (80 10)" "$prm/parts/bracket.step" --set Boundary/Contact=foot
-refuse "allowed: a region (1), ':' and its value" "$prm/parts/bracket.step" --set "Material/Young's modulus=steel: 1"
-refuse "found no entry for the region 'hard'" two.geo --set "Material/Young's modulus=soft: 1" \
+refuse "allowed: one of 1, ':' and its value" "$prm/parts/bracket.step" --set "Material/Young's modulus=steel: 1"
+refuse "the number of entries for 'hard' is 0" two.geo --set "Material/Young's modulus=soft: 1" \
   --set "Material/Poisson's ratio=soft: 0.4 | hard: 0.2"
 head -c 3000 /dev/urandom >noise.step
 head -c 3000 "$prm/parts/bracket.step" >cut.step
