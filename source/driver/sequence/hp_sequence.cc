@@ -3,15 +3,14 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/hp/hidden_data.h>
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/hp/step_examination.h>
-#include <signorini/problem/parameters/entry_error.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace Signorini
 {
@@ -39,12 +38,12 @@ void require_few(const DiscretizationParameters &given,
 {
   const auto &max_unknowns = given.maximum_unknowns;
   if (n_unknowns > max_unknowns)
-    throw error_at(max_unknowns,
-                   "found '",
-                   max_unknowns.value,
-                   "', but the first mesh has ",
-                   text,
-                   " unknowns, allowed: that many, or a smaller Coarsest level.");
+    throw input_error(max_unknowns.where(),
+                      ": found '",
+                      max_unknowns.value,
+                      "', but the first mesh has ",
+                      text,
+                      " unknowns, allowed: that many, or a smaller Coarsest level.");
 }
 
 /** Returns the plan of the first mesh. @throws InputError if the mesh has too many unknowns, which
@@ -56,9 +55,9 @@ MeshPlan make_first_plan(const Scene<2> &scene, const DiscretizationParameters &
   const double fewest = 8. * scene.geometry.n_coarse_cells * std::pow(4., plan.base_level);
   require_few(given, fewest, "more than " + number_text(fewest));
   if (const std::optional<Point<2>> hidden = resolve_hidden_data(scene, plan))
-    throw error_at(
-      given.strategy,
-      "the material changes within a layer at (",
+    throw input_error(
+      given.strategy.where(),
+      ": the material changes within a layer at (",
       *hidden,
       ") that is too thin for cells that are not aligned with it, allowed: lines of the "
       "mesh at both of its sides (Kinks at x, Kinks at y; in a polygon sides or a mesh "

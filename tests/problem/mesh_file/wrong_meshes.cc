@@ -172,20 +172,21 @@ void test_arcs(Checks &checks)
     Changes changes;
     std::string arc, message;
   };
-  for (const WrongArc &wrong : std::vector<WrongArc>{
-         {{},
-          "botom",
-          "a.prm:3: Geometry/Arcs: found the side 'botom', allowed: bottom, rest.1, rest.2, top."},
-         {{},
-          "bottom",
-          "a.prm:3: Geometry/Arcs: the side 'bottom' is not one arc, allowed: nodes on one circle, to "
-          "1e-06 of its radius."},
-         {{{"6\n1 0", "8\n7 3 0.51 0\n8 3 2 0\n1 0"},
-           {"2 1 0 0", "2 1 -0.2 0"},
-           {"4\n1 1", "7\n5 1 2 1 1 2 3\n6 1 2 1 1 3 7\n7 3 2 1 1 3 7 8 6\n1 1"}},
-          "bottom",
-          "a.prm:3: Geometry/Arcs: the side 'bottom' is not one arc, allowed: nodes on one circle, to "
-          "1e-06 of its radius."}})
+  for (
+    const WrongArc &wrong : std::vector<WrongArc>{
+      {{},
+       "botom",
+       "a.prm:3: Geometry/Arcs: found the side 'botom', allowed: bottom, rest.1, rest.2, top."},
+      {{},
+       "bottom",
+       "a.prm:3: Geometry/Arcs: the side 'bottom' is not one arc, allowed: nodes on one circle, to "
+       "1e-06 of its radius."},
+      {{{"6\n1 0", "8\n7 3 0.51 0\n8 3 2 0\n1 0"},
+        {"2 1 0 0", "2 1 -0.2 0"},
+        {"4\n1 1", "7\n5 1 2 1 1 2 3\n6 1 2 1 1 3 7\n7 3 2 1 1 3 7 8 6\n1 1"}},
+       "bottom",
+       "a.prm:3: Geometry/Arcs: the side 'bottom' is not one arc, allowed: nodes on one circle, to "
+       "1e-06 of its radius."}})
     checks.refuses(wrong.message, [&] { read(change(version_2, wrong.changes), {wrong.arc}); });
 }
 
