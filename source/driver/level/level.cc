@@ -284,7 +284,8 @@ void add_errors(const Parameters &parameters,
   if (scene.has_exact_pressure())
   {
     record.pressure_errors = compute_pressure_errors(multipliers, solution.P, n_points);
-    record.endpoint_error = contact_end_error(multipliers, scene, solution.P);
+    if constexpr (dim == 2)
+      record.endpoint_error = contact_end_error(multipliers, scene, solution.P);
   }
   if (pressure != nullptr)
     record.dual_norm_errors = pressure->errors(multipliers, solution.P);

@@ -71,7 +71,7 @@ public:
   explicit HpSequence(const StudyContext<2> &context)
     : context_(context)
     , scene_(without_graded_rules(context.scene))
-    , examination_(scene_, context.judge.target_error())
+    , examination_(scene_, context.judge.demands.target_error)
     , plan_(make_first_plan(scene_, context.parameters.discretization))
     , next_(make_discretization())
   {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The check of the system (5) with integrals over the cells, without A or its factors.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/estimate/certificate.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/physics/notation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -305,14 +307,7 @@ Certificate certify(const DisplacementSpace<dim> &space,
   return certificate;
 }
 
-template Certificate certify(const DisplacementSpace<2> &,
-                             const Scene<2> &,
-                             const MultiplierSpace<2> &,
-                             const SolvedContact<2> &);
-template Certificate certify(const DisplacementSpace<3> &,
-                             const Scene<3> &,
-                             const MultiplierSpace<3> &,
-                             const SolvedContact<3> &);
+INSTANTIATE_FUNCTION(certify);
 
 // The locking number of bilinear elements in nearly incompressible bodies.
 
@@ -323,28 +318,18 @@ namespace
 template <int dim>
 double bulk_to_shear(const SymmetricTensor<4, dim> &E)
 {
-  std::vector<SymmetricTensor<2, dim>> deviators;
-  for (unsigned int i = 0; i < dim; ++i)
-    for (unsigned int j = 0; j < i; ++j)
-    {
-      deviators.emplace_back();
-      deviators.back()[i][j] = std::sqrt(0.5);
-    }
-  for (unsigned int i = 1; i < dim; ++i)
-  {
-    deviators.emplace_back();
-    for (unsigned int j = 0; j <= i; ++j)
-      deviators.back()[j][j] = (j < i ? 1. : -1. * i) / std::sqrt(i * (i + 1.));
-  }
-  LAPACKFullMatrix<double> energies(deviators.size());
-  for (unsigned int i = 0; i < deviators.size(); ++i)
-    for (unsigned int j = 0; j < deviators.size(); ++j)
-      energies(i, j) = deviators[i] * (E * deviators[j]);
+  const auto unit = unit_symmetric_tensor<dim>();
+  const auto deviatoric = deviator_tensor<dim>();
+  // With it the unit tensor, which is no deviator, belongs to a large eigenvalue.
+  const auto shift = E.norm() * outer_product(unit, unit);
+  const FullMatrix<double> energies =
+    Physics::Notation::Kelvin::to_matrix(deviatoric * E * deviatoric + shift);
+  LAPACKFullMatrix<double> matrix(energies.m());
+  matrix = energies;
   dealii::Vector<double> eigenvalues;
   FullMatrix<double> eigenvectors;
   const double limit = 2. * energies.frobenius_norm();
-  energies.compute_eigenvalues_symmetric(-limit, limit, 0., eigenvalues, eigenvectors);
-  const auto unit = unit_symmetric_tensor<dim>();
+  matrix.compute_eigenvalues_symmetric(-limit, limit, 0., eigenvalues, eigenvectors);
   return (unit * (E * unit)) / (dim * dim) / (0.5 * eigenvalues[0]);
 }
 
@@ -377,6 +362,5 @@ double locking_number(const Mesh<dim> &mesh, const Material<dim> &material)
                                        : 0.;
 }
 
-template double locking_number(const Mesh<2> &, const Material<2> &);
-template double locking_number(const Mesh<3> &, const Material<3> &);
+INSTANTIATE_FUNCTION(locking_number);
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The displacement z_h that belongs to a better pressure than p_H.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/fields/forces.h>
@@ -76,9 +77,13 @@ public:
     for (unsigned int k = 0; k < P.size(); ++k)
       shifts_[k] -= integrals[k] / lengths[k];
   }
-  double operator()(const unsigned int patch, const Point<dim - 1> &s) const
+  /** Returns the values at the points of a rule. */
+  std::vector<double> operator()(const Piece<dim> &piece, const SurfaceRule<dim> &rule) const
   {
-    return std::min(0., recovered_(patch, s) + shifts_[patch]);
+    std::vector<double> p;
+    for (const Point<dim - 1> &s : rule.on_side)
+      p.push_back(std::min(0., recovered_(piece.patch, s) + shifts_[piece.patch]));
+    return p;
   }
 
 private:
@@ -90,12 +95,10 @@ private:
 template <int dim>
 PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &data)
 {
-  dealii::Vector<double> one(1);
-  one = 1.;
   dealii::Vector<double> minus_P(data.P);
   minus_P *= -1.;
   DistributedVector forces = data.space.make_vector();
-  load.add_product(one, forces);
+  load.add_product(dealii::Vector<double>{1.}, forces);
   data.condensed_D.add_product(minus_P, forces);
   PressureCorrection correction;
   correction.z = solve_homogeneous(data.inverse, data.space, forces);
@@ -111,26 +114,12 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
                         const MultiplierSpace<dim> &multipliers,
                         const Pressure &P)
 {
-  const ContactSurface<dim> &surface = multipliers.surface();
-  const FEValuesExtractors::Vector displacement(0);
-  const ShiftedPressure<dim> recovered(multipliers, P);
-  TraceValues<dim> traces(space);
-  std::map<types::global_dof_index, double> forces;
-  for (const Piece<dim> &piece : surface.pieces())
-  {
-    const ContactFace<dim> &face = surface.faces()[piece.face];
-    const SurfaceRule<dim> &rule = piece.on_mesh;
-    const auto &values = traces.reinit(face, rule.on_face);
-    const auto indices = space.cell_dofs(face.cell);
-    for (std::size_t q = 0; q < rule.size(); ++q)
-    {
-      const double force = recovered(piece.patch, rule.on_side[q]) * rule.weights[q];
-      if (force != 0.)
-        for (unsigned int j = 0; j < indices.size(); ++j)
-          forces[indices[j]] += force * (values[displacement].value(j, q) * rule.normals[q]);
-    }
-  }
-  return condense(Coupling({Coupling::Column(forces.begin(), forces.end())}), space.constraints());
+  const auto rule_on = [](const Piece<dim> &piece) -> const SurfaceRule<dim> & {
+    return piece.on_mesh;
+  };
+  const ShiftedPressure<dim> pressure(multipliers, P);
+  return condense(Coupling({contact_load(space, multipliers.surface(), rule_on, pressure)}),
+                  space.constraints());
 }
 
 template <int dim>
@@ -151,14 +140,8 @@ PressureCorrection correct_pressure(const PressureData<dim> &data)
                          data);
 }
 
-template Coupling recovered_load(const DisplacementSpace<2> &,
-                                 const MultiplierSpace<2> &,
-                                 const Pressure &);
-template PressureCorrection correct_pressure(const PressureData<2> &);
-template Coupling recovered_load(const DisplacementSpace<3> &,
-                                 const MultiplierSpace<3> &,
-                                 const Pressure &);
-template PressureCorrection correct_pressure(const PressureData<3> &);
+INSTANTIATE_FUNCTION(recovered_load);
+INSTANTIATE_FUNCTION(correct_pressure);
 
 // Distances between interpolations of the nodal values; (24) and (31) make the first an estimate of
 // the error of the mesh.
@@ -305,18 +288,8 @@ Columns<ErrorEstimate> ErrorEstimate::columns()
           {"estimated_contact", &ErrorEstimate::contact}};
 }
 
-template ErrorEstimate estimate_error(const DisplacementSpace<2> &,
-                                      const Scene<2> &,
-                                      const Displacement &,
-                                      const PressureCorrection &,
-                                      const OtherErrors &);
-template ErrorEstimate estimate_error(const DisplacementSpace<3> &,
-                                      const Scene<3> &,
-                                      const Displacement &,
-                                      const PressureCorrection &,
-                                      const OtherErrors &);
-template unsigned int best_interpolation(const DisplacementSpace<2> &, const Displacement &);
-template unsigned int best_interpolation(const DisplacementSpace<3> &, const Displacement &);
+INSTANTIATE_FUNCTION(estimate_error);
+INSTANTIATE_FUNCTION(best_interpolation);
 
 // Penetration where nothing presses.
 
@@ -366,17 +339,14 @@ double energy_of_missed_contact(const DisplacementSpace<3> &space,
   const double per_piece = 20000. / std::max<std::size_t>(1, surface.pieces().size());
   const auto n_points = static_cast<unsigned int>(std::clamp(std::sqrt(per_piece), 3., 32.));
   TraceValues<3> traces(space);
-  std::vector<double> g, on_patch(surface.patches().size(), 0.);
+  std::vector<double> on_patch(surface.patches().size(), 0.);
   for (const Piece<3> &piece : surface.pieces())
   {
     const SurfaceRule<3> rule = surface.rule(piece, n_points);
-    const std::vector<double> u_n =
-      traces.normal_displacement(surface.faces()[piece.face], rule, U);
-    g.resize(rule.size());
-    surface.condition(piece).data->value_list(rule.points, g);
+    const std::vector<double> depths = penetration(surface, piece, rule, U, traces);
     double square = 0.;
     for (std::size_t q = 0; q < rule.size(); ++q)
-      square += std::pow(std::max(0., u_n[q] - g[q]), 2) * rule.weights[q];
+      square += std::pow(std::max(0., depths[q]), 2) * rule.weights[q];
     if (square > 0.)
       on_patch[piece.patch] += modulus_at(scene, rule.points[0]) * square;
   }

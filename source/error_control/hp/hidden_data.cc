@@ -96,6 +96,13 @@ public:
       high_[i] = std::max(high_[i], values[i]);
     }
   }
+  double width() const
+  {
+    double largest = 0.;
+    for (std::size_t i = 0; i < low_.size(); ++i)
+      largest = std::max(largest, high_[i] - low_[i]);
+    return largest;
+  }
   bool is_far(const Values &values, const double tolerance) const
   {
     for (std::size_t i = 0; i < std::min(values.size(), low_.size()); ++i)
@@ -236,27 +243,23 @@ private:
     for (const Point<1> &t : gauss.get_points())
       seen.add(at(t[0]));
     const std::vector<double> positions = sample_positions(n);
-    Values before, low, high;
-    double jump = 0., range = 0.;
+    SampledRange all;
+    Values before;
+    double jump = 0.;
     for (std::size_t i = 0; i < positions.size(); ++i)
     {
       const Values values = at(positions[i]);
       if (seen.is_far(values, tolerance * max_on_side_[side]))
         return true;
-      if (i == 0)
-        low = high = values;
-      for (std::size_t c = 0; i < n && c < std::min(values.size(), low.size()); ++c)
-      {
-        low[c] = std::min(low[c], values[c]);
-        high[c] = std::max(high[c], values[c]);
-        range = std::max(range, high[c] - low[c]);
-        if (c < before.size())
-          jump = std::max(jump, std::abs(values[c] - before[c]));
-      }
+      if (i >= n)
+        continue;
+      all.add(values);
+      for (std::size_t c = 0; c < std::min(values.size(), before.size()); ++c)
+        jump = std::max(jump, std::abs(values[c] - before[c]));
       before = values;
     }
     // Smooth functions change by a few times their range/n from sample to sample.
-    const double force = 0.25 * (jump - 8. * range / n) * std::abs(length);
+    const double force = 0.25 * (jump - 8. * all.width() / n) * std::abs(length);
     return scene_.boundary[side].role == Role::traction && force > tolerance * force_on_side_[side];
   }
 

@@ -10,21 +10,14 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>
 
+#include <boost/math/statistics/linear_regression.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 namespace Signorini
 {
-std::vector<double> nodes_of_edge(const unsigned int degree)
-{
-  const QGaussLobatto<1> rule(degree + 1);
-  std::vector<double> nodes;
-  for (const Point<1> &x : rule.get_points())
-    nodes.push_back(x[0]);
-  return nodes;
-}
-
 LineTable make_line_table(const unsigned int degree, const std::vector<double> &points)
 {
   using Basis = std::vector<Polynomials::Polynomial<double>>;
@@ -34,17 +27,7 @@ LineTable make_line_table(const unsigned int degree, const std::vector<double> &
   if (basis.empty())
     basis =
       Polynomials::generate_complete_Lagrange_basis(QGaussLobatto<1>(degree + 1).get_points());
-  const unsigned int n = points.size();
-  LineTable table = {{n, degree + 1}, {n, degree + 1}};
-  std::vector<double> derivatives(2);
-  for (unsigned int q = 0; q < n; ++q)
-    for (unsigned int i = 0; i <= degree; ++i)
-    {
-      basis[i].value(points[q], derivatives);
-      table.values(q, i) = derivatives[0];
-      table.derivatives(q, i) = derivatives[1];
-    }
-  return table;
+  return make_line_table(basis, points);
 }
 
 CellField::CellField(const DoFHandler<2>::active_cell_iterator &cell, const Displacement &U)
@@ -53,35 +36,13 @@ CellField::CellField(const DoFHandler<2>::active_cell_iterator &cell, const Disp
   const FiniteElement<2> &element = cell->get_fe();
   dealii::Vector<double> nodal(element.n_dofs_per_cell());
   cell->get_dof_values(U, nodal);
-  const auto numbers = FETools::lexicographic_to_hierarchic_numbering<2>(degree_);
-  const unsigned int n = degree_ + 1;
-  for (unsigned int c = 0; c < 2; ++c)
+  values_.resize(nodal.size() / 2);
+  const auto numbers = FETools::hierarchic_to_lexicographic_numbering<2>(degree_);
+  for (unsigned int i = 0; i < nodal.size(); ++i)
   {
-    values_[c].reinit(n, n);
-    for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int i = 0; i < n; ++i)
-        values_[c](j, i) = nodal[element.component_to_system_index(c, numbers[i + n * j])];
+    const auto [component, node] = element.system_to_component_index(i);
+    values_[numbers[node]][component] = nodal[i];
   }
-}
-
-std::vector<Tensor<2, 2>> CellField::gradients(const LineTable &x, const LineTable &y) const
-{
-  const unsigned int n_x = x.values.m(), n_y = y.values.m(), n = degree_ + 1;
-  std::vector<Tensor<2, 2>> gradients(n_x * n_y);
-  FullMatrix<double> at_x(n, n_x), derivative_at_x(n, n_x), result(n_y, n_x);
-  for (unsigned int c = 0; c < 2; ++c)
-  {
-    values_[c].mTmult(at_x, x.values);
-    values_[c].mTmult(derivative_at_x, x.derivatives);
-    for (unsigned int d = 0; d < 2; ++d)
-    {
-      (d == 0 ? y.values : y.derivatives).mmult(result, d == 0 ? derivative_at_x : at_x);
-      for (unsigned int j = 0; j < n_y; ++j)
-        for (unsigned int i = 0; i < n_x; ++i)
-          gradients[i + n_x * j][c][d] = result(j, i);
-    }
-  }
-  return gradients;
 }
 
 // The decay of Legendre coefficients, cell by cell.
@@ -140,19 +101,16 @@ CellIndicator extrapolate(const std::vector<double> &parts)
   const unsigned int first = p > max_parts ? p - max_parts : 0;
   // Parts that are rounding against the largest one do not enter the slope.
   const double negligible = 1e-13 * *std::max_element(parts.begin(), parts.end());
-  double n = 0., x = 0., y = 0., xx = 0., xy = 0.;
+  std::vector<double> degrees, logarithms;
   for (unsigned int i = first; i < p; ++i)
   {
-    const double logarithm = std::log(std::max(parts[i], negligible + 1e-300));
-    n += 1.;
-    x += i;
-    y += logarithm;
-    xx += static_cast<double>(i) * i;
-    xy += i * logarithm;
+    degrees.push_back(i);
+    logarithms.push_back(std::log(std::max(parts[i], negligible + 1e-300)));
   }
-  const double slope = (n * xy - x * y) / (n * xx - x * x);
+  const auto [constant, slope] =
+    boost::math::statistics::simple_ordinary_least_squares(degrees, logarithms);
   const double rho = std::clamp(std::exp(slope), fastest, slowest);
-  const double by_line = std::exp((y - slope * x) / n + slope * p);
+  const double by_line = std::exp(constant + slope * p);
   // A line through two parts of an odd or even function may be steeper than both.
   const double next = std::clamp(by_line, rho * parts[p - 1], parts[p - 1]);
   return {next / std::sqrt(1. - rho * rho), rho};
@@ -223,7 +181,6 @@ void add_contact_misfit(const DisplacementSpace<2> &space,
 {
   const ContactSurface<2> &surface = multipliers.surface();
   TraceValues<2> traces(space);
-  std::vector<double> g;
   const double threshold = pressing_threshold(P);
   for (const Piece<2> &piece : surface.pieces())
   {
@@ -235,12 +192,10 @@ void add_contact_misfit(const DisplacementSpace<2> &space,
     const ContactFace<2> &face = surface.faces()[piece.face];
     const unsigned int p = space.element(face.cell).degree;
     const SurfaceRule<2> rule = surface.rule(piece, p + 2);
-    const std::vector<double> u_n = traces.normal_displacement(face, rule, U);
-    g.resize(rule.size());
-    surface.condition(piece).data->value_list(rule.points, g);
+    const std::vector<double> depths = penetration(surface, piece, rule, U, traces);
     double square = 0.;
     for (std::size_t q = 0; q < rule.size(); ++q)
-      square += (u_n[q] - g[q]) * (u_n[q] - g[q]) * rule.weights[q];
+      square += depths[q] * depths[q] * rule.weights[q];
     const double waves = 0.5 * numbers::PI * p / surface.patches()[piece.patch].measure;
     CellIndicator &indicator = indicators[face.cell->active_cell_index()];
     indicator.error = std::sqrt(indicator.error * indicator.error +
@@ -276,18 +231,12 @@ void add_samples(const ContactSurface<2> &surface,
     for (unsigned int i = 0; i <= n_intervals; ++i)
       positions.emplace_back(from + (to - from) * i / n_intervals);
     const SurfaceRule<2> rule = surface.at(piece, positions);
-    std::vector<double> g(rule.size());
-    surface.condition(piece).data->value_list(rule.points, g);
-    const auto u_n = traces.normal_displacement(surface.faces()[piece.face], rule, U);
-    unsigned int deepest = 0;
-    for (unsigned int q = 0; q < rule.size(); ++q)
-    {
-      state.deepest = std::max(state.deepest, u_n[q] - g[q]);
-      state.largest = std::max(state.largest, std::abs(u_n[q] - g[q]));
-      if (u_n[q] - g[q] > u_n[deepest] - g[deepest])
-        deepest = q;
-    }
-    const double middle = positions[deepest][0], step = (to - from) / n_intervals;
+    const std::vector<double> depths = penetration(surface, piece, rule, U, traces);
+    const auto deepest = std::max_element(depths.begin(), depths.end());
+    state.deepest = std::max(state.deepest, *deepest);
+    for (const double depth : depths)
+      state.largest = std::max(state.largest, std::abs(depth));
+    const double middle = positions[deepest - depths.begin()][0], step = (to - from) / n_intervals;
     from = std::max(0., middle - step);
     to = std::min(1., middle + step);
   }

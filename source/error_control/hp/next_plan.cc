@@ -33,17 +33,17 @@ double step_length(const double error, const double goal)
   return std::min(1., std::max(1. / 3., std::log(error / goal) / std::log(reduction)));
 }
 
-/** Returns the part of the indicators that lies at a singularity. */
-double error_at(const Singularity &singularity,
-                const Scene<2> &scene,
-                const Mesh<2> &mesh,
-                const std::vector<CellIndicator> &indicators)
+/** Returns the indicators of the cells at a singularity. */
+std::vector<CellIndicator> indicators_at(const Singularity &singularity,
+                                         const Scene<2> &scene,
+                                         const Mesh<2> &mesh,
+                                         const std::vector<CellIndicator> &indicators)
 {
-  double square = 0.;
+  std::vector<CellIndicator> found;
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     if (singularity.touches(scene, cell))
-      square += std::pow(indicators[cell->active_cell_index()].error, 2);
-  return std::sqrt(square);
+      found.push_back(indicators[cell->active_cell_index()]);
+  return found;
 }
 
 Singularity end_of_contact(const ContactBracket &bracket,
@@ -80,18 +80,6 @@ double observed_exponent(const Singularity &known, const double error)
   return std::max(min_exponent, std::min(known.exponent, observed));
 }
 
-/** Returns whether u_h does not look analytic in the cells at a place. */
-bool is_rough(const Singularity &place,
-              const Scene<2> &scene,
-              const Mesh<2> &mesh,
-              const std::vector<CellIndicator> &indicators)
-{
-  for (const auto &cell : mesh.triangulation().active_cell_iterators())
-    if (place.touches(scene, cell) && indicators[cell->active_cell_index()].decay > slow_decay)
-      return true;
-  return false;
-}
-
 /** Returns corners and kinks with the layers of the next mesh. */
 std::vector<Singularity> grade_places(const MeshPlan &plan,
                                       const Scene<2> &scene,
@@ -105,10 +93,14 @@ std::vector<Singularity> grade_places(const MeshPlan &plan,
     if (known.kind == Singularity::Kind::end_of_contact)
       continue;
     Singularity place = known;
-    const double error = error_at(known, scene, mesh, findings.indicators);
+    const auto indicators = indicators_at(known, scene, mesh, findings.indicators);
+    const double error = total(indicators);
     place.exponent = observed_exponent(known, error);
+    // u_h does not look analytic.
+    const auto is_rough = [](const CellIndicator &cell) { return cell.decay > slow_decay; };
     const bool needs_first_layers =
-      known.is_certain || (plan.rise > 0. && is_rough(known, scene, mesh, findings.indicators));
+      known.is_certain ||
+      (plan.rise > 0. && std::any_of(indicators.begin(), indicators.end(), is_rough));
     if (known.layers > 0. ? error > 0.25 * goal.error
                           : needs_first_layers && error > 0.1 * goal.error)
     {
@@ -160,7 +152,8 @@ void grade(const MeshPlan &plan,
     Singularity end = end_of_contact(bracket, scene, usual);
     if (const Singularity *const before = end_before(end, plan))
       end.layers = before->layers;
-    if (end.layers == 0. || error_at(end, scene, mesh, findings.indicators) > 0.2 * goal.error)
+    if (end.layers == 0. ||
+        total(indicators_at(end, scene, mesh, findings.indicators)) > 0.2 * goal.error)
       end.layers += goal.length * layers_per_step;
     if (Singularity *const kink = kink_in(bracket, next.singularities))
       kink->layers = std::max(kink->layers, end.layers);

@@ -76,8 +76,6 @@ class DistanceIntegrals
 public:
   explicit DistanceIntegrals(const Scene<2> &scene)
     : scene_(scene)
-    , constant_(scene.material->is_constant())
-    , hooke_(scene.material->hooke(scene.geometry.inner_point()))
   {
   }
 
@@ -101,9 +99,8 @@ public:
       const Tensor<2, 2> reference = fine[q] - window.edge * coarse[q];
       const SymmetricTensor<2, 2> strain =
         symmetrize(reference * Tensor<2, 2>(values.inverse_jacobian(q)));
-      if (!constant_)
-        hooke_ = scene_.material->hooke(values.quadrature_point(q));
-      square += (hooke_ * strain) * strain * values.JxW(q);
+      const auto hooke = scene_.material->hooke(values.quadrature_point(q));
+      square += (hooke * strain) * strain * values.JxW(q);
     }
     return square;
   }
@@ -141,8 +138,6 @@ private:
   }
 
   const Scene<2> &scene_;
-  bool constant_;
-  SymmetricTensor<4, 2> hooke_;
   FE_Nothing<2> no_functions_;
   /** The tables, by degree and number of points. */
   std::map<std::pair<unsigned int, unsigned int>, LineTable> tables_;

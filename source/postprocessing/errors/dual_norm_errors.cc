@@ -6,6 +6,7 @@
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/postprocessing/errors/dual_norm_errors.h>
 #include <signorini/postprocessing/errors/errors.h>
+#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/norms/slobodeckij_norm.h>
 #include <signorini/postprocessing/norms/spectral_norm.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
@@ -96,22 +97,100 @@ double extrapolate(const std::array<double, 2> &norms)
 {
   return norms[1] + (norms[1] - norms[0]) / 3.;
 }
-} // namespace
 
-template <>
-ExactPressure<2>::ExactPressure(const Scene<2> &scene)
-  : scene_(scene)
+SpectralNorm::Modes coefficients_on(const Scene<2> &scene, const unsigned int number)
 {
-  for (const unsigned int number : scene.contact_sides())
-  {
-    const Side<2> &side = scene.geometry.sides[number];
-    const Function<2> &exact = *scene.boundary[number].exact_pressure;
-    const SampledFunction p = sample(cut_side(side, scene.kinks, 4096), 8, [&](const double s) {
-      return exact.value(side.point(s));
-    });
-    coefficients_[number] = spectral_norm_on(side).coefficients(p.arc_lengths, p.weighted_values);
-  }
+  const Side<2> &side = scene.geometry.sides[number];
+  const Function<2> &exact = *scene.boundary[number].exact_pressure;
+  const SampledFunction p = sample(cut_side(side, scene.kinks, 4096), 8, [&](const double s) {
+    return exact.value(side.point(s));
+  });
+  return spectral_norm_on(side).coefficients(p.arc_lengths, p.weighted_values);
 }
+
+FullMatrix<double> coefficients_on(const Scene<3> &scene, const unsigned int number)
+{
+  const Side<3> &side = scene.geometry.sides[number];
+  // Two points for the half of a period of the highest mode.
+  const QIterated<1> rule(QGauss<1>(8), RectangleNorm::n_modes / 4);
+  const std::array<double, 2> lengths = side.lengths();
+  std::array<std::vector<double>, 2> positions;
+  for (unsigned int d = 0; d < 2; ++d)
+    for (const Point<1> &s : rule.get_points())
+      positions[d].push_back(lengths[d] * s[0]);
+  FullMatrix<double> weighted(rule.size(), rule.size());
+  std::vector<Point<3>> points(rule.size());
+  std::vector<double> values(rule.size());
+  for (unsigned int a = 0; a < rule.size(); ++a)
+  {
+    for (unsigned int b = 0; b < rule.size(); ++b)
+      points[b] = side.point({positions[0][a], positions[1][b]});
+    scene.boundary[number].exact_pressure->value_list(points, values);
+    for (unsigned int b = 0; b < rule.size(); ++b)
+      weighted(a, b) = values[b] * lengths[0] * rule.weight(a) * lengths[1] * rule.weight(b);
+  }
+  return RectangleNorm(lengths).coefficients(positions, weighted);
+}
+
+/** Returns the errors on a side: @p p are the coefficients of the exact pressure, @p
+ * all_differences the differences between its means and P. */
+DualNormErrors errors_on(const Scene<2> &scene,
+                         const SpectralNorm::Modes &p,
+                         const PatchGrid &grid,
+                         const Pressure &P,
+                         const dealii::Vector<double> &all_differences)
+{
+  const unsigned int m = grid.n(0);
+  const Side<2> &side = scene.geometry.sides[grid.side];
+  const std::vector<double> &ends = grid.ends[0];
+  dealii::Vector<double> P_side(m), difference(m);
+  P.extract_subvector_to(grid.patches.begin(), grid.patches.end(), P_side.begin());
+  all_differences.extract_subvector_to(
+    grid.patches.begin(), grid.patches.end(), difference.begin());
+  const SpectralNorm norm = spectral_norm_on(side);
+  DualNormErrors errors;
+  errors.spectral = norm.distance(p, ends, P_side);
+  errors.superclose_spectral = norm.distance(SpectralNorm::Modes(p.size()), ends, difference);
+  if (m > max_slobodeckij_patches || !side.is_flat())
+    return errors;
+
+  const Function<2> &exact = *scene.boundary[grid.side].exact_pressure;
+  const auto on_patch = [&](const dealii::Vector<double> &values, const double s) {
+    return values[std::lower_bound(ends.begin() + 1, ends.end() - 1, s) - ends.begin() - 1];
+  };
+  std::array<double, 2> norms, superclose_norms;
+  for (unsigned int g = 0; g < 2; ++g)
+  {
+    // Points on every patch and on every cell of the grid.
+    const SlobodeckijNorm uniform(side.length(), (g + 1) * 8 * m);
+    std::vector<double> cuts = cut_side(side, scene.kinks, uniform.n_cells());
+    cuts.insert(cuts.end(), ends.begin() + 1, ends.end());
+    std::sort(cuts.begin(), cuts.end());
+    const SampledFunction error = sample(
+      cuts, 6, [&](const double s) { return exact.value(side.point(s)) - on_patch(P_side, s); });
+    const SampledFunction superclose =
+      sample(cuts, 2, [&](const double s) { return on_patch(difference, s); });
+    norms[g] = uniform.dual_norm(error.arc_lengths, error.weighted_values);
+    superclose_norms[g] = uniform.dual_norm(superclose.arc_lengths, superclose.weighted_values);
+  }
+  errors.slobodeckij = extrapolate(norms);
+  errors.superclose_slobodeckij = extrapolate(superclose_norms);
+  return errors;
+}
+
+DualNormErrors errors_on(const Scene<3> & /*scene*/,
+                         const FullMatrix<double> &p,
+                         const PatchGrid &grid,
+                         const Pressure &P,
+                         const dealii::Vector<double> &all_differences)
+{
+  const RectangleNorm norm = rectangle_norm_on(grid);
+  return {norm.distance(p, values_on(grid, P)),
+          {},
+          norm.distance(FullMatrix<double>(), values_on(grid, all_differences)),
+          {}};
+}
+} // namespace
 
 template <int dim>
 dealii::Vector<double> ExactPressure<dim>::project(const MultiplierSpace<dim> &space) const
@@ -122,72 +201,35 @@ dealii::Vector<double> ExactPressure<dim>::project(const MultiplierSpace<dim> &s
       return pressure_on(space.surface(), piece, rule);
     }));
 }
-template dealii::Vector<double> ExactPressure<2>::project(const MultiplierSpace<2> &) const;
-template dealii::Vector<double> ExactPressure<3>::project(const MultiplierSpace<3> &) const;
 
-template <>
-DualNormErrors ExactPressure<2>::errors_on_side(const MultiplierSpace<2> &space,
-                                                const Pressure &P,
-                                                const dealii::Vector<double> &projected_p,
-                                                const unsigned int first,
-                                                const unsigned int last) const
+template <int dim>
+ExactPressure<dim>::ExactPressure(const Scene<dim> &scene)
+  : scene_(scene)
 {
-  const std::vector<Patch<2>> &patches = space.surface().patches();
-  const unsigned int number = patches[first].side, m = last - first;
-  const Side<2> &side = scene_.geometry.sides[number];
-  const std::vector<double> ends = patch_ends(patches, first, last);
-  dealii::Vector<double> P_side(m), difference(m);
-  for (unsigned int i = 0; i < m; ++i)
-  {
-    P_side[i] = P[first + i];
-    difference[i] = projected_p[first + i] - P[first + i];
-  }
-  const SpectralNorm norm = spectral_norm_on(side);
-  const SpectralNorm::Modes &p = coefficients_.at(number);
-  DualNormErrors errors;
-  errors.spectral = norm.distance(p, ends, P_side);
-  errors.superclose_spectral = norm.distance(SpectralNorm::Modes(p.size()), ends, difference);
-  if (m > max_slobodeckij_patches || !side.is_flat())
-    return errors;
-
-  const Function<2> &exact = *scene_.boundary[number].exact_pressure;
-  const auto on_patch = [&](const dealii::Vector<double> &values, const double s) {
-    return values[std::lower_bound(ends.begin() + 1, ends.end() - 1, s) - ends.begin() - 1];
-  };
-  std::array<double, 2> norms, superclose_norms;
-  for (unsigned int g = 0; g < 2; ++g)
-  {
-    // Points on every patch and on every cell of the grid.
-    const SlobodeckijNorm grid(side.length(), (g + 1) * 8 * m);
-    std::vector<double> cuts = cut_side(side, scene_.kinks, grid.n_cells());
-    cuts.insert(cuts.end(), ends.begin() + 1, ends.end());
-    std::sort(cuts.begin(), cuts.end());
-    const SampledFunction error = sample(
-      cuts, 6, [&](const double s) { return exact.value(side.point(s)) - on_patch(P_side, s); });
-    const SampledFunction superclose =
-      sample(cuts, 2, [&](const double s) { return on_patch(difference, s); });
-    norms[g] = grid.dual_norm(error.arc_lengths, error.weighted_values);
-    superclose_norms[g] = grid.dual_norm(superclose.arc_lengths, superclose.weighted_values);
-  }
-  errors.slobodeckij = extrapolate(norms);
-  errors.superclose_slobodeckij = extrapolate(superclose_norms);
-  return errors;
+  for (const unsigned int number : scene.contact_sides())
+    coefficients_[number] = coefficients_on(scene, number);
 }
 
-template <>
-DualNormErrors ExactPressure<2>::errors(const MultiplierSpace<2> &space, const Pressure &P) const
+template <int dim>
+DualNormErrors ExactPressure<dim>::errors(const MultiplierSpace<dim> &space,
+                                          const Pressure &P) const
 {
-  const dealii::Vector<double> projected_p = project(space);
+  dealii::Vector<double> differences = project(space);
+  differences -= P;
   DualNormErrors sum = {0., 0., 0., 0.};
-  for_each_side(space.surface().patches(), [&](const unsigned int first, const unsigned int last) {
-    const DualNormErrors side = errors_on_side(space, P, projected_p, first, last);
+  for (const PatchGrid &grid : patch_grids(space.surface().patches()))
+  {
+    const DualNormErrors side =
+      errors_on(scene_, coefficients_.at(grid.side), grid, P, differences);
     sum.spectral = std::hypot(sum.spectral, side.spectral);
     sum.superclose_spectral = std::hypot(sum.superclose_spectral, side.superclose_spectral);
     sum.slobodeckij = hypot(sum.slobodeckij, side.slobodeckij);
     sum.superclose_slobodeckij = hypot(sum.superclose_slobodeckij, side.superclose_slobodeckij);
-  });
+  }
   return sum;
 }
+template class ExactPressure<2>;
+template class ExactPressure<3>;
 
 Columns<DualNormErrors> DualNormErrors::columns()
 {
@@ -210,22 +252,12 @@ DistributedVector test_on_contact(const DisplacementSpace<2> &space,
                                   const Function &values_on)
 {
   const ContactSurface<2> &surface = multipliers.surface();
-  const FEValuesExtractors::Vector displacement(0);
-  TraceValues<2> traces(space);
+  const auto rule_on = [&](const Piece<2> &piece) {
+    return surface.rule(piece, n_points, Grading::towards_kinks);
+  };
   DistributedVector b = space.make_vector();
-  for (const Piece<2> &piece : surface.pieces())
-  {
-    const ContactFace<2> &face = surface.faces()[piece.face];
-    const SurfaceRule<2> rule = surface.rule(piece, n_points, Grading::towards_kinks);
-    const std::vector<double> q = values_on(piece, rule);
-    const auto &values = traces.reinit(face, rule.on_face);
-    const auto indices = space.cell_dofs(face.cell);
-    for (unsigned int j = 0; j < indices.size(); ++j)
-      if (b.in_local_range(indices[j]))
-        for (std::size_t k = 0; k < rule.size(); ++k)
-          b(indices[j]) +=
-            q[k] * rule.weights[k] * (values[displacement].value(j, k) * rule.normals[k]);
-  }
+  Coupling({contact_load(space, surface, rule_on, values_on)})
+    .add_product(dealii::Vector<double>{1.}, b);
   b.compress(VectorOperation::add);
   return b;
 }

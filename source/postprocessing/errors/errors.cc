@@ -2,8 +2,8 @@
 // The left-hand sides of (13), (24) and (31), in one pass over the cells.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/integration.h>
-#include <signorini/postprocessing/errors/dual_norm_errors.h>
 #include <signorini/postprocessing/errors/errors.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
@@ -193,14 +193,7 @@ Columns<DisplacementErrors> DisplacementErrors::columns()
           {"u_energy", &DisplacementErrors::energy}};
 }
 
-template DisplacementErrors compute_displacement_errors(const DisplacementSpace<2> &,
-                                                        const Scene<2> &,
-                                                        const Displacement &,
-                                                        unsigned int);
-template DisplacementErrors compute_displacement_errors(const DisplacementSpace<3> &,
-                                                        const Scene<3> &,
-                                                        const Displacement &,
-                                                        unsigned int);
+INSTANTIATE_FUNCTION(compute_displacement_errors);
 
 // The left-hand side of (14) and (33).
 
@@ -239,66 +232,7 @@ Columns<PressureErrors> PressureErrors::columns()
   return {{"p_l2", &PressureErrors::l2}, {"p_post_l2", &PressureErrors::post_l2}};
 }
 
-template PressureErrors compute_pressure_errors(const MultiplierSpace<2> &,
-                                                const Pressure &,
-                                                unsigned int);
-template PressureErrors compute_pressure_errors(const MultiplierSpace<3> &,
-                                                const Pressure &,
-                                                unsigned int);
-
-// The left-hand sides of (15) and (25) on rectangles.
-
-namespace
-{
-FullMatrix<double> coefficients_on(const Side<3> &side, const Function<3> &p)
-{
-  // Two points for the half of a period of the highest mode.
-  const QIterated<1> rule(QGauss<1>(8), RectangleNorm::n_modes / 4);
-  const std::array<double, 2> lengths = side.lengths();
-  std::array<std::vector<double>, 2> positions;
-  for (unsigned int d = 0; d < 2; ++d)
-    for (const Point<1> &s : rule.get_points())
-      positions[d].push_back(lengths[d] * s[0]);
-  FullMatrix<double> weighted(rule.size(), rule.size());
-  std::vector<Point<3>> points(rule.size());
-  std::vector<double> values(rule.size());
-  for (unsigned int a = 0; a < rule.size(); ++a)
-  {
-    for (unsigned int b = 0; b < rule.size(); ++b)
-      points[b] = side.point({positions[0][a], positions[1][b]});
-    p.value_list(points, values);
-    for (unsigned int b = 0; b < rule.size(); ++b)
-      weighted(a, b) = values[b] * lengths[0] * rule.weight(a) * lengths[1] * rule.weight(b);
-  }
-  return RectangleNorm(lengths).coefficients(positions, weighted);
-}
-} // namespace
-
-template <>
-ExactPressure<3>::ExactPressure(const Scene<3> &scene)
-  : scene_(scene)
-{
-  for (const unsigned int number : scene.contact_sides())
-    coefficients_[number] =
-      coefficients_on(scene.geometry.sides[number], *scene.boundary[number].exact_pressure);
-}
-
-template <>
-DualNormErrors ExactPressure<3>::errors(const MultiplierSpace<3> &space, const Pressure &P) const
-{
-  dealii::Vector<double> difference = project(space);
-  difference -= P;
-  DualNormErrors sum = {0., {}, 0., {}};
-  for (const PatchGrid &grid : patch_grids(space.surface().patches()))
-  {
-    const RectangleNorm norm = rectangle_norm_on(grid);
-    sum.spectral =
-      std::hypot(sum.spectral, norm.distance(coefficients_.at(grid.side), values_on(grid, P)));
-    sum.superclose_spectral = std::hypot(
-      sum.superclose_spectral, norm.distance(FullMatrix<double>(), values_on(grid, difference)));
-  }
-  return sum;
-}
+INSTANTIATE_FUNCTION(compute_pressure_errors);
 
 // The ends of contact, in the exact and in the discrete solution.
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The ends of contact between the nodes of multipliers.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/postprocessing/fields/forces.h>
@@ -299,6 +300,19 @@ Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
   return resultant;
 }
 
+template <int dim>
+std::vector<double> penetration(const ContactSurface<dim> &surface,
+                                const Piece<dim> &piece,
+                                const SurfaceRule<dim> &rule,
+                                const Displacement &U,
+                                TraceValues<dim> &traces)
+{
+  std::vector<double> depths = traces.normal_displacement(surface.faces()[piece.face], rule, U);
+  for (std::size_t q = 0; q < rule.size(); ++q)
+    depths[q] -= surface.condition(piece).data->value(rule.points[q]);
+  return depths;
+}
+
 // The reactions of plates.
 
 template <int dim>
@@ -319,22 +333,12 @@ std::vector<PlateForce> plate_forces(const DisplacementSpace<dim> &space,
   return result;
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template ContactSummary summarise_contact(const MultiplierSpace<dim> &, const Pressure &);       \
-  template class RecoveredPressure<dim>;                                                           \
-  template Pressure transfer_pressure(const PatchPressure<dim> &,                                  \
-                                      const std::vector<Patch<dim>> &);                            \
-  template NodalForces nodal_forces(const DisplacementSpace<dim> &,                                \
-                                    const Scene<dim> &,                                            \
-                                    const DistributedVector &,                                     \
-                                    const Coupling &,                                              \
-                                    const Displacement &,                                          \
-                                    const Pressure &);                                             \
-  template Resultant<dim> contact_resultant(                                                       \
-    const MultiplierSpace<dim> &, const Pressure &, const Piece<dim> &);                           \
-  template std::vector<PlateForce> plate_forces(                                                   \
-    const DisplacementSpace<dim> &, const Scene<dim> &, const NodalForces &);
-INSTANTIATE(2)
-INSTANTIATE(3)
-#undef INSTANTIATE
+INSTANTIATE_FUNCTION(summarise_contact);
+template class RecoveredPressure<2>;
+template class RecoveredPressure<3>;
+INSTANTIATE_FUNCTION(transfer_pressure);
+INSTANTIATE_FUNCTION(nodal_forces);
+INSTANTIATE_FUNCTION(contact_resultant);
+INSTANTIATE_FUNCTION(penetration);
+INSTANTIATE_FUNCTION(plate_forces);
 } // namespace Signorini

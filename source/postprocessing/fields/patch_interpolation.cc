@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // π^{2h} of (30), and interpolations of higher degree on larger patches.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 
 #include <deal.II/base/polynomial.h>
@@ -42,7 +43,62 @@ std::vector<Polynomials::Polynomial<double>> nodal_basis(const unsigned int degr
   return Polynomials::generate_complete_Lagrange_basis(
     QIterated<1>(QGaussLobatto<1>(degree + 1), n_cells).get_points());
 }
+
+/** Returns Σ_k A_qk v_k along one direction of an array, in which @p stride entries of the
+ * directions before follow one another. */
+template <int dim>
+std::vector<Tensor<1, dim>> along(const FullMatrix<double> &A,
+                                  const std::vector<Tensor<1, dim>> &v,
+                                  const std::size_t stride)
+{
+  const std::size_t n_blocks = v.size() / (A.n() * stride);
+  std::vector<Tensor<1, dim>> sums(n_blocks * A.m() * stride);
+  for (std::size_t block = 0; block < n_blocks; ++block)
+    for (std::size_t q = 0; q < A.m(); ++q)
+      for (std::size_t k = 0; k < A.n(); ++k)
+        for (std::size_t i = 0; i < stride; ++i)
+          sums[(block * A.m() + q) * stride + i] += A(q, k) * v[(block * A.n() + k) * stride + i];
+  return sums;
+}
 } // namespace
+
+LineTable make_line_table(const std::vector<Polynomials::Polynomial<double>> &basis,
+                          const std::vector<double> &points)
+{
+  LineTable table = {{points.size(), basis.size()}, {points.size(), basis.size()}};
+  std::vector<double> value_and_derivative(2);
+  for (unsigned int q = 0; q < points.size(); ++q)
+    for (unsigned int i = 0; i < basis.size(); ++i)
+    {
+      basis[i].value(points[q], value_and_derivative);
+      table.values(q, i) = value_and_derivative[0];
+      table.derivatives(q, i) = value_and_derivative[1];
+    }
+  return table;
+}
+
+template <int dim>
+FieldValues<dim> evaluate_products(std::vector<Tensor<1, dim>> nodal_values,
+                                   const std::array<const LineTable *, dim> &lines)
+{
+  // The field, and its derivatives along the directions so far.
+  std::vector<std::vector<Tensor<1, dim>>> fields = {std::move(nodal_values)};
+  std::size_t stride = 1;
+  for (const LineTable *const line : lines)
+  {
+    std::vector<Tensor<1, dim>> derivative = along(line->derivatives, fields[0], stride);
+    for (std::vector<Tensor<1, dim>> &field : fields)
+      field = along(line->values, field, stride);
+    fields.push_back(std::move(derivative));
+    stride *= line->values.m();
+  }
+  FieldValues<dim> result = {fields[0], std::vector<Tensor<2, dim>>(stride)};
+  for (std::size_t q = 0; q < stride; ++q)
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        result.gradients[q][c][d] = fields[d + 1][q][c];
+  return result;
+}
 
 template <int dim>
 PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
@@ -63,12 +119,19 @@ PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
   const unsigned int p = space.element().degree;
   for (const unsigned int i : FETools::hierarchic_to_lexicographic_numbering<dim>(p))
     nodes_of_cell_.push_back(digits<dim>(i, p + 1));
-  if constexpr (dim == 3)
-    if (usual_rule.size() > 0 && usual_rule.is_tensor_product())
-      tensor_.emplace(nodal_basis(p, n_cells_), usual_rule.get_tensor_basis(), n_cells_);
-  if (!tensor_)
+  // In 2-D the sums over all nodes are short.
+  if (dim == 2 || usual_rule.size() == 0 || !usual_rule.is_tensor_product())
     for (unsigned int i = 0; i < Utilities::pow(n_cells_, dim); ++i)
       tables_.push_back(make_table(usual_points_, digits<dim>(i, n_cells_)));
+  else
+    for (unsigned int c = 0; c < n_cells_; ++c)
+    {
+      std::vector<double> points;
+      for (const Point<1> &x : usual_rule.get_tensor_basis()[0].get_points())
+        points.push_back((x[0] + c) / n_cells_);
+      lines_.push_back(make_line_table(nodal_basis(p, n_cells_), points));
+      lines_.back().derivatives /= n_cells_;
+    }
 }
 
 template <int dim>
@@ -152,12 +215,14 @@ void PatchInterpolation<dim>::interpolate(const Displacement &U,
 {
   const Place place = collect_values(U, cell);
   const bool is_usual = points == usual_points_;
-  if constexpr (dim == 3)
-    if (tensor_ && is_usual)
-    {
-      tensor_->evaluate(nodal_values_, place, result_.values, result_.gradients);
-      return;
-    }
+  if (is_usual && !lines_.empty())
+  {
+    std::array<const LineTable *, dim> lines;
+    for (unsigned int d = 0; d < dim; ++d)
+      lines[d] = &lines_[place[d]];
+    result_ = evaluate_products<dim>(nodal_values_, lines);
+    return;
+  }
   const unsigned int n_nodes = nodal_values_.size();
   result_.values.assign(points.size(), Tensor<1, dim>());
   result_.gradients.assign(points.size(), Tensor<2, dim>());
@@ -231,11 +296,8 @@ Displacement carry_over(const DisplacementSpace<dim> &coarse,
   return carried;
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template class PatchInterpolation<dim>;                                                          \
-  template Displacement carry_over(                                                                \
-    const DisplacementSpace<dim> &, const Displacement &, const DisplacementSpace<dim> &);
-INSTANTIATE(2)
-INSTANTIATE(3)
-#undef INSTANTIATE
+template class PatchInterpolation<2>;
+template class PatchInterpolation<3>;
+INSTANTIATE_FUNCTION(evaluate_products);
+INSTANTIATE_FUNCTION(carry_over);
 } // namespace Signorini

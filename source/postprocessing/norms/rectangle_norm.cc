@@ -3,7 +3,6 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/postprocessing/norms/rectangle_norm.h>
-#include <signorini/postprocessing/norms/slobodeckij_norm.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -256,23 +255,5 @@ FullMatrix<double> values_on(const PatchGrid &grid, const dealii::Vector<double>
         for (unsigned int b = ends[1][j]; b < ends[1][j + 1]; ++b)
           values(a, b) = P[grid.at(i, j)];
   return values;
-}
-
-FullMatrix<double> dual_gram_matrix(const ContactSurface<3> &surface)
-{
-  FullMatrix<double> gram(surface.patches().size(), surface.patches().size());
-  for (const PatchGrid &grid : patch_grids(surface.patches()))
-  {
-    const auto side_data = rectangle_norm_on(grid).gram_matrix(equal_cells(grid));
-    for (std::size_t k = 0; k < grid.patches.size(); ++k)
-      for (std::size_t l = 0; l < grid.patches.size(); ++l)
-        gram(grid.patches[k], grid.patches[l]) = side_data(k, l);
-  }
-  return gram;
-}
-
-FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers)
-{
-  return dual_gram_matrix(multipliers.surface());
 }
 } // namespace Signorini

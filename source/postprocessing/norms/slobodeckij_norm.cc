@@ -6,12 +6,14 @@
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/tensor.h>
 
 #include <boost/math/special_functions/bessel.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace Signorini
 {
@@ -23,6 +25,73 @@ double bessel_K_0(const double x)
   using DoubleOnly = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
   return boost::math::cyl_bessel_k(0, x, DoubleOnly());
 }
+
+/**
+ * The kernel of the cosine norm, as a function of the distance of two points on a line that is
+ * repeated with the period P:
+ *
+ *     κ(x) = (1/P) Σ_k (1 + (k ω)²)^{-1/2} e^{i k ω x}
+ *          = (1/π) Σ_m K_0(|x + m P|),   ω = 2 π/P, all integers k and m.
+ *
+ * The second line is the first one by Poisson's summation. For short periods, where it needs many
+ * terms, ln sin takes its singularity:
+ *
+ *     κ(x) = 1/P - (1/π) ln(2 |sin(ω x/2)|)
+ *            + (2/P) Σ_{k ≥ 1} ((1 + (k ω)²)^{-1/2} - 1/(k ω)) cos(k ω x).
+ *
+ * On a side of length L
+ *
+ *     ‖q‖²_{-1/2} = ∫∫ q(s) q(t) (κ(s - t) + κ(s + t)) ds dt,  P = 2 L;
+ *
+ * on a closed side P = L, and the second term is missing.
+ */
+class DualKernel
+{
+public:
+  explicit DualKernel(const double period)
+    : period_(period)
+    , omega_(2. * numbers::PI / period)
+  {
+  }
+
+  /** Returns the distance from a point to the nearest singularity, a multiple of P. */
+  double distance(const double x) const
+  {
+    return std::abs(std::remainder(x, period_));
+  }
+
+  /** Returns κ(x) with an error below 1e-8. At singularities it returns the value 1e-18 P next to
+   * them. */
+  double operator()(const double x) const
+  {
+    using numbers::PI;
+    constexpr double min_period_with_images = PI, negligible = 40.;
+    // Where ends of patches are equal up to rounding, rules may have a point there.
+    const double r = std::max(distance(x), 1e-18 * period_);
+    double sum = 0.;
+    if (period_ > min_period_with_images)
+    {
+      for (const double nearest : {r, period_ - r})
+        for (double image = nearest; image < negligible; image += period_)
+          sum += bessel_K_0(image);
+      return sum / PI;
+    }
+    // The rest of the sum is below 1/(4 π 4096²).
+    const double cosine = std::cos(omega_ * r);
+    double before = 1., now = cosine;
+    for (double frequency = omega_; frequency < 4096. + omega_; frequency += omega_)
+    {
+      // (1 + f²)^{-1/2} - 1/f without cancellation.
+      const double root = std::sqrt(1. + frequency * frequency);
+      sum -= now / (frequency * root * (frequency + root));
+      before = std::exchange(now, 2. * cosine * now - before);
+    }
+    return 1. / period_ - std::log(2. * std::sin(0.5 * omega_ * r)) / PI + 2. / period_ * sum;
+  }
+
+private:
+  double period_, omega_;
+};
 
 /** Returns the Gauss rule that integrates polynomials of the given degree on [0, 1]. */
 const QGauss<1> &rule_of_degree(const unsigned int degree)
@@ -163,47 +232,6 @@ bool has_equal_patches(const ContactSurface<2> &surface)
 }
 } // namespace
 
-DualKernel::DualKernel(const double period)
-  : period_(period)
-  , omega_(2. * numbers::PI / period)
-{
-}
-
-double DualKernel::distance(const double x) const
-{
-  return std::abs(std::remainder(x, period_));
-}
-
-double DualKernel::operator()(const double x) const
-{
-  using numbers::PI;
-  constexpr double min_period_with_images = PI, negligible = 40.;
-  // Where ends of patches are equal up to rounding, rules may have a point there.
-  const double r = std::max(distance(x), 1e-18 * period_);
-  double sum = 0.;
-  if (period_ > min_period_with_images)
-  {
-    for (double image = r; image < negligible; image += period_)
-      sum += bessel_K_0(image);
-    for (double image = period_ - r; image < negligible; image += period_)
-      sum += bessel_K_0(image);
-    return sum / PI;
-  }
-  // The rest of the sum is below 1/(4 π 4096²).
-  const double cosine = std::cos(omega_ * r);
-  double before = 1., now = cosine;
-  for (double frequency = omega_; frequency < 4096. + omega_; frequency += omega_)
-  {
-    // (1 + f²)^{-1/2} - 1/f without cancellation.
-    const double root = std::sqrt(1. + frequency * frequency);
-    sum -= now / (frequency * root * (frequency + root));
-    const double next = 2. * cosine * now - before;
-    before = now;
-    now = next;
-  }
-  return 1. / period_ - std::log(2. * std::sin(0.5 * omega_ * r)) / PI + 2. / period_ * sum;
-}
-
 FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers)
 {
   const ContactSurface<2> &surface = multipliers.surface();
@@ -211,17 +239,16 @@ FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers)
     return dual_gram_matrix(surface);
   const unsigned int m = multipliers.n_multipliers();
   FullMatrix<double> gram(m, m);
-  for_each_side(surface.patches(), [&](const unsigned int first, const unsigned int last) {
-    const Side<2> &side = surface.side(surface.patches()[first]);
+  for (const PatchGrid &grid : patch_grids(surface.patches()))
+  {
+    const Side<2> &side = surface.scene().geometry.sides[grid.side];
     const DualKernel kernel((side.is_closed() ? 1. : 2.) * side.length());
-    for (unsigned int i = first; i < last; ++i)
-      for (unsigned int j = first; j <= i; ++j)
-      {
-        PairIntegrals(multipliers, kernel, i, j, false).add_to(gram);
-        if (!side.is_closed())
-          PairIntegrals(multipliers, kernel, i, j, true).add_to(gram);
-      }
-  });
+    for (const unsigned int i : grid.patches)
+      for (unsigned int j = grid.patches[0]; j <= i; ++j)
+        for (const bool mirrored : {false, true})
+          if (!mirrored || !side.is_closed())
+            PairIntegrals(multipliers, kernel, i, j, mirrored).add_to(gram);
+  }
   return gram;
 }
 
@@ -229,46 +256,37 @@ FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers)
 
 namespace
 {
-/** A matrix for the values at the two nodes of a first and of a second cell. */
-using PairMatrix = std::array<std::array<double, 4>, 4>;
-
-/** Adds weight * w wᵀ. */
-void add_square(const std::array<double, 4> &w, const double weight, PairMatrix &matrix)
-{
-  for (unsigned int i = 0; i < 4; ++i)
-    for (unsigned int j = 0; j < 4; ++j)
-      matrix[i][j] += weight * w[i] * w[j];
-}
+/** A matrix for the values at the two nodes of a first and of a second cell, and such values. */
+using PairMatrix = Tensor<2, 4>;
+using PairValues = Tensor<1, 4>;
 
 /** Returns the integrals over both orders of two different cells whose first nodes are @p d ≥ 1
  * cells apart. In one dimension the double integral does not depend on the size of the cells. */
 PairMatrix pair_matrix(const unsigned int d)
 {
-  PairMatrix matrix = {};
   if (d == 1)
   {
     // With al = v0 - v1, be = v2 - v1: 2 [(1 - ln 2)(al² + be²) - 2 (ln 2 - 1/2) al be].
     const double same = 2. * (1. - std::log(2.)), mixed = -2. * (std::log(2.) - 0.5);
-    const std::array<double, 4> al = {1., -1., 0., 0.}, be = {0., 0., -1., 1.};
-    add_square(al, same - mixed, matrix);
-    add_square(be, same - mixed, matrix);
-    add_square({al[0], al[1], be[2], be[3]}, mixed, matrix);
-    return matrix;
+    const PairValues al({1., -1., 0., 0.}), be({0., 0., -1., 1.});
+    return (same - mixed) * (outer_product(al, al) + outer_product(be, be)) +
+           mixed * outer_product(al + be, al + be);
   }
   static const QGauss<1> gauss(12);
+  PairMatrix matrix;
   for (unsigned int p = 0; p < gauss.size(); ++p)
     for (unsigned int q = 0; q < gauss.size(); ++q)
     {
       const double x = gauss.point(p)[0], y = gauss.point(q)[0];
-      const double distance = d + y - x;
-      add_square({1. - x, x, -(1. - y), -y},
-                 2. * gauss.weight(p) * gauss.weight(q) / (distance * distance),
-                 matrix);
+      const PairValues w({1. - x, x, y - 1., -y});
+      matrix +=
+        2. * gauss.weight(p) * gauss.weight(q) / std::pow(d + y - x, 2) * outer_product(w, w);
     }
   return matrix;
 }
 
-/** Returns the Gram matrix of the seminorm. */
+} // namespace
+
 FullMatrix<double> seminorm_matrix(const unsigned int n_cells)
 {
   FullMatrix<double> matrix(n_cells + 1, n_cells + 1);
@@ -292,15 +310,12 @@ FullMatrix<double> seminorm_matrix(const unsigned int n_cells)
   }
   return matrix;
 }
-} // namespace
-
 SlobodeckijNorm::SlobodeckijNorm(const double length, const unsigned int n_cells)
   : length_(length)
   , n_cells_(n_cells)
-  , seminorm_(seminorm_matrix(n_cells))
   , factor_(n_cells + 1, n_cells + 1)
 {
-  factor_ = seminorm_;
+  factor_ = seminorm_matrix(n_cells);
   const double h = length / n_cells;
   for (unsigned int c = 0; c < n_cells; ++c)
   {
@@ -327,10 +342,5 @@ double SlobodeckijNorm::dual_norm(const std::vector<double> &arc_lengths,
   dealii::Vector<double> x = b;
   factor_.solve(x);
   return std::sqrt(std::max(b * x, 0.));
-}
-
-double SlobodeckijNorm::squared_seminorm(const dealii::Vector<double> &nodal_values) const
-{
-  return seminorm_.matrix_norm_square(nodal_values);
 }
 } // namespace Signorini

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The norm of V^h as a matrix.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/postprocessing/norms/rectangle_norm.h>
 #include <signorini/postprocessing/norms/slobodeckij_norm.h>
 #include <signorini/postprocessing/norms/spectral_norm.h>
 #include <signorini/solvers/contact/compliance.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
@@ -47,11 +48,8 @@ template <int dim>
 class ValuesByShape
 {
 public:
-  explicit ValuesByShape(const DisplacementSpace<dim> &space)
-    : shape_(space.mesh().mapping(),
-             no_functions_,
-             QIterated<dim>(QTrapezoid<1>(), 2),
-             update_jacobians)
+  explicit ValuesByShape(const Mapping<dim> &mapping)
+    : mapping_(mapping)
   {
   }
 
@@ -61,32 +59,28 @@ public:
     const unsigned int n = points_for_ratio(ratio_of_determinants(cell), element.degree);
     std::unique_ptr<FEValues<dim>> &values = values_[{element.degree, n}];
     if (values == nullptr)
-      values =
-        std::make_unique<FEValues<dim>>(shape_.get_mapping(),
-                                        element,
-                                        QGauss<dim>(n),
-                                        update_values | update_gradients | update_JxW_values);
+      values = std::make_unique<FEValues<dim>>(
+        mapping_, element, QGauss<dim>(n), update_values | update_gradients | update_JxW_values);
     values->reinit(cell);
     return *values;
   }
 
 private:
-  /** Returns the ratio of the largest to the smallest determinant, at the vertices and the middles
-   * between them. */
-  double ratio_of_determinants(const typename Triangulation<dim>::active_cell_iterator &cell)
+  /** Returns the ratio of the largest to the smallest determinant at the vertices. */
+  static double ratio_of_determinants(const typename Triangulation<dim>::active_cell_iterator &cell)
   {
-    shape_.reinit(cell);
-    double smallest = shape_.jacobian(0).determinant(), largest = smallest;
-    for (const unsigned int q : shape_.quadrature_point_indices())
-    {
-      smallest = std::min(smallest, shape_.jacobian(q).determinant());
-      largest = std::max(largest, shape_.jacobian(q).determinant());
-    }
-    return largest / smallest;
+    using Geometry = GeometryInfo<dim>;
+    Point<dim> vertices[Geometry::vertices_per_cell];
+    Tensor<0, dim> determinants[Geometry::vertices_per_cell];
+    for (const unsigned int v : cell->vertex_indices())
+      vertices[v] = cell->vertex(v);
+    Geometry::alternating_form_at_vertices(vertices, determinants);
+    const auto [smallest, largest] =
+      std::minmax_element(std::begin(determinants), std::end(determinants));
+    return *largest / *smallest;
   }
 
-  FE_Nothing<dim> no_functions_;
-  FEValues<dim> shape_;
+  const Mapping<dim> &mapping_;
   /** The values by the degree and the number of points per direction. */
   std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<FEValues<dim>>> values_;
 };
@@ -97,7 +91,7 @@ TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<d
 {
   TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
   DistributedVector unused = space.make_vector();
-  ValuesByShape<dim> values_by_shape(space);
+  ValuesByShape<dim> values_by_shape(space.mesh().mapping());
   FullMatrix<double> cell_matrix;
   for (const auto &cell : space.dofs().active_cell_iterators())
   {
@@ -126,8 +120,7 @@ TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<d
   return A_1;
 }
 
-template TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<2> &);
-template TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<3> &);
+INSTANTIATE_FUNCTION(assemble_h1_gram_matrix);
 
 // |||.|||_{-1/2,Γ_c} by cosine or Fourier series, side by side.
 
@@ -304,25 +297,29 @@ FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &ends) co
   return gram;
 }
 
-std::vector<double> patch_ends(const std::vector<Patch<2>> &patches,
-                               const unsigned int first,
-                               const unsigned int last)
+template <int dim>
+FullMatrix<double> dual_gram_matrix(const ContactSurface<dim> &surface)
 {
-  std::vector<double> ends = {patches[first].lower[0]};
-  for (unsigned int t = first; t < last; ++t)
-    ends.push_back(patches[t].upper[0]);
-  return ends;
-}
-
-FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface)
-{
-  const std::vector<Patch<2>> &patches = surface.patches();
-  FullMatrix<double> gram(patches.size(), patches.size());
-  for_each_side(patches, [&](const unsigned int first, const unsigned int last) {
-    const SpectralNorm norm = spectral_norm_on(surface.side(patches[first]));
-    gram.fill(norm.gram_matrix(patch_ends(patches, first, last)), first, first, 0, 0);
-  });
+  FullMatrix<double> gram(surface.patches().size(), surface.patches().size());
+  for (const PatchGrid &grid : patch_grids(surface.patches()))
+  {
+    FullMatrix<double> on_side;
+    if constexpr (dim == 2)
+      on_side =
+        spectral_norm_on(surface.scene().geometry.sides[grid.side]).gram_matrix(grid.ends[0]);
+    else
+      on_side = rectangle_norm_on(grid).gram_matrix(equal_cells(grid));
+    for (unsigned int k = 0; k < on_side.m(); ++k)
+      for (unsigned int l = 0; l < on_side.n(); ++l)
+        gram(grid.patches[k], grid.patches[l]) = on_side(k, l);
+  }
   return gram;
+}
+INSTANTIATE_FUNCTION(dual_gram_matrix);
+
+FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers)
+{
+  return dual_gram_matrix(multipliers.surface());
 }
 
 // Lemma 1 as a number: a generalised eigenvalue problem on the contact boundary.
@@ -348,12 +345,5 @@ double measure_inf_sup(const DisplacementSpace<dim> &space,
   return std::sqrt(std::max(smallest, 0.));
 }
 
-template double measure_inf_sup(const DisplacementSpace<2> &,
-                                const MultiplierSpace<2> &,
-                                const Coupling &,
-                                LinearSolver);
-template double measure_inf_sup(const DisplacementSpace<3> &,
-                                const MultiplierSpace<3> &,
-                                const Coupling &,
-                                LinearSolver);
+INSTANTIATE_FUNCTION(measure_inf_sup);
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The answer of one level, put together.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/postprocessing/quantities/answer.h>
 
@@ -23,7 +24,7 @@ void set_growth(const std::vector<SingularPlace<dim>> &places,
   // A constant stress has no singular part.
   constexpr double rounding = 1e-6;
   Point<dim> x;
-  std::copy(point.values().begin(), point.values().end(), x.begin_raw());
+  std::copy(point.begin(), point.end(), x.begin_raw());
   if (!largest.away || largest.value > (1. + rounding) * largest.away->value)
     largest.grows_at = growth_at(x, places, multipliers, P);
 }
@@ -57,17 +58,13 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
   for (const Piece<dim> &piece : surface.pieces())
   {
     const SurfaceRule<dim> rule = surface.at(piece, positions.get_points());
-    const std::vector<double> u_n =
-      traces.normal_displacement(surface.faces()[piece.face], rule, U);
+    const std::vector<double> depths = penetration(surface, piece, rule, U, traces);
     for (std::size_t q = 0; q < rule.size(); ++q)
-    {
-      const double depth = u_n[q] - surface.condition(piece).data->value(rule.points[q]);
-      if (!largest || depth > largest->value)
-        largest = {depth,
+      if (!largest || depths[q] > largest->value)
+        largest = {depths[q],
                    {surface.side(surface.patches()[piece.patch]).name(),
                     dim == 2 ? rule.on_side[q][0] : 0.,
                     rule.points[q]}};
-    }
   }
   return largest;
 }
@@ -108,16 +105,6 @@ Answer compute_answer(const DisplacementSpace<dim> &space,
   return answer;
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template std::optional<Penetration> max_penetration(                                             \
-    const DisplacementSpace<dim> &, const MultiplierSpace<dim> &, const Displacement &);           \
-  template Answer compute_answer(const DisplacementSpace<dim> &,                                   \
-                                 const Scene<dim> &,                                               \
-                                 const MultiplierSpace<dim> &,                                     \
-                                 const NodalForces &,                                              \
-                                 const Displacement &,                                             \
-                                 const Pressure &);
-INSTANTIATE(2)
-INSTANTIATE(3)
-#undef INSTANTIATE
+INSTANTIATE_FUNCTION(max_penetration);
+INSTANTIATE_FUNCTION(compute_answer);
 } // namespace Signorini

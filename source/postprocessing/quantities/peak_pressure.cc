@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The largest contact pressure, as a point value and not as a mean.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
 
@@ -255,10 +256,5 @@ std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<dim> &multipl
   return peak;
 }
 
-template std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<2> &,
-                                                      const Pressure &,
-                                                      const std::vector<SingularPlace<2>> &);
-template std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<3> &,
-                                                      const Pressure &,
-                                                      const std::vector<SingularPlace<3>> &);
+INSTANTIATE_FUNCTION(peak_pressure);
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The force of the contact pressure, and lines of action.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/postprocessing/quantities/side_forces.h>
 
@@ -188,14 +189,7 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space,
   return result;
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template SideForce side_force(                                                                   \
-    const std::string &, const Resultant<dim> &, const Point<dim> &, double);                      \
-  template SideForce contact_force(                                                                \
-    const MultiplierSpace<dim> &, const std::vector<unsigned int> &, const Pressure &);            \
-  template std::vector<SideForce> reactions(                                                       \
-    const DisplacementSpace<dim> &, const Scene<dim> &, const NodalForces &);
-INSTANTIATE(2)
-INSTANTIATE(3)
-#undef INSTANTIATE
+INSTANTIATE_FUNCTION(side_force);
+INSTANTIATE_FUNCTION(contact_force);
+INSTANTIATE_FUNCTION(reactions);
 } // namespace Signorini

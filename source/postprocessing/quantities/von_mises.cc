@@ -2,6 +2,7 @@
 // Corners and edges where stresses grow without limit.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
@@ -11,6 +12,8 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
+
+#include <boost/serialization/vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -50,11 +53,7 @@ void add_if_singular(SingularPlace<dim> place,
   if (first == Role::contact && second == Role::contact && std::abs(place.angle - PI) < 1e-6)
     return;
   place.kappa = kappa();
-  double smallest = max_corner_exponent;
-  for (const EdgeSupport one : possible_supports(first))
-    for (const EdgeSupport other : possible_supports(second))
-      smallest = std::min(smallest, corner_exponent(place.angle, one, other, place.kappa));
-  if (smallest < max_singular_exponent)
+  if (min_corner_exponent(place.angle, first, second, place.kappa) < max_singular_exponent)
     places.push_back(place);
 }
 
@@ -206,54 +205,47 @@ std::optional<GrowthPlace> growth_at(const Point<dim> &x,
 
 namespace
 {
-/** The value and the position of the largest stress, zero at the origin if there is none. */
-template <int dim>
-struct StressAt
+/** Takes the larger stress; of equals (a symmetric body has some) the one further left, then
+ * further down, so that neither ranks nor rounding choose. */
+void take_larger(const StressMaximum &other, StressMaximum &largest)
 {
-  double value = 0.;
-  Point<dim> point;
-  MeshAt mesh;
-
-  /** Takes the larger one; of equals (a symmetric body has some) the one further left, then further
-   * down, so that neither ranks nor rounding choose. */
-  void take_larger(const StressAt &other)
-  {
-    constexpr double rounding = 1e-9;
-    const bool equal = std::abs(other.value - value) <= rounding * value;
-    const bool comes_first = std::lexicographical_compare(
-      other.point.begin_raw(), other.point.end_raw(), point.begin_raw(), point.end_raw());
-    if (equal ? comes_first : other.value > value)
-      *this = other;
-  }
-  template <typename Archive>
-  void serialize(Archive &archive, const unsigned int /*version*/)
-  {
-    archive &value &point &mesh.size &mesh.degree;
-  }
-};
+  constexpr double rounding = 1e-9;
+  const bool equal = std::abs(other.value - largest.value) <= rounding * largest.value;
+  if (equal ? other.point < largest.point : other.value > largest.value)
+    largest = other;
+}
 
 /** The results of a set of cells. */
-template <int dim>
 struct CellResults
 {
   /** The largest stress of all points, and of those away from singular places. */
-  StressAt<dim> all, away;
+  StressMaximum all, away;
   /** The measure of the cells, and that of those with large strains. */
   double measure = 0., strained = 0.;
 
   void add(const CellResults &other)
   {
-    all.take_larger(other.all);
-    away.take_larger(other.away);
+    take_larger(other.all, all);
+    take_larger(other.away, away);
     measure += other.measure;
     strained += other.strained;
   }
   template <typename Archive>
   void serialize(Archive &archive, const unsigned int /*version*/)
   {
-    archive &all &away &measure &strained;
+    for (StressMaximum *const stress : {&all, &away})
+      archive & stress->value &static_cast<std::vector<double> &>(stress->point) &
+        stress->mesh.size & stress->mesh.degree;
+    archive &measure &strained;
   }
 };
+
+/** Returns no results: zero at the origin. */
+template <int dim>
+CellResults no_results()
+{
+  return {{0., Point<dim>(), {}}, {0., Point<dim>(), {}}};
+}
 
 /** The data of the stress field. */
 template <int dim>
@@ -280,7 +272,7 @@ Quadrature<dim> middle_and(const std::vector<Point<dim>> &nodes)
  * and the corners, or on cells of several degrees at the nodes of each. Points where the material's
  * data has no value are skipped. */
 template <int dim>
-CellResults<dim> results_of(const Cells<dim> &cells, const StressField<dim> &field)
+CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field)
 {
   const DisplacementSpace<dim> &space = field.space;
   const bool at_nodes = space.has_several_elements();
@@ -289,7 +281,7 @@ CellResults<dim> results_of(const Cells<dim> &cells, const StressField<dim> &fie
   std::optional<PatchInterpolation<dim>> interpolation;
   if (!at_nodes)
     interpolation.emplace(space, corners, space.mesh().has_parents() ? 1 : 0);
-  CellResults<dim> results;
+  CellResults results = no_results<dim>();
   std::vector<SymmetricTensor<2, dim>> strains;
   for (const auto &cell : cells)
   {
@@ -325,11 +317,11 @@ CellResults<dim> results_of(const Cells<dim> &cells, const StressField<dim> &fie
       try
       {
         const Point<dim> &x = values->quadrature_point(q);
-        const StressAt<dim> here = {
+        const StressMaximum here = {
           von_mises(stress_in_3d(field.material, x, strains[q])), x, mesh};
-        results.all.take_larger(here);
+        take_larger(here, results.all);
         if (!any_contains(field.places, x))
-          results.away.take_larger(here);
+          take_larger(here, results.away);
       }
       catch (const InputError &)
       {
@@ -340,14 +332,15 @@ CellResults<dim> results_of(const Cells<dim> &cells, const StressField<dim> &fie
 
 /** Returns the results of all cells. Collective. */
 template <int dim>
-CellResults<dim> results_of_body(const StressField<dim> &field)
+CellResults results_of_body(const StressField<dim> &field)
 {
-  CellResults<dim> mine, all;
-  integrate_by_chunks<CellResults<dim>, dim>(
+  CellResults mine = no_results<dim>(), all = mine;
+  integrate_by_chunks<CellResults, dim>(
     field.space,
     [&](const Cells<dim> &cells) { return results_of(cells, field); },
-    [&mine](const CellResults<dim> &part) { mine.add(part); });
-  for (const auto &part : Utilities::MPI::all_gather(field.space.mesh().communicator(), mine))
+    [&mine](const CellResults &part) { mine.add(part); });
+  for (const CellResults &part :
+       Utilities::MPI::all_gather(field.space.mesh().communicator(), mine))
     all.add(part);
   return all;
 }
@@ -366,29 +359,17 @@ VonMises largest_von_mises(const DisplacementSpace<dim> &space,
                                     ? mean_dilatations(space, U)
                                     : std::vector<double>(),
                                   places};
-  const CellResults<dim> results = results_of_body(field);
-  const auto maximum = [](const StressAt<dim> &stress) {
-    return StressMaximum{stress.value, stress.point, stress.mesh};
-  };
-  VonMises stress = {maximum(results.all), {}, {}};
+  const CellResults results = results_of_body(field);
+  VonMises stress = {results.all, {}, {}};
   if (!places.empty())
-    stress.away = maximum(results.away);
+    stress.away = results.away;
   stress.strained_share = results.strained / results.measure;
   return stress;
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template struct SingularPlace<dim>;                                                              \
-  template bool any_contains(const std::vector<SingularPlace<dim>> &, const Point<dim> &);         \
-  template std::optional<GrowthPlace> growth_at(const Point<dim> &,                                \
-                                                const std::vector<SingularPlace<dim>> &,           \
-                                                const MultiplierSpace<dim> &,                      \
-                                                const Pressure &);                                 \
-  template VonMises largest_von_mises(const DisplacementSpace<dim> &,                              \
-                                      const Scene<dim> &,                                          \
-                                      const Displacement &,                                        \
-                                      const std::vector<SingularPlace<dim>> &);
-INSTANTIATE(2)
-INSTANTIATE(3)
-#undef INSTANTIATE
+template struct SingularPlace<2>;
+template struct SingularPlace<3>;
+INSTANTIATE_FUNCTION(any_contains);
+INSTANTIATE_FUNCTION(growth_at);
+INSTANTIATE_FUNCTION(largest_von_mises);
 } // namespace Signorini

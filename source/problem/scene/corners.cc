@@ -111,6 +111,16 @@ double corner_exponent(const double angle,
   return smallest;
 }
 
+double
+min_corner_exponent(const double angle, const Role first, const Role second, const double kappa)
+{
+  double smallest = max_corner_exponent;
+  for (const EdgeSupport one : possible_supports(first))
+    for (const EdgeSupport other : possible_supports(second))
+      smallest = std::min(smallest, corner_exponent(angle, one, other, kappa));
+  return smallest;
+}
+
 double kolosov_constant(const SymmetricTensor<4, 2> &hooke)
 {
   // E_iijj = 4 (lambda + mu) and E_ijij = 2 lambda + 6 mu do not change with the axes.
@@ -210,12 +220,10 @@ std::vector<EdgeSupport> possible_supports(const Role role)
 
 double corner_exponent(const Scene<2> &scene, const Corner &corner)
 {
-  const double kappa = kolosov_constant(scene.material->relative_hooke(corner.position));
-  double smallest = max_corner_exponent;
-  for (const EdgeSupport first : possible_supports(scene.boundary[corner.sides[0]].role))
-    for (const EdgeSupport second : possible_supports(scene.boundary[corner.sides[1]].role))
-      smallest = std::min(smallest, corner_exponent(corner.angle, first, second, kappa));
-  return smallest;
+  return min_corner_exponent(corner.angle,
+                             scene.boundary[corner.sides[0]].role,
+                             scene.boundary[corner.sides[1]].role,
+                             kolosov_constant(scene.material->relative_hooke(corner.position)));
 }
 
 // Sides that prescribe different displacements where they meet.

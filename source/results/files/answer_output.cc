@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The answer of the finest level on the screen.
 
+#include <signorini/base/text.h>
 #include <signorini/results/files/answer_output.h>
 
 #include <nlohmann/json.hpp>
@@ -65,20 +66,20 @@ public:
         scale_ = std::max(scale_, force.resultant.force.norm());
   }
 
-  /** Prints a line "label  part part part", broken between parts where it is full. */
-  void add(const std::string &label, const std::vector<std::string> &parts)
+  /** Prints a line "label  text", broken at blanks outside of parentheses where it is full. */
+  void add(const std::string &label, const std::string &text)
   {
     std::string line = "  " + label;
     line.resize(std::max(label_width, line.size() + 1), ' ');
     const std::size_t indent = line.size();
-    for (const std::string &part : parts)
+    for (const std::string &word : split_list(text, ' '))
     {
-      if (line.size() > indent && line.size() + 1 + part.size() > line_width)
+      if (line.size() > indent && line.size() + 1 + word.size() > line_width)
       {
         stream_ << line << "\n";
         line = std::string(indent, ' ');
       }
-      line += (line.size() > indent ? " " : "") + part;
+      line += (line.size() > indent ? " " : "") + word;
     }
     stream_ << line << "\n";
   }
@@ -86,15 +87,14 @@ public:
   void add_forces(const Json &answer)
   {
     const Json &total = answer["contact_force"];
-    std::vector<std::string> parts = force_parts(total);
-    if (total["error"].is_number() && rounded(total["error"], scale_) > 0.)
-      parts.push_back("error at most " + digits(total["error"]));
-    add("Contact force", parts);
+    const bool is_uncertain = total["error"].is_number() && rounded(total["error"], scale_) > 0.;
+    add("Contact force",
+        force_text(total) + (is_uncertain ? " error at most " + digits(total["error"]) : ""));
     if (answer["contact_by_side"].size() > 1)
       for (const Json &force : answer["contact_by_side"])
-        add("  on " + std::string(force["side"]), force_parts(force));
+        add("  on " + std::string(force["side"]), force_text(force));
     for (const Json &force : answer["reactions"])
-      add("Reaction of " + std::string(force["side"]), force_parts(force));
+      add("Reaction of " + std::string(force["side"]), force_text(force));
   }
 
   void add_plates(const Json &answer)
@@ -102,50 +102,43 @@ public:
     for (std::size_t i = 0; i < answer["plates"].size(); ++i)
     {
       const Json &plate = answer["plates"][i];
-      const bool turns = level_.motions.plates[i].plate.turns;
-      std::vector<std::string> parts = {"travel " + number_text(plate["travel"], size_),
-                                        "along " + number_text(plate["direction"], 1.) + ",",
-                                        "force " + number_text(plate["force"], scale_) +
-                                          (turns ? "," : "")};
-      if (turns)
-        parts.insert(parts.end(),
-                     {"rotation " + number_text(plate["rotation"], 1.),
-                      "about " + number_text(plate["centre"], size_) + ",",
-                      "moment " + number_text(plate["moment"], scale_ * size_)});
-      add("Plate on " + std::string(plate["side"]), parts);
+      std::string text = "travel " + number_text(plate["travel"], size_) + " along " +
+                         number_text(plate["direction"], 1.) + ", force " +
+                         number_text(plate["force"], scale_);
+      if (level_.motions.plates[i].plate.turns)
+        text += ", rotation " + number_text(plate["rotation"], 1.) + " about " +
+                number_text(plate["centre"], size_) + ", moment " +
+                number_text(plate["moment"], scale_ * size_);
+      add("Plate on " + std::string(plate["side"]), text);
     }
     for (const std::string &motion : level_.motions.undetermined)
-      add("Undetermined", {motion + ":", "nothing resists it,", "it is taken as zero"});
+      add("Undetermined", motion + ": nothing resists it, it is taken as zero");
   }
 
   /** Prints a maximum, and below it that away from the place where it grows. */
   void add_maximum(const std::string &label, const Json &maximum)
   {
     const Json &place = maximum["grows_at"];
-    add(label, maximum_parts(maximum, place));
+    add(label, maximum_text(maximum, place));
     if (!place.is_null() && !maximum["away"].is_null())
-      add("  farther than " + digits(place["radius"]), maximum_parts(maximum["away"], nullptr));
+      add("  farther than " + digits(place["radius"]), maximum_text(maximum["away"], nullptr));
   }
 
   void add_zones(const Json &answer)
   {
     if (answer.contains("contact_area"))
-      add("Contact area", {digits(answer["contact_area"])});
+      add("Contact area", digits(answer["contact_area"]));
     for (std::size_t i = 0; i < answer["contact_zones"].size(); ++i)
     {
       const Json &zone = answer["contact_zones"][i];
       const auto &[start, end, length] = level_.answer.zones[i];
       const std::string side = start.place.side;
-      if (start.place.point.distance(end.place.point) <= 1e-10 * size_)
-        add("Contact zone", {"all around " + side + ",", "length", digits(length)});
-      else
-        add("Contact zone",
-            {side + " from",
-             end_text(zone["start"]),
-             "to",
-             end_text(zone["end"]) + ",",
-             "length",
-             digits(length)});
+      const bool all_around = start.place.point.distance(end.place.point) <= 1e-10 * size_;
+      add("Contact zone",
+          (all_around
+             ? "all around " + side
+             : side + " from " + end_text(zone["start"]) + " to " + end_text(zone["end"])) +
+            ", length " + digits(length));
     }
   }
 
@@ -154,26 +147,23 @@ public:
     if (deepest.is_null())
       return;
     const double depth = rounded(deepest["value"], size_);
-    std::vector<std::string> parts = {digits(std::abs(depth)), at(deepest)};
-    if (depth > 0.)
-    {
-      parts.insert(parts.begin(), "at most");
-      if (!level_.sizes.is_graded())
-        parts.emplace_back("(between the means)");
-    }
+    const std::string text = digits(std::abs(depth)) + " " + at(deepest);
     if (depth == 0.)
-      parts = {"none"};
-    add(depth < 0. ? "Smallest opening" : "Penetration", parts);
+      add("Penetration", "none");
+    else if (depth < 0.)
+      add("Smallest opening", text);
+    else
+      add("Penetration",
+          "at most " + text + (level_.sizes.is_graded() ? "" : " (between the means)"));
   }
 
   void add_energy(const Json &energy)
   {
-    std::vector<std::string> parts = {digits(energy["value"])};
-    if (energy["lower"].is_number() && energy["upper"].is_number())
-      parts.insert(
-        parts.end(),
-        {"(exact: between", digits(energy["lower"]), "and", digits(energy["upper"]) + ")"});
-    add("Energy", parts);
+    const bool is_bounded = energy["lower"].is_number() && energy["upper"].is_number();
+    add("Energy",
+        digits(energy["value"]) + (is_bounded ? " (exact: between " + digits(energy["lower"]) +
+                                                  " and " + digits(energy["upper"]) + ")"
+                                              : ""));
   }
 
   void add_load_cases()
@@ -181,25 +171,23 @@ public:
     if (!level_.load_cases)
       return;
     const CaseSummary &cases = *level_.load_cases;
-    std::vector<std::string> parts = {std::to_string(cases.n_cases) + " in cases.csv,",
-                                      "KKT residuals up to " + digits(cases.max_kkt) +
-                                        (cases.n_escapes > 0 ? ";" : "")};
-    if (cases.n_escapes > 0)
-      parts.push_back("in " + std::to_string(cases.n_escapes) + " of them nothing stops the body");
-    add("Load cases", parts);
+    add("Load cases",
+        std::to_string(cases.n_cases) + " in cases.csv, KKT residuals up to " +
+          digits(cases.max_kkt) +
+          (cases.n_escapes > 0
+             ? "; in " + std::to_string(cases.n_escapes) + " of them nothing stops the body"
+             : ""));
   }
 
 private:
-  std::vector<std::string> force_parts(const Json &force) const
+  std::string force_text(const Json &force) const
   {
-    std::vector<std::string> parts = {number_text(force["force"], scale_)};
-    if (!force["through"].is_null())
-      parts.insert(parts.end(),
-                   {"through",
-                    number_text(force["through"], size_) + ",",
-                    "moment " + number_text(force["moment"],
-                                            scale_ * (force["moment"].is_number() ? size_ : 1.))});
-    return parts;
+    const std::string text = number_text(force["force"], scale_);
+    if (force["through"].is_null())
+      return text;
+    const Json &moment = force["moment"];
+    return text + " through " + number_text(force["through"], size_) + ", moment " +
+           number_text(moment, scale_ * (moment.is_number() ? size_ : 1.));
   }
   std::string at(const Json &place) const
   {
@@ -212,39 +200,25 @@ private:
   }
   /** Returns value and place, "settled (-1 % from the level before)" with the @p place where the
    * value grows, and the mean of the patch. */
-  std::vector<std::string> maximum_parts(const Json &maximum, const Json &place) const
+  std::string maximum_text(const Json &maximum, const Json &place) const
   {
     const bool is_pressure = maximum.contains("mean");
-    std::vector<std::string> parts = {digits(maximum["value"])};
-    if (is_pressure)
-      parts.push_back(at(maximum) + ",");
-    else
-      parts.insert(parts.end(), {"at", number_text(maximum["point"], size_) + ","});
-    const std::string change =
-      maximum["change"].is_null()
-        ? ""
-        : "(" + percent(maximum["change"]) + " from the " + level_.sizes.word() + " before)";
-    std::string trend = maximum["trend"];
-    if (place.is_null())
-      trend += change.empty() ? "" : " " + change;
-    parts.push_back(trend);
+    std::string text = digits(maximum["value"]) + " " +
+                       (is_pressure ? at(maximum) : "at " + number_text(maximum["point"], size_)) +
+                       ", " + std::string(maximum["trend"]);
     if (!place.is_null())
-    {
-      parts.push_back(place.contains("point")
-                        ? "at the corner " + number_text(place["point"], size_)
-                        : "at the edge from " + number_text(place["ends"][0], size_) + " to " +
-                            number_text(place["ends"][1], size_));
-      if (!change.empty())
-        parts.push_back(change);
-    }
+      text += place.contains("point")
+                ? " at the corner " + number_text(place["point"], size_)
+                : " at the edge from " + number_text(place["ends"][0], size_) + " to " +
+                    number_text(place["ends"][1], size_);
+    if (!maximum["change"].is_null())
+      text += " (" + percent(maximum["change"]) + " from the " + level_.sizes.word() + " before)";
     if (is_pressure)
     {
-      parts.back() += ";";
       const double mean = maximum["mean"], value = maximum["value"];
-      parts.insert(parts.end(),
-                   {"mean of its patch", digits(mean), "(" + percent(mean / value - 1.) + ")"});
+      text += "; mean of its patch " + digits(mean) + " (" + percent(mean / value - 1.) + ")";
     }
-    return parts;
+    return text;
   }
 
   std::ostream &stream_;
@@ -266,7 +240,7 @@ void print_answer(std::ostream &stream,
   lines.add_forces(answer);
   lines.add_plates(answer);
   if (answer["peak_pressure"].is_null())
-    lines.add("Peak pressure", {"0: nothing touches"});
+    lines.add("Peak pressure", "0: nothing touches");
   else
     lines.add_maximum("Peak pressure", answer["peak_pressure"]);
   lines.add_zones(answer);
@@ -275,8 +249,8 @@ void print_answer(std::ostream &stream,
   lines.add_energy(answer["energy"]);
   lines.add_load_cases();
   // Tests of runs leave out lines of this form.
-  lines.add("Time =", {digits(std::round(1000. * double(answer["seconds"])) / 1000.), "s"});
+  lines.add("Time =", digits(std::round(1000. * double(answer["seconds"])) / 1000.) + " s");
   if (!directory.empty())
-    lines.add("Results", {"in", directory.string()});
+    stream << "  Results           in " << directory.string() << "\n";
 }
 } // namespace Signorini

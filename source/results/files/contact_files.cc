@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressure, gap and opening along the contact boundary.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/results/files/contact_files.h>
@@ -89,14 +90,6 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
   const ContactSurface<dim> &surface = multipliers.surface();
   const RecoveredPressure<dim> recovered(multipliers, P);
   TraceValues<dim> traces(space);
-  using Cell = GeometryInfo<dim - 1>;
-  Point<dim - 1> middle;
-  std::vector<Point<dim - 1>> corners;
-  for (const unsigned int v : Cell::vertex_indices())
-  {
-    corners.push_back(Cell::unit_cell_vertex(v));
-    middle += corners.back() / Cell::vertices_per_cell;
-  }
   const auto trace = [&](const Piece<dim> &piece, const std::vector<Point<dim - 1>> &positions) {
     const BoundaryCondition<dim> &condition = boundary[surface.patches()[piece.patch].side];
     const SurfaceRule<dim> rule = surface.at(piece, positions);
@@ -121,17 +114,18 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
   for (const Piece<dim> &piece : surface.pieces())
   {
     const Patch<dim> &patch = surface.patches()[piece.patch];
-    std::vector<Point<dim - 1>> rows = {middle};
+    std::vector<Point<dim - 1>> rows = QMidpoint<dim - 1>().get_points(),
+                                corners = QTrapezoid<dim - 1>().get_points();
     if constexpr (dim == 2)
       if (!multipliers.is_piecewise_constant())
-        rows = positions_of_polynomial(piece, multipliers);
+        rows = corners = positions_of_polynomial(piece, multipliers);
     contact.push_back({surface.side(patch).name(),
                        patch.side,
                        piece.face,
                        piece.patch,
                        patch.measure,
                        trace(piece, rows),
-                       trace(piece, rows.size() > 1 ? rows : corners)});
+                       trace(piece, corners)});
   }
   return contact;
 }
@@ -151,59 +145,40 @@ void write_contact_vtu(std::ostream &stream,
                        const TracedContact<dim> &contact,
                        const std::vector<double> &bound)
 {
-  std::vector<std::string> names = {"displacement",
-                                    "displacement",
-                                    "displacement",
-                                    "contact_pressure",
-                                    "recovered_contact_pressure",
-                                    "normal_displacement",
-                                    "gap",
-                                    "opening",
-                                    "patch",
-                                    "side"};
-  if (!bound.empty())
-    names.emplace_back("bound_contact");
-  std::vector<VtuCell<dim - 1>> cells;
+  VtuCells<dim - 1> cells;
   constexpr unsigned int n_corners = GeometryInfo<dim - 1>::vertices_per_cell;
   for (const ContactPiece<dim> &piece : contact)
     for (std::size_t first = 0; first + n_corners <= piece.corners.size(); ++first)
     {
-      cells.push_back(make_vtu_cell<dim - 1>(cells.size(), 1, names.size()));
+      std::vector<Point<dim>> points;
+      std::vector<VtuFields> fields;
       for (unsigned int v = 0; v < n_corners; ++v)
       {
         const ContactPoint<dim> &point = piece.corners[first + v];
-        std::vector<double> values(3, 0.);
-        for (unsigned int d = 0; d < dim; ++d)
-          values[d] = point.u[d];
-        values.insert(values.end(),
-                      {positive_in_compression(point.p_H),
-                       positive_in_compression(point.p_recovered),
-                       point.u_n,
-                       point.g,
-                       point.g - point.u_n,
-                       1. * piece.patch,
-                       1. * piece.side_number});
+        points.push_back(point.x);
+        fields.push_back(
+          {{"displacement", point.u[0]},
+           {"displacement", point.u[1]},
+           {"displacement", dim == 3 ? point.u[dim - 1] : 0.},
+           {"contact_pressure", positive_in_compression(point.p_H)},
+           {"recovered_contact_pressure", positive_in_compression(point.p_recovered)},
+           {"normal_displacement", point.u_n},
+           {"gap", point.g},
+           {"opening", point.g - point.u_n},
+           {"patch", piece.patch},
+           {"side", piece.side_number}});
         if (!bound.empty())
-          values.push_back(bound[piece.face]);
-        set_vtu_point(cells.back(), v, point.x, values);
+          fields.back().emplace_back("bound_contact", bound[piece.face]);
       }
+      cells.add(1, points, fields);
     }
   DataOutBase::VtkFlags flags;
   // The same run gives the same file.
   flags.print_date_and_time = false;
-  DataOutBase::write_vtu(cells, names, vtu_ranges(names), flags, stream);
+  DataOutBase::write_vtu(cells.cells, cells.names, cells.ranges(), flags, stream);
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template TracedContact<dim> trace_contact(const DisplacementSpace<dim> &,                        \
-                                            const MultiplierSpace<dim> &,                          \
-                                            const std::vector<BoundaryCondition<dim>> &,           \
-                                            const Displacement &,                                  \
-                                            const Pressure &);                                     \
-  template void write_contact_csv(std::ostream &, const TracedContact<dim> &);                     \
-  template void write_contact_vtu(                                                                 \
-    std::ostream &, const TracedContact<dim> &, const std::vector<double> &)
-INSTANTIATE(2);
-INSTANTIATE(3);
-#undef INSTANTIATE
+INSTANTIATE_FUNCTION(trace_contact);
+INSTANTIATE_FUNCTION(write_contact_csv);
+INSTANTIATE_FUNCTION(write_contact_vtu);
 } // namespace Signorini

@@ -29,11 +29,6 @@ namespace Signorini
 {
 // The library finds the functions to_json() by the types of their arguments.
 
-static void to_json(Json &json, const AnswerVector &x)
-{
-  json = x.values();
-}
-
 static void to_json(Json &json, const BoundaryPlace &place)
 {
   json = {{"side", place.side}};
@@ -236,30 +231,24 @@ namespace
 Json describe(const LevelRecord &level, const Judge &judge)
 {
   const Certificate &c = level.certificate;
-  return {{"level", level.sizes.level},
-          {"stationarity", c.stationarity},
-          {"penetration", c.penetration},
-          {"sign", c.sign},
-          {"complementarity", c.complementarity},
-          {"duality_gap", c.duality_gap},
-          {"force_balance", c.force_balance},
-          {"motion_balance", c.motion_balance},
-          {"support", c.support},
-          {"moment_balance", c.moment_balance},
-          {"moment_balance_is_exact", c.moments_are_exact},
-          {"inf_sup", level.inf_sup},
-          {"degenerate_patches", c.degenerate_patches},
-          {"kkt", level.dual.kkt},
-          {"linear_solves", level.linear.solves},
-          {"linear_residual", level.linear.residual},
-          {"rounding_error", rounding(level)},
-          {"residual_bound", judge.residual_bound(level)},
-          {"unique", level.dual.unique},
-          {"contact_solver_replaced",
-           level.dual.active_set_failure.has_value() || level.dual.stalled.has_value() ||
-             level.dual.failure_of_cycles.has_value()},
-          {"bound", level.bound},
-          {"certified", judge.accepts(level)}};
+  Json json = {{"level", level.sizes.level}};
+  for (const Residual &residual : residuals(c))
+    json[residual.name] = residual.value;
+  json.update({{"moment_balance_is_exact", c.moments_are_exact},
+               {"inf_sup", level.inf_sup},
+               {"degenerate_patches", c.degenerate_patches},
+               {"kkt", level.dual.kkt},
+               {"linear_solves", level.linear.solves},
+               {"linear_residual", level.linear.residual},
+               {"rounding_error", rounding(level)},
+               {"residual_bound", judge.residual_bound(level)},
+               {"unique", level.dual.unique},
+               {"contact_solver_replaced",
+                level.dual.active_set_failure.has_value() || level.dual.stalled.has_value() ||
+                  level.dual.failure_of_cycles.has_value()},
+               {"bound", level.bound},
+               {"certified", judge.accepts(level)}});
+  return json;
 }
 } // namespace
 
@@ -272,7 +261,7 @@ void write_certificate(std::ostream &stream,
   for (const LevelRecord &level : levels)
     rows.push_back(describe(level, judge));
   Json certificate = {{"verdict", word_for(verdict.outcome)},
-                      {"tolerance", judge.tolerance()},
+                      {"tolerance", judge.demands.tolerance},
                       {"residual_bound", verdict.residual_bound},
                       {"accuracy", verdict.accuracy},
                       {"levels", rows}};

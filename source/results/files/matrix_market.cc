@@ -11,37 +11,28 @@ namespace Signorini
 {
 namespace
 {
-/** Writes a dense matrix of m x n entries, or its lower triangle if it is @p symmetric. */
-template <typename Entry>
-void write_array(std::ostream &stream,
-                 const std::size_t m,
-                 const std::size_t n,
-                 const bool symmetric,
-                 const Entry &entry)
+/** Writes the first two lines but for the number of entries. */
+void write_head(std::ostream &stream,
+                const std::string &format,
+                const bool symmetric,
+                const types::global_dof_index n_rows,
+                const types::global_dof_index n_columns)
 {
-  stream << "%%MatrixMarket matrix array real " << (symmetric ? "symmetric" : "general") << "\n"
-         << m << " " << n << "\n"
-         << std::setprecision(17);
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t i = symmetric ? j : 0; i < m; ++i)
-      stream << entry(i, j) << "\n";
+  stream << "%%MatrixMarket matrix " << format << " real " << (symmetric ? "symmetric" : "general")
+         << "\n"
+         << n_rows << " " << n_columns << std::setprecision(17);
 }
 } // namespace
 
-void write_symmetric_matrix_market(std::ostream &stream, const FullMatrix<double> &matrix)
+void write_matrix_market(std::ostream &stream,
+                         const FullMatrix<double> &matrix,
+                         const bool symmetric)
 {
-  write_array(stream, matrix.m(), matrix.n(), true, matrix);
-}
-
-void write_matrix_market(std::ostream &stream, const FullMatrix<double> &matrix)
-{
-  write_array(stream, matrix.m(), matrix.n(), false, matrix);
-}
-
-void write_matrix_market(std::ostream &stream, const dealii::Vector<double> &vector)
-{
-  write_array(
-    stream, vector.size(), 1, false, [&](const std::size_t i, std::size_t) { return vector[i]; });
+  write_head(stream, "array", symmetric, matrix.m(), matrix.n());
+  stream << "\n";
+  for (std::size_t j = 0; j < matrix.n(); ++j)
+    for (std::size_t i = symmetric ? j : 0; i < matrix.m(); ++i)
+      stream << matrix(i, j) << "\n";
 }
 
 std::string lower_triangle(const TrilinosWrappers::SparseMatrix &matrix, const double factor)
@@ -56,31 +47,28 @@ std::string lower_triangle(const TrilinosWrappers::SparseMatrix &matrix, const d
   return lines.str();
 }
 
-void write_symmetric_matrix_market(std::ostream &stream,
-                                   const types::global_dof_index n,
-                                   const std::vector<std::string> &parts)
+std::string entries_of(const Coupling &D)
+{
+  std::ostringstream lines;
+  lines << std::setprecision(17);
+  for (unsigned int tau = 0; tau < D.n_columns(); ++tau)
+    for (const auto &[row, value] : D.column(tau))
+      lines << row + 1 << " " << tau + 1 << " " << value << "\n";
+  return lines.str();
+}
+
+void write_matrix_market(std::ostream &stream,
+                         const types::global_dof_index n_rows,
+                         const types::global_dof_index n_columns,
+                         const std::vector<std::string> &parts,
+                         const bool symmetric)
 {
   std::ptrdiff_t n_entries = 0;
   for (const std::string &part : parts)
     n_entries += std::count(part.begin(), part.end(), '\n');
-  stream << "%%MatrixMarket matrix coordinate real symmetric\n"
-         << n << " " << n << " " << n_entries << "\n";
+  write_head(stream, "coordinate", symmetric, n_rows, n_columns);
+  stream << " " << n_entries << "\n";
   for (const std::string &part : parts)
     stream << part;
-}
-
-void write_matrix_market(std::ostream &stream,
-                         const Coupling &D,
-                         const types::global_dof_index n_rows)
-{
-  std::size_t n_entries = 0;
-  for (unsigned int tau = 0; tau < D.n_columns(); ++tau)
-    n_entries += D.column(tau).size();
-  stream << "%%MatrixMarket matrix coordinate real general\n"
-         << n_rows << " " << D.n_columns() << " " << n_entries << "\n"
-         << std::setprecision(17);
-  for (unsigned int tau = 0; tau < D.n_columns(); ++tau)
-    for (const auto &entry : D.column(tau))
-      stream << entry.first + 1 << " " << tau + 1 << " " << entry.second << "\n";
 }
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // The body for ParaView: displacement, its recovery, stresses, bound.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/base/parallel.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
@@ -13,7 +14,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <regex>
@@ -21,24 +22,6 @@
 
 namespace Signorini
 {
-std::vector<VtuRange> vtu_ranges(const std::vector<std::string> &names)
-{
-  using namespace DataComponentInterpretation;
-  std::vector<VtuRange> ranges;
-  for (unsigned int first = 0, end = 0; first < names.size(); first = end)
-  {
-    while (end < names.size() && names[end] == names[first])
-      ++end;
-    if (end - first > 1)
-      ranges.emplace_back(first,
-                          end - 1,
-                          names[first],
-                          end - first == 3 ? component_is_part_of_vector
-                                           : component_is_part_of_tensor);
-  }
-  return ranges;
-}
-
 namespace
 {
 /** The cells of this rank with their fields. Cells may be divided in different ways. */
@@ -58,21 +41,6 @@ public:
   {
     if (space.strain_operator() == StrainOperator::mean_dilatation)
       dilatations_ = mean_dilatations(space, U);
-    std::vector<std::string> components = {"stress_xx", "stress_yy", "stress_zz", "stress_xy"};
-    if (dim == 3)
-      components.insert(components.end(), {"stress_xz", "stress_yz"});
-    names_.assign(3, "displacement");
-    if (dim == 2 && is_recovered_)
-      names_.insert(names_.end(), 3, "recovered_displacement");
-    names_.insert(names_.end(), 9, "stress");
-    names_.insert(names_.end(), components.begin(), components.end());
-    names_.insert(
-      names_.end(),
-      {"von_mises_stress", "principal_stress_1", "principal_stress_2", "principal_stress_3"});
-    if (!bound.mesh.empty())
-      names_.insert(names_.end(), {"bound_mesh", "bound_oscillation", "bound_lift"});
-    if (space.max_element_degree() > 1)
-      names_.emplace_back("degree");
     for (unsigned int number = 0; number < space.elements().size(); ++number)
       add_cells(number);
   }
@@ -80,7 +48,8 @@ public:
   std::string text(const DataOutBase::VtkFlags &flags) const
   {
     std::ostringstream stream;
-    DataOutBase::write_vtu_main(cells_, names_, vtu_ranges(names_), flags, stream);
+    if (!cells_.cells.empty())
+      DataOutBase::write_vtu_main(cells_.cells, cells_.names, cells_.ranges(), flags, stream);
     return stream.str();
   }
 
@@ -124,58 +93,65 @@ private:
                 const FieldValues<dim> &recovered)
   {
     const unsigned int index = cell->active_cell_index();
-    cells_.push_back(make_vtu_cell<dim>(cells_.size(), n, names_.size()));
-    for (unsigned int q = 0; q < u.values.size(); ++q)
+    std::vector<VtuFields> fields(u.values.size());
+    for (unsigned int q = 0; q < fields.size(); ++q)
     {
-      std::vector<double> fields;
-      add_vector(u.values[q], fields);
+      add_vector("displacement", u.values[q], fields[q]);
       if (dim == 2 && is_recovered_)
-        add_vector(recovered.values[q], fields);
+        add_vector("recovered_displacement", recovered.values[q], fields[q]);
       SymmetricTensor<2, dim> strain = symmetrize(recovered.gradients[q]);
       if (!dilatations_.empty())
         replace_trace(strain, dilatations_[index]);
-      add_stress(values.quadrature_point(q), strain, fields);
+      add_stress(values.quadrature_point(q), strain, fields[q]);
       if (!bound_.mesh.empty())
-        fields.insert(fields.end(),
-                      {bound_.mesh[index], bound_.oscillation[index], bound_.lift[index]});
+        fields[q].insert(fields[q].end(),
+                         {{"bound_mesh", bound_.mesh[index]},
+                          {"bound_oscillation", bound_.oscillation[index]},
+                          {"bound_lift", bound_.lift[index]}});
       if (space_.max_element_degree() > 1)
-        fields.push_back(cell->get_fe().degree);
-      set_vtu_point(cells_.back(), q, values.quadrature_point(q), fields);
+        fields[q].emplace_back("degree", cell->get_fe().degree);
     }
+    cells_.add(n, values.get_quadrature_points(), fields);
   }
 
-  static void add_vector(const Tensor<1, dim> &vector, std::vector<double> &fields)
+  static void add_vector(const char *const name, const Tensor<1, dim> &vector, VtuFields &fields)
   {
     for (unsigned int d = 0; d < 3; ++d)
-      fields.push_back(d < dim ? vector[d] : 0.);
+      fields.emplace_back(name, d < dim ? vector[d] : 0.);
   }
 
   /** Adds the tensor, its components and its invariants. */
   void add_stress(const Point<dim> &x,
                   const SymmetricTensor<2, dim> &strain,
-                  std::vector<double> &fields) const
+                  VtuFields &fields) const
   {
-    Stress3D stress;
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    Stress3D stress = unknown * unit_symmetric_tensor<3>();
+    std::array<double, 3> principal = {{unknown, unknown, unknown}};
     try
     {
       stress = stress_in_3d(material_, x, strain);
+      principal = principal_stresses(stress);
     }
     catch (const InputError &)
     {
       // Mesh nodes may be the only points where the material's data has no value.
-      constexpr unsigned int n_numbers = 9 + (dim == 2 ? 4 : 6) + 4;
-      fields.insert(fields.end(), n_numbers, std::numeric_limits<double>::quiet_NaN());
-      return;
     }
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
-        fields.push_back(stress[i][j]);
-    fields.insert(fields.end(), {stress[0][0], stress[1][1], stress[2][2], stress[0][1]});
+        fields.emplace_back("stress", stress[i][j]);
+    fields.insert(fields.end(),
+                  {{"stress_xx", stress[0][0]},
+                   {"stress_yy", stress[1][1]},
+                   {"stress_zz", stress[2][2]},
+                   {"stress_xy", stress[0][1]}});
     if (dim == 3)
-      fields.insert(fields.end(), {stress[0][2], stress[1][2]});
-    fields.push_back(von_mises(stress));
-    for (const double principal : principal_stresses(stress))
-      fields.push_back(principal);
+      fields.insert(fields.end(), {{"stress_xz", stress[0][2]}, {"stress_yz", stress[1][2]}});
+    fields.insert(fields.end(),
+                  {{"von_mises_stress", von_mises(stress)},
+                   {"principal_stress_1", principal[0]},
+                   {"principal_stress_2", principal[1]},
+                   {"principal_stress_3", principal[2]}});
   }
 
   const DisplacementSpace<dim> &space_;
@@ -186,8 +162,7 @@ private:
   bool is_recovered_;
   /** In place of tr eps(u), by active cell; empty: tr eps(u) itself. */
   std::vector<double> dilatations_;
-  std::vector<std::string> names_;
-  std::vector<VtuCell<dim>> cells_;
+  VtuCells<dim> cells_;
 };
 } // namespace
 
@@ -224,14 +199,5 @@ void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::st
   stream << std::regex_replace(record.str(), comment, "");
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template void write_solution_vtu(const std::filesystem::path &,                                  \
-                                   const DisplacementSpace<dim> &,                                 \
-                                   const Scene<dim> &,                                             \
-                                   const Displacement &,                                           \
-                                   const BoundFields &,                                            \
-                                   unsigned int)
-INSTANTIATE(2);
-INSTANTIATE(3);
-#undef INSTANTIATE
+INSTANTIATE_FUNCTION(write_solution_vtu);
 } // namespace Signorini

@@ -3,6 +3,8 @@
 
 #include <signorini/results/files/tables.h>
 
+#include <boost/math/statistics/linear_regression.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -28,27 +30,24 @@ constexpr int order_width = 6;
 /** The smallest error that has an order; errors below are rounding (patch tests). */
 constexpr double min_error = 1e-13;
 
-void print_count(std::ostream &stream, const int width, const unsigned long long value)
-{
-  stream << std::setw(width) << value;
-}
-
 void print_number(std::ostream &stream, const int width, const std::optional<double> &value)
 {
   stream << std::setw(width);
   if (value)
-    stream << std::scientific << std::setprecision(3) << *value;
+    stream << *value;
   else
     stream << "-";
 }
 
+/** Prints a number with four digits. */
+void print_value(std::ostream &stream, const int width, const std::optional<double> &value)
+{
+  print_number(stream << std::scientific << std::setprecision(3), width, value);
+}
+
 void print_order(std::ostream &stream, const int width, const std::optional<double> &order)
 {
-  stream << std::setw(width);
-  if (order)
-    stream << std::fixed << std::setprecision(2) << *order;
-  else
-    stream << "-";
+  print_number(stream << std::fixed << std::setprecision(2), width, order);
 }
 
 /** A number on the screen: its title, and its column of convergence.csv. */
@@ -82,21 +81,16 @@ std::optional<double> order(const LevelRecord &level,
 std::optional<double> slope(const std::vector<LevelRecord> &levels, const std::string &name)
 {
   constexpr std::size_t n_levels = 4;
-  double n = 0., sum_x = 0., sum_y = 0., sum_xx = 0., sum_xy = 0.;
+  std::vector<double> x, y;
   for (std::size_t i = levels.size() - std::min(n_levels, levels.size()); i < levels.size(); ++i)
     if (const std::optional<double> error = value(levels[i], name); error && *error > min_error)
     {
-      const double x = std::log(levels[i].sizes.h), y = std::log(*error);
-      n += 1.;
-      sum_x += x;
-      sum_y += y;
-      sum_xx += x * x;
-      sum_xy += x * y;
+      x.push_back(std::log(levels[i].sizes.h));
+      y.push_back(std::log(*error));
     }
-  const double determinant = n * sum_xx - sum_x * sum_x;
-  if (n < 3. || !(determinant > 0.))
+  if (x.size() < 3)
     return {};
-  return (n * sum_xy - sum_x * sum_y) / determinant;
+  return boost::math::statistics::simple_ordinary_least_squares(x, y).second;
 }
 } // namespace
 
@@ -113,15 +107,13 @@ std::string screen_header(const bool graded)
 std::string screen_row(const LevelRecord &level, const LevelRecord *before)
 {
   std::ostringstream line;
-  print_count(line, 5, level.sizes.level);
-  print_count(line, 9, level.sizes.dofs);
-  print_count(line, 6, level.sizes.multipliers);
-  print_count(line, 7, level.contact.active);
-  print_count(line, 5, level.dual.iterations);
-  print_number(line, number_width, level.contact.normal_force);
-  print_number(
+  line << std::setw(5) << level.sizes.level << std::setw(9) << level.sizes.dofs << std::setw(6)
+       << level.sizes.multipliers << std::setw(7) << level.contact.active << std::setw(5)
+       << level.dual.iterations;
+  print_value(line, number_width, level.contact.normal_force);
+  print_value(
     line, number_width, level.answer.peak_pressure ? level.answer.peak_pressure->value : 0.);
-  print_number(line, number_width, value(level, estimate_name));
+  print_value(line, number_width, value(level, estimate_name));
   print_order(line, order_width, order(level, before, estimate_name));
   return line.str();
 }
@@ -151,11 +143,10 @@ std::string error_table(const std::vector<LevelRecord> &levels)
   const LevelRecord *before = nullptr;
   for (const LevelRecord &level : levels)
   {
-    text << "\n";
-    print_count(text, 5, level.sizes.level);
+    text << "\n" << std::setw(5) << level.sizes.level;
     for (const ErrorColumn &column : columns)
     {
-      print_number(text, error_width, value(level, column.name));
+      print_value(text, error_width, value(level, column.name));
       print_order(text, error_order_width, order(level, before, column.name));
     }
     before = &level;

@@ -92,47 +92,39 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
 {
   if (directory_.empty())
     return;
-  const Discretization<dim> &discretization = *level.discretization;
+  const DisplacementSpace<dim> &space = level.discretization->space;
   const LevelSolution<dim> &solution = level.solution;
+  const unsigned int number = solution.record.sizes.level;
   start_directory();
   TracedContact<dim> traced;
   on_first_rank([&]() {
     traced = trace_contact(
-      discretization.space, discretization.multipliers, scene.boundary, solution.U, solution.P);
+      space, level.discretization->multipliers, scene.boundary, solution.U, solution.P);
   });
-  write(level_file("contact", solution.record.sizes.level, ".csv"),
+  write(level_file("contact", number, ".csv"),
         [&](std::ostream &stream) { write_contact_csv<dim>(stream, traced); });
   const VtuLevels vtu = parameters_.output.vtu;
   const bool wants_finest = vtu == VtuLevels::finest || parameters_.output.pictures;
   if (vtu == VtuLevels::all || (wants_finest && level.is_last))
-    write_vtu(discretization, scene, solution, traced);
+  {
+    const BoundFields &bound = solution.bound_fields;
+    write_solution_vtu(
+      directory_ / level_file("solution", number, ".vtu"), space, scene, solution.U, bound, number);
+    write(level_file("contact", number, ".vtu"),
+          [&](std::ostream &stream) { write_contact_vtu<dim>(stream, traced, bound.contact); });
+    for (const char *const name : {"solution", "contact"})
+    {
+      vtu_files_[name].emplace_back(number, level_file(name, number, ".vtu"));
+      write(name + std::string(".pvd"),
+            [&](std::ostream &stream) { write_pvd(stream, vtu_files_[name]); });
+    }
+  }
   if (parameters_.output.compliance)
-    write_dual_problem(discretization, solution);
+    write_dual_problem(*level.discretization, solution);
 }
 
-template <int dim>
-void ResultsWriter::write_vtu(const Discretization<dim> &discretization,
-                              const Scene<dim> &scene,
-                              const LevelSolution<dim> &solution,
-                              const TracedContact<dim> &traced)
-{
-  const unsigned int level = solution.record.sizes.level;
-  const std::string body = level_file("solution", level, ".vtu");
-  const std::string contact = level_file("contact", level, ".vtu");
-  write_solution_vtu(
-    directory_ / body, discretization.space, scene, solution.U, solution.bound_fields, level);
-  write(contact, [&](std::ostream &stream) {
-    write_contact_vtu<dim>(stream, traced, solution.bound_fields.contact);
-  });
-  solution_files_.emplace_back(level, body);
-  contact_files_.emplace_back(level, contact);
-  write("solution.pvd", [&](std::ostream &stream) { write_pvd(stream, solution_files_); });
-  write("contact.pvd", [&](std::ostream &stream) { write_pvd(stream, contact_files_); });
-}
-
-template <int dim>
-void ResultsWriter::write_case_fields(const Discretization<dim> &discretization,
-                                      const Scene<dim> &scene,
+void ResultsWriter::write_case_fields(const Discretization<2> &discretization,
+                                      const Scene<2> &scene,
                                       const Displacement &U,
                                       const Pressure &P,
                                       const unsigned int number)
@@ -145,7 +137,7 @@ void ResultsWriter::write_case_fields(const Discretization<dim> &discretization,
     write_solution_vtu(
       directory_ / ("solution" + ending + ".vtu"), discretization.space, scene, U, {}, number);
   write("contact" + ending + ".csv", [&](std::ostream &stream) {
-    write_contact_csv<dim>(
+    write_contact_csv<2>(
       stream,
       trace_contact(discretization.space, discretization.multipliers, scene.boundary, U, P));
   });
@@ -163,42 +155,36 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
 {
   const DisplacementSpace<dim> &space = discretization.space;
   const LinearSystem<dim> &system = *solution.system;
+  const DualData &dual = *solution.dual;
   const std::vector<std::string> A =
     gather_texts(lower_triangle(system.matrix, system.unit), communicator_);
   const dealii::Vector<double> f(system.f);
   // F = G - Dᵀ A⁻¹ f for unconstrained unknowns: prescribed displacements count as gap.
   dealii::Vector<double> G = discretization.G;
   G -= discretization.D.transpose_product(space.complete(space.make_vector()));
-  const FullMatrix<double> C = solution.dual->C ? solution.dual->C->dense() : FullMatrix<double>();
-  const auto write_matrix = [&](const char *name,
-                                const std::function<void(std::ostream &)> &content) {
-    write(level_file(name, solution.record.sizes.level, ".mtx"), content);
+  const auto write_matrix = [&](const char *name, const auto &...matrix) {
+    write(level_file(name, solution.record.sizes.level, ".mtx"),
+          [&](std::ostream &stream) { write_matrix_market(stream, matrix...); });
   };
-  const auto write_dense = [&](const char *name, const auto &matrix) {
-    write_matrix(name, [&](std::ostream &stream) { write_matrix_market(stream, matrix); });
+  const auto write_vector = [&](const char *name, const dealii::Vector<double> &x) {
+    write_matrix(name, FullMatrix<double>(x.size(), 1, x.begin()));
   };
-  const auto write_symmetric = [&](const char *name, const FullMatrix<double> &matrix) {
-    write_matrix(name,
-                 [&](std::ostream &stream) { write_symmetric_matrix_market(stream, matrix); });
-  };
-  write_matrix("A",
-               [&](std::ostream &stream) { write_symmetric_matrix_market(stream, f.size(), A); });
-  write_matrix("D", [&](std::ostream &stream) {
-    write_matrix_market(stream, discretization.condensed_D, f.size());
-  });
-  write_dense("f", f);
-  write_dense("G", G);
-  write_dense("F", solution.dual->F);
-  write_dense("P", solution.P);
+  const Coupling &D = discretization.condensed_D;
+  write_matrix("A", f.size(), f.size(), A, true);
+  write_matrix("D", f.size(), D.n_columns(), std::vector<std::string>{entries_of(D)});
+  write_vector("f", f);
+  write_vector("G", G);
+  write_vector("F", dual.F);
+  write_vector("P", solution.P);
   if (solution.q.size() > 0)
   {
-    write_dense("b", solution.dual->motions.b);
-    write_dense("q", solution.q);
-    write_dense("B", solution.dual->motions.B);
-    write_symmetric("K", solution.dual->motions.K);
+    write_vector("b", dual.motions.b);
+    write_vector("q", solution.q);
+    write_matrix("B", dual.motions.B);
+    write_matrix("K", dual.motions.K, true);
   }
-  if (C.m() > 0)
-    write_symmetric("C", C);
+  if (dual.C)
+    write_matrix("C", dual.C->dense(), true);
 }
 
 void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,
@@ -264,11 +250,6 @@ void ResultsWriter::abandon()
   }
 }
 
-template void ResultsWriter::write_case_fields(const Discretization<2> &,
-                                               const Scene<2> &,
-                                               const Displacement &,
-                                               const Pressure &,
-                                               unsigned int);
 template void ResultsWriter::write_fields(const Scene<2> &, const LevelResult<2> &);
 template void ResultsWriter::write_fields(const Scene<3> &, const LevelResult<3> &);
 } // namespace Signorini

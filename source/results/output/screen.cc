@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The texts on the screen before and after the table.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
 #include <signorini/results/output/screen.h>
 
@@ -67,7 +68,7 @@ std::string describe_meshes(const Parameters &parameters, const Judge &judge)
     return text.str();
   }
   text << "Steps     graded meshes from level " << given.coarsest_level << " on, degrees 2 to "
-       << given.maximum_degree << ", to the error " << judge.target_error() << " or "
+       << given.maximum_degree << ", to the error " << judge.demands.target_error << " or "
        << given.maximum_unknowns << " unknowns\n"
        << "Ignored   Finest level, Element, Patch ratio, Patches"
        << (parameters.output.lemmas ? ", Lemmas" : "") << " (Strategy = hp)\n";
@@ -138,7 +139,7 @@ void print_verdict(const std::vector<LevelRecord> &levels,
   if (!verdict.accuracy.empty())
     screen << "Accuracy: " << verdict.accuracy << ".\n";
   if (verdict.outcome == Outcome::not_certified)
-    screen << "NOT certified: not all KKT residuals are below " << judge.tolerance()
+    screen << "NOT certified: not all KKT residuals are below " << judge.demands.tolerance
            << " or not all balances below " << verdict.residual_bound << ".\n";
   else
     screen << (verdict.outcome == Outcome::certified             ? "Certified"
@@ -148,20 +149,11 @@ void print_verdict(const std::vector<LevelRecord> &levels,
                  : "NOT resolved, equations certified")
            << (stopped_early > 0. ? ": V-cycles ended at the relative error "
                                   : ": KKT residuals below ")
-           << (stopped_early > 0. ? stopped_early : judge.tolerance())
+           << (stopped_early > 0. ? stopped_early : judge.demands.tolerance)
            << (stopped_early > 0. ? " of displacements (energy norm), and balances are below "
                                   : " and balances below ")
            << verdict.residual_bound << ".\n";
 }
 
-template void print_scene(const Parameters &,
-                          const Scene<3> &,
-                          const SolverChoice &,
-                          const Judge &,
-                          std::ostream &);
-template void print_scene(const Parameters &,
-                          const Scene<2> &,
-                          const SolverChoice &,
-                          const Judge &,
-                          std::ostream &);
+INSTANTIATE_FUNCTION(print_scene);
 } // namespace Signorini

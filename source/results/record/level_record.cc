@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
+#include <tuple>
 
 namespace Signorini
 {
@@ -62,27 +63,19 @@ CaseSummary summarise(const std::vector<CaseResult> &cases, const double seconds
 
 namespace
 {
-/** Returns an estimated error divided by the true one. */
-std::optional<double> effectivity(const std::optional<double> &estimate,
-                                  const LevelRecord &record,
-                                  double DisplacementErrors::*const error)
+/** Returns the column of an estimated error divided by the true one. */
+template <typename Number>
+Column<LevelRecord> effectivity(const std::string &name,
+                                Number ErrorEstimate::*const estimate,
+                                double DisplacementErrors::*const error)
 {
-  if (!estimate || !record.displacement_errors || (*record.displacement_errors).*error == 0.)
-    return {};
-  return *estimate / ((*record.displacement_errors).*error);
-}
-
-std::optional<double> effectivity_h1(const LevelRecord &record)
-{
-  return effectivity(
-    record.estimate ? record.estimate->h1 : std::nullopt, record, &DisplacementErrors::h1);
-}
-
-std::optional<double> effectivity_energy(const LevelRecord &record)
-{
-  const std::optional<double> energy =
-    record.estimate ? std::optional<double>(record.estimate->energy) : std::nullopt;
-  return effectivity(energy, record, &DisplacementErrors::energy);
+  return {name, [estimate, error](const LevelRecord &record) -> std::optional<double> {
+            const auto &[estimated, exact] = std::tie(record.estimate, record.displacement_errors);
+            if (!estimated || !exact || (*exact).*error == 0.)
+              return {};
+            const std::optional<double> value = (*estimated).*estimate;
+            return value ? std::optional<double>(*value / ((*exact).*error)) : std::nullopt;
+          }};
 }
 
 /** Returns the columns in the order of the members. */
@@ -95,9 +88,10 @@ Columns<LevelRecord> columns_of_parts()
         columns_of(&LevelRecord::contact),
         columns_of(&LevelRecord::certificate),
         columns_of(&LevelRecord::estimate),
-        Columns<LevelRecord>{{"effectivity", effectivity_h1},
-                             {"effectivity_energy", effectivity_energy},
-                             {"inf_sup", &LevelRecord::inf_sup}},
+        Columns<LevelRecord>{
+          effectivity("effectivity", &ErrorEstimate::h1, &DisplacementErrors::h1),
+          effectivity("effectivity_energy", &ErrorEstimate::energy, &DisplacementErrors::energy),
+          {"inf_sup", &LevelRecord::inf_sup}},
         columns_of(&LevelRecord::displacement_errors),
         columns_of(&LevelRecord::pressure_errors),
         columns_of(&LevelRecord::dual_norm_errors),

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Whether the answer of one level solves its equations.
 
-#include "checks.h"
-
 #include <signorini/results/verdict/judge.h>
 
 #include <algorithm>
@@ -94,8 +92,8 @@ constexpr double max_rounding = 1e-6;
 
 /** The rounding above which it explains large residuals. */
 constexpr double noticeable_rounding = 1e-10;
-} // namespace
 
+/** Checks that no number is infinite or not a number. */
 std::string check_overflow(const LevelRecord &level, const Judge &)
 {
   if (std::isfinite(max_residual(level.certificate).value) && std::isfinite(level.dual.kkt))
@@ -103,6 +101,7 @@ std::string check_overflow(const LevelRecord &level, const Judge &)
   return "numbers overflow: choose units in which moduli, lengths and loads are of size one.";
 }
 
+/** Checks that rounding leaves at least six digits of U. */
 std::string check_rounding(const LevelRecord &level, const Judge &)
 {
   if (rounding(level) <= max_rounding)
@@ -113,9 +112,10 @@ std::string check_rounding(const LevelRecord &level, const Judge &)
   return text.str();
 }
 
+/** Checks the KKT residual of the dual problem against the tolerance. */
 std::string check_dual_problem(const LevelRecord &level, const Judge &judge)
 {
-  const double tolerance = std::max(judge.tolerance(), 10. * level.dual.energy_tolerance);
+  const double tolerance = std::max(judge.demands.tolerance, 10. * level.dual.energy_tolerance);
   if (level.dual.converged && level.dual.kkt <= tolerance)
     return "";
   std::ostringstream text;
@@ -125,6 +125,7 @@ std::string check_dual_problem(const LevelRecord &level, const Judge &judge)
   return text.str();
 }
 
+/** Checks that the dual problem of every load case was solved. */
 std::string check_load_cases(const LevelRecord &level, const Judge &)
 {
   if (!level.load_cases || level.load_cases->first_failure == 0)
@@ -134,6 +135,7 @@ std::string check_load_cases(const LevelRecord &level, const Judge &)
          " (cases.csv): raise Tolerance or Maximum iterations" + other_method(level.dual) + ".";
 }
 
+/** Checks the residuals of the certificate against their bound. */
 std::string check_residuals(const LevelRecord &level, const Judge &judge)
 {
   const Residual residual = max_residual(level.certificate);
@@ -152,8 +154,6 @@ std::string check_residuals(const LevelRecord &level, const Judge &judge)
 
 // Whether all levels are solved, and whether the finest one resolves the solution.
 
-namespace
-{
 /** The largest locking_number(): above it contact forces are wrong by ten per cent and more. */
 constexpr double max_locking_number = 0.25;
 
@@ -192,8 +192,9 @@ std::string remedy_for(const LevelRecord &level)
     return "the mesh is too coarse, most in " + bound.largest_cell + ": " + usual;
   }
 }
-} // namespace
 
+/** Checks that the finest level is not in doubt. Coarser ones do not matter: it does not depend on
+ * them. */
 std::string check_finest_level(const std::vector<LevelRecord> &levels, const Judge &judge)
 {
   const LevelRecord &finest = levels.back();
@@ -201,11 +202,13 @@ std::string check_finest_level(const std::vector<LevelRecord> &levels, const Jud
   return doubt.empty() ? "" : "Level " + std::to_string(finest.sizes.level) + ": " + doubt;
 }
 
+/** Checks that the bound of the error on the finest level, or without one its estimate, is known
+ * and tolerated. */
 std::string check_error(const std::vector<LevelRecord> &levels, const Judge &judge)
 {
   const LevelRecord &finest = levels.back();
   const std::optional<double> error = relative_error(finest);
-  if (error && *error <= judge.tolerated_error())
+  if (error && *error <= judge.demands.tolerated_error)
     return "";
   std::ostringstream text;
   text << "The error of " << finest.sizes.word() << " " << finest.sizes.level;
@@ -214,10 +217,10 @@ std::string check_error(const std::vector<LevelRecord> &levels, const Judge &jud
   else if (bound_of(finest))
     text << " may be as large as " << 100. * *error << " % (energy norm, "
          << (is_guaranteed(finest) ? "guaranteed" : "estimated")
-         << " bound; Tolerated error: " << 100. * judge.tolerated_error() << " %)";
+         << " bound; Tolerated error: " << 100. * judge.demands.tolerated_error << " %)";
   else
     text << " is about " << 100. * *error
-         << " % (energy norm, estimated; Tolerated error: " << 100. * judge.tolerated_error()
+         << " % (energy norm, estimated; Tolerated error: " << 100. * judge.demands.tolerated_error
          << " %)";
   if (finest.bound && !finest.bound->missing.empty())
     text << ", and there is no bound: " << finest.bound->missing;
@@ -225,6 +228,8 @@ std::string check_error(const std::vector<LevelRecord> &levels, const Judge &jud
   return text.str();
 }
 
+/** Checks that the bracket of the energy is not too wide: strain energy and work of loads may
+ * nearly cancel. */
 std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &judge)
 {
   const LevelRecord &finest = levels.back();
@@ -234,7 +239,7 @@ std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &ju
   const double off = std::max(J - *finest.bound->energy_lower, *finest.bound->energy_upper - J);
   // An error of 20 % in the energy norm is one of 4 % in the strain energy. The bracket is about
   // twice as wide as the error, and |J| may be smaller than the strain energy.
-  const double tolerated = 2.5 * judge.tolerated_error() * judge.tolerated_error();
+  const double tolerated = 2.5 * judge.demands.tolerated_error * judge.demands.tolerated_error;
   // Relative to the strain energy, a bracket below this is rounding.
   constexpr double rounding = 1e-10;
   const double strain_energy = std::pow(*finest.bound->absolute / *finest.bound->relative, 2);
@@ -248,10 +253,12 @@ std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &ju
   return text.str();
 }
 
+/** Checks that the finest level reaches a target error that the user has set. */
 std::string check_target(const std::vector<LevelRecord> &levels, const Judge &judge)
 {
   const LevelRecord &finest = levels.back();
-  if (!judge.requires_target() || judge.reaches_target(finest))
+  if (judge.demands.target_error == 0. || !judge.demands.target_is_given ||
+      judge.reaches_target(finest))
     return "";
   std::ostringstream text;
   text << "The target error is not reached on " << finest.sizes.word() << " " << finest.sizes.level
@@ -270,6 +277,7 @@ std::string check_target(const std::vector<LevelRecord> &levels, const Judge &ju
   return text.str();
 }
 
+/** Checks that no other pressures solve the dual problem on the finest level. */
 std::string check_uniqueness(const std::vector<LevelRecord> &levels, const Judge &)
 {
   const LevelRecord &finest = levels.back();
@@ -280,6 +288,7 @@ std::string check_uniqueness(const std::vector<LevelRecord> &levels, const Judge
          "take a Patch ratio of 2 or more, or fewer Patches.";
 }
 
+/** Checks that all brackets of the energy have a number in common. */
 std::string check_brackets(const std::vector<LevelRecord> &levels, const Judge &)
 {
   const auto has_bracket = [](const LevelRecord &level) {
@@ -311,6 +320,8 @@ std::string check_brackets(const std::vector<LevelRecord> &levels, const Judge &
   return text.str();
 }
 
+/** Checks that on the finest level bilinear elements are not too stiff for a nearly incompressible
+ * body, unless the known error excludes that. */
 std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &judge)
 {
   const LevelRecord &finest = levels.back();
@@ -324,10 +335,12 @@ std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &j
           "level "
        << finest.sizes.level << ": K/mu (h/l)^2 = " << number << ", allowed: at most "
        << max_locking_number << "; "
-       << (judge.has_b_bar() ? "set Discretization/Element = Q1 B-bar, or refine." : "refine.");
+       << (judge.demands.has_b_bar ? "set Discretization/Element = Q1 B-bar, or refine."
+                                   : "refine.");
   return text.str();
 }
 
+/** Checks, without a bound, that the estimated error falls. */
 std::string check_estimate(const std::vector<LevelRecord> &levels, const Judge &)
 {
   if (bound_of(levels.back()) || levels.back().sizes.is_graded() ||
@@ -348,5 +361,61 @@ std::string check_estimate(const std::vector<LevelRecord> &levels, const Judge &
   return "The estimated error does not fall from level to level, so that the mesh does not resolve "
          "the solution: refine, or take cells that are as wide as high (long cells are too stiff "
          "in bending).";
+}
+
+// The checks in their order.
+
+template <typename Subject>
+using Check = std::string (*)(const Subject &, const Judge &);
+
+/** The checks of a level. The first one that fails names the cause: a later one may fail for the
+ * same reason. */
+constexpr Check<LevelRecord> level_checks[] = {check_overflow,
+                                               check_rounding,
+                                               check_dual_problem,
+                                               check_load_cases,
+                                               check_residuals};
+constexpr Check<std::vector<LevelRecord>> equation_checks[] = {check_finest_level,
+                                                               check_uniqueness,
+                                                               check_brackets};
+constexpr Check<std::vector<LevelRecord>> accuracy_checks[] = {check_locking,
+                                                               check_error,
+                                                               check_energy,
+                                                               check_estimate,
+                                                               check_target};
+
+template <typename Checks, typename Subject>
+std::string first_objection(const Checks &checks, const Subject &subject, const Judge &judge)
+{
+  for (const auto check : checks)
+  {
+    std::string objection = check(subject, judge);
+    if (!objection.empty())
+      return objection;
+  }
+  return "";
+}
+} // namespace
+
+std::string Judge::doubt(const LevelRecord &level) const
+{
+  return first_objection(level_checks, level, *this);
+}
+
+StudyVerdict Judge::verdict(const std::vector<LevelRecord> &levels) const
+{
+  if (levels.empty())
+    return failed(levels, "No level has been solved.");
+  const std::string objection = first_objection(equation_checks, levels, *this);
+  if (!objection.empty())
+    return failed(levels, objection);
+  std::string doubt = first_objection(accuracy_checks, levels, *this);
+  if (!doubt.empty() && demands.can_be_graded && !levels.back().sizes.is_graded())
+    doubt += " Or set Discretization/Strategy = hp, which finds a mesh by itself.";
+  const Outcome outcome = !doubt.empty()                    ? Outcome::not_resolved
+                          : is_guaranteed(levels.back())    ? Outcome::certified
+                          : levels.back().sizes.is_graded() ? Outcome::accuracy_estimated
+                                                            : Outcome::equations_certified;
+  return {outcome, doubt, describe_accuracy(levels), max_residual_bound(levels)};
 }
 } // namespace Signorini

@@ -8,26 +8,30 @@
 #include <iomanip>
 #include <sstream>
 
-#include "checks.h"
-
 namespace Signorini
 {
-Residual max_residual(const Certificate &certificate)
+std::vector<Residual> residuals(const Certificate &certificate)
 {
   using Origin = Residual::Origin;
   const Certificate &c = certificate;
+  return {{c.stationarity, "stationarity", Origin::equilibrium},
+          {c.penetration, "penetration", Origin::contact},
+          {c.sign, "sign", Origin::contact},
+          {c.complementarity, "complementarity", Origin::contact},
+          {c.duality_gap, "duality_gap", Origin::contact},
+          {c.force_balance, "force_balance", Origin::equilibrium},
+          {c.motion_balance, "motion_balance", Origin::equilibrium},
+          {c.support, "support", Origin::supports},
+          {c.moment_balance, "moment_balance", Origin::equilibrium}};
+}
+
+Residual max_residual(const Certificate &certificate)
+{
+  std::vector<Residual> all = residuals(certificate);
+  if (!certificate.moments_are_exact)
+    all.pop_back();
   Residual largest;
-  for (const Residual &residual :
-       {Residual{c.stationarity, "stationarity", Origin::equilibrium},
-        Residual{c.penetration, "penetration", Origin::contact},
-        Residual{c.sign, "sign", Origin::contact},
-        Residual{c.support, "support", Origin::supports},
-        Residual{c.complementarity, "complementarity", Origin::contact},
-        Residual{c.duality_gap, "duality_gap", Origin::contact},
-        Residual{c.force_balance, "force_balance", Origin::equilibrium},
-        Residual{c.motion_balance, "motion_balance", Origin::equilibrium},
-        Residual{
-          c.moments_are_exact ? c.moment_balance : 0., "moment_balance", Origin::equilibrium}})
+  for (const Residual &residual : all)
   {
     if (std::isnan(residual.value))
       return residual;
@@ -123,42 +127,6 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels)
   return text.str();
 }
 
-// The checks, their order, and their bounds.
-
-namespace
-{
-template <typename Subject>
-using Check = std::string (*)(const Subject &, const Judge &);
-
-/** The checks of a level. The first one that fails names the cause: a later one may fail for the
- * same reason. */
-constexpr Check<LevelRecord> level_checks[] = {check_overflow,
-                                               check_rounding,
-                                               check_dual_problem,
-                                               check_load_cases,
-                                               check_residuals};
-constexpr Check<std::vector<LevelRecord>> equation_checks[] = {check_finest_level,
-                                                               check_uniqueness,
-                                                               check_brackets};
-constexpr Check<std::vector<LevelRecord>> accuracy_checks[] = {check_locking,
-                                                               check_error,
-                                                               check_energy,
-                                                               check_estimate,
-                                                               check_target};
-
-template <typename Checks, typename Subject>
-std::string first_objection(const Checks &checks, const Subject &subject, const Judge &judge)
-{
-  for (const auto check : checks)
-  {
-    std::string objection = check(subject, judge);
-    if (!objection.empty())
-      return objection;
-  }
-  return "";
-}
-} // namespace
-
 const char *word_for(const Outcome outcome)
 {
   switch (outcome)
@@ -178,15 +146,10 @@ const char *word_for(const Outcome outcome)
   }
 }
 
-Judge::Judge(const Demands &demands)
-  : demands_(demands)
-{
-}
-
 bool Judge::reaches_target(const LevelRecord &level) const
 {
   const std::optional<double> error = relative_error(level);
-  return error && *error < demands_.target_error;
+  return error && *error < demands.target_error;
 }
 
 double Judge::residual_bound(const LevelRecord &level) const
@@ -196,7 +159,7 @@ double Judge::residual_bound(const LevelRecord &level) const
   const double rounding_bound = std::min(100. * rounding(level), max_rounding_bound);
   // Direct solves and sums over all cells lose some digits of their own, and so do other measures
   // of contact than the KKT residual. No tolerance makes an imbalance of one per cent a balance.
-  const double tolerance_bound = std::min(100. * demands_.tolerance, 0.01);
+  const double tolerance_bound = std::min(100. * demands.tolerance, 0.01);
   // V-cycles that end at the error of the discretisation leave that much in the forces of nodes.
   const double cycle_bound = 10. * level.dual.energy_tolerance;
   return std::max({1e-8, tolerance_bound, rounding_bound, cycle_bound});
@@ -208,28 +171,6 @@ double Judge::max_residual_bound(const std::vector<LevelRecord> &levels) const
   for (const LevelRecord &level : levels)
     bound = std::max(bound, residual_bound(level));
   return bound;
-}
-
-std::string Judge::doubt(const LevelRecord &level) const
-{
-  return first_objection(level_checks, level, *this);
-}
-
-StudyVerdict Judge::verdict(const std::vector<LevelRecord> &levels) const
-{
-  if (levels.empty())
-    return failed(levels, "No level has been solved.");
-  const std::string objection = first_objection(equation_checks, levels, *this);
-  if (!objection.empty())
-    return failed(levels, objection);
-  std::string doubt = first_objection(accuracy_checks, levels, *this);
-  if (!doubt.empty() && demands_.can_be_graded && !levels.back().sizes.is_graded())
-    doubt += " Or set Discretization/Strategy = hp, which finds a mesh by itself.";
-  const Outcome outcome = !doubt.empty()                    ? Outcome::not_resolved
-                          : is_guaranteed(levels.back())    ? Outcome::certified
-                          : levels.back().sizes.is_graded() ? Outcome::accuracy_estimated
-                                                            : Outcome::equations_certified;
-  return {outcome, doubt, describe_accuracy(levels), max_residual_bound(levels)};
 }
 
 StudyVerdict Judge::unfinished(const std::vector<LevelRecord> &levels) const

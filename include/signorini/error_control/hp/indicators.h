@@ -4,31 +4,16 @@
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/postprocessing/fields/patch_interpolation.h>
 #include <signorini/problem/scene/scene.h>
 
-#include <deal.II/lac/full_matrix.h>
-
-#include <array>
 #include <vector>
 
 namespace Signorini
 {
-/** The values and derivatives of Lagrange's polynomials at the nodes of an element's edge, at
- * points between 0 and 1. */
-struct LineTable
-{
-  /** The matrices points × nodes. */
-  FullMatrix<double> values, derivatives;
-};
-
-/**
- * Tabulates the polynomials.
- * @param degree of the element FE_Q, whose nodes are those of Gauss and Lobatto.
- */
+/** Tabulates Lagrange's polynomials at the nodes of an edge of the element FE_Q, those of Gauss and
+ * Lobatto, at points between 0 and 1. */
 LineTable make_line_table(unsigned int degree, const std::vector<double> &points);
-
-/** Returns the nodes of an edge, ascending from 0 to 1. */
-std::vector<double> nodes_of_edge(unsigned int degree);
 
 /** The solution u_h on one cell as products of polynomials in the two reference coordinates. */
 class CellField
@@ -43,16 +28,19 @@ public:
   /** Returns component c at node (i, j): node i along the first coordinate, j along the second. */
   double operator()(const unsigned int c, const unsigned int i, const unsigned int j) const
   {
-    return values_[c](j, i);
+    return values_[i + (degree_ + 1) * j][c];
   }
   /** Returns the derivatives with respect to the reference coordinates of the cell at the points
    * (x_i, y_j), point i + n_x j; [c][d] is that of component c with respect to coordinate d. */
-  std::vector<Tensor<2, 2>> gradients(const LineTable &x, const LineTable &y) const;
+  std::vector<Tensor<2, 2>> gradients(const LineTable &x, const LineTable &y) const
+  {
+    return evaluate_products<2>(values_, {&x, &y}).gradients;
+  }
 
 private:
   unsigned int degree_;
-  /** The nodal values by component: second times first coordinate. */
-  std::array<FullMatrix<double>, 2> values_;
+  /** The nodal values, lexicographically. */
+  std::vector<Tensor<1, 2>> values_;
 };
 
 /** The error and the smoothness of u_h on a cell, from its coefficients. */

@@ -46,13 +46,6 @@ public:
   dealii::Vector<double> project(const MultiplierSpace<dim> &space) const;
 
 private:
-  /** Returns the errors on the patches [first, last), which make up a side. For 2-D only. */
-  DualNormErrors errors_on_side(const MultiplierSpace<dim> &space,
-                                const Pressure &P,
-                                const dealii::Vector<double> &projected_p,
-                                unsigned int first,
-                                unsigned int last) const;
-
   using Coefficients = std::conditional_t<dim == 2, SpectralNorm::Modes, FullMatrix<double>>;
 
   const Scene<dim> &scene_;

@@ -73,12 +73,4 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
 std::optional<double> contact_end_error(const MultiplierSpace<2> &space,
                                         const Scene<2> &scene,
                                         const Pressure &P);
-
-/** Returns nothing: in 3-D contact ends along curves, and there is no such number. */
-inline std::optional<double> contact_end_error(const MultiplierSpace<3> & /*space*/,
-                                               const Scene<3> & /*scene*/,
-                                               const dealii::Vector<double> & /*P*/)
-{
-  return {};
-}
 } // namespace Signorini

@@ -3,6 +3,7 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/elasticity/linear_system.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
@@ -195,6 +196,40 @@ template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
                                  const Pressure &P,
                                  const Piece<dim> &piece);
+
+/** Returns u_{h,n} - g at the points of a rule on a piece, positive where the body penetrates.
+ * @throws InputError where g has no value. */
+template <int dim>
+std::vector<double> penetration(const ContactSurface<dim> &surface,
+                                const Piece<dim> &piece,
+                                const SurfaceRule<dim> &rule,
+                                const Displacement &U,
+                                TraceValues<dim> &traces);
+
+/** Returns ∫_{Γ_c} q φ_j.n for all j, as the column of a coupling: @p values_on (piece, rule) is q
+ * at the points of @p rule_on (piece). */
+template <int dim, typename RuleOn, typename ValuesOn>
+Coupling::Column contact_load(const DisplacementSpace<dim> &space,
+                              const ContactSurface<dim> &surface,
+                              const RuleOn &rule_on,
+                              const ValuesOn &values_on)
+{
+  TraceValues<dim> traces(space);
+  Coupling::Column load;
+  for (const Piece<dim> &piece : surface.pieces())
+  {
+    const ContactFace<dim> &face = surface.faces()[piece.face];
+    const SurfaceRule<dim> &rule = rule_on(piece);
+    const std::vector<double> q = values_on(piece, rule);
+    const auto &values = traces.reinit(face, rule.on_face);
+    const auto indices = space.cell_dofs(face.cell);
+    for (std::size_t k = 0; k < rule.size(); ++k)
+      for (unsigned int j = 0; j < indices.size(); ++j)
+        load[indices[j]] += q[k] * rule.weights[k] *
+                            (values[FEValuesExtractors::Vector(0)].value(j, k) * rule.normals[k]);
+  }
+  return load;
+}
 
 /** The force and the moment that act on the body through a plate (per thickness). */
 struct PlateForce

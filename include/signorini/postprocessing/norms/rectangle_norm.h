@@ -71,8 +71,4 @@ std::array<std::vector<unsigned int>, 2> equal_cells(const PatchGrid &grid);
 
 /** Returns the values on these cells, column by row. */
 FullMatrix<double> values_on(const PatchGrid &grid, const dealii::Vector<double> &P);
-
-/** Returns the block diagonal Gram matrix of the constants on the patches: the square of its norm
- * is the sum over the sides. */
-FullMatrix<double> dual_gram_matrix(const ContactSurface<3> &surface);
 } // namespace Signorini

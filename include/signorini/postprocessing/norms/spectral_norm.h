@@ -87,29 +87,10 @@ inline SpectralNorm spectral_norm_on(const Side<2> &side)
   return SpectralNorm(side.length(), side.is_closed());
 }
 
-/** Returns the arc lengths at which the patches [first, last) of one side begin and end. */
-std::vector<double> patch_ends(const std::vector<Patch<2>> &patches,
-                               unsigned int first,
-                               unsigned int last);
-
-/** Calls visit(first, last) for the patches [first, last) of each side. */
-template <typename Visitor>
-void for_each_side(const std::vector<Patch<2>> &patches, const Visitor &visit)
-{
-  unsigned int first = 0;
-  while (first < patches.size())
-  {
-    unsigned int last = first;
-    while (last < patches.size() && patches[last].side == patches[first].side)
-      ++last;
-    visit(first, last);
-    first = last;
-  }
-}
-
 /** Returns the block diagonal Gram matrix of the constants on the patches: the square of its norm
- * is the sum over the sides. */
-FullMatrix<double> dual_gram_matrix(const ContactSurface<2> &surface);
+ * is the sum over the sides, in 3-D with the norm of RectangleNorm. */
+template <int dim>
+FullMatrix<double> dual_gram_matrix(const ContactSurface<dim> &surface);
 
 /**
  * Returns the constant of Lemma 1,

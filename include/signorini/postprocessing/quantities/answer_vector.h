@@ -6,8 +6,10 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <functional>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,40 +17,19 @@
 namespace Signorini
 {
 /** The components of a point, a force or a moment: records hold answers of 2-D and 3-D bodies. */
-class AnswerVector
+struct AnswerVector : std::vector<double>
 {
-public:
-  AnswerVector() = default;
-  AnswerVector(const std::initializer_list<double> values)
-    : values_(values)
-  {
-  }
+  using std::vector<double>::vector;
   template <int dim>
   AnswerVector(const Tensor<1, dim> &x)
+    : std::vector<double>(x.begin_raw(), x.end_raw())
   {
-    for (unsigned int d = 0; d < dim; ++d)
-      values_.push_back(x[d]);
   }
 
-  std::size_t size() const
-  {
-    return values_.size();
-  }
-  double operator[](const std::size_t d) const
-  {
-    return values_[d];
-  }
-  const std::vector<double> &values() const
-  {
-    return values_;
-  }
   /** Returns the Euclidean norm. */
   double norm() const
   {
-    double square = 0.;
-    for (const double x : values_)
-      square += x * x;
-    return std::sqrt(square);
+    return std::sqrt(std::inner_product(begin(), end(), begin(), 0.));
   }
   double distance(const AnswerVector &other) const
   {
@@ -57,13 +38,9 @@ public:
   friend AnswerVector operator-(AnswerVector a, const AnswerVector &b)
   {
     AssertDimension(a.size(), b.size());
-    for (std::size_t d = 0; d < a.size(); ++d)
-      a.values_[d] -= b.values_[d];
+    std::transform(a.begin(), a.end(), b.begin(), a.begin(), std::minus<>());
     return a;
   }
-
-private:
-  std::vector<double> values_;
 };
 
 /** The cell or patch of a graded mesh on which a value was found: it shows whether a later mesh is

@@ -43,6 +43,9 @@ constexpr double max_corner_exponent = 3.;
  */
 double corner_exponent(double angle, EdgeSupport first, EdgeSupport second, double kappa);
 
+/** Returns the smallest exponent in all states of contact that sides with these roles may have. */
+double min_corner_exponent(double angle, Role first, Role second, double kappa);
+
 /**
  * Returns Kolosov's constant (lambda + 3 mu)/(lambda + mu) of Hooke's tensor, in any unit: 3 - 4 nu
  * in plane strain, (3 - nu)/(1 + nu) in plane stress. An anisotropic tensor is replaced by its mean

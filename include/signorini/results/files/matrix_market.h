@@ -13,25 +13,24 @@
 
 namespace Signorini
 {
-/** Writes the lower triangle of a symmetric dense matrix in Matrix Market's array format (columns
- * one after another). */
-void write_symmetric_matrix_market(std::ostream &stream, const FullMatrix<double> &matrix);
-
-/** Writes a dense matrix in Matrix Market's array format. */
-void write_matrix_market(std::ostream &stream, const FullMatrix<double> &matrix);
-
-/** Writes a vector as an m x 1 matrix. */
-void write_matrix_market(std::ostream &stream, const dealii::Vector<double> &vector);
+/** Writes a dense matrix, or the lower triangle of a symmetric one, in Matrix Market's array format
+ * (columns one after another). */
+void write_matrix_market(std::ostream &stream,
+                         const FullMatrix<double> &matrix,
+                         bool symmetric = false);
 
 /** Returns the lower triangle of factor × matrix, symmetric and sparse: lines "i j value" for the
  * rows of this rank. */
 std::string lower_triangle(const TrilinosWrappers::SparseMatrix &matrix, double factor);
 
-/** Writes a symmetric matrix in coordinate format from the lower_triangle() of every rank. */
-void write_symmetric_matrix_market(std::ostream &stream,
-                                   types::global_dof_index n,
-                                   const std::vector<std::string> &parts);
+/** Returns the entries of D in the same way. */
+std::string entries_of(const Coupling &D);
 
-/** Writes D in coordinate format, @p n_rows x m. */
-void write_matrix_market(std::ostream &stream, const Coupling &D, types::global_dof_index n_rows);
+/** Writes a matrix in coordinate format from its entries, or the lower triangle of a @p symmetric
+ * one. @param parts lines "i j value", from every rank. */
+void write_matrix_market(std::ostream &stream,
+                         types::global_dof_index n_rows,
+                         types::global_dof_index n_columns,
+                         const std::vector<std::string> &parts,
+                         bool symmetric = false);
 } // namespace Signorini

@@ -5,8 +5,8 @@
 #include <signorini/error_control/bound/error_bound.h>
 
 #include <deal.II/base/data_out_base.h>
-#include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <tuple>
@@ -15,48 +15,65 @@
 
 namespace Signorini
 {
-/** A cell of a VTU file with its points and fields. All files are three-dimensional: in 2-D, too,
+/** The fields at a point of a VTU file, numbers with their names. Three or nine numbers with the
+ * same name are the components of a vector or of a tensor. */
+using VtuFields = std::vector<std::pair<const char *, double>>;
+
+/** The cells of a VTU file, all with the same fields. All files are three-dimensional: in 2-D, too,
  * deal.II writes tensors with all their components then. */
 template <int dim>
-using VtuCell = DataOutBase::Patch<dim, 3>;
-
-/** Returns a cell that is divided into n^dim, without points and fields yet. */
-template <int dim>
-VtuCell<dim> make_vtu_cell(const std::size_t index,
-                           const unsigned int n,
-                           const std::size_t n_fields)
+struct VtuCells
 {
-  VtuCell<dim> cell;
-  cell.patch_index = index;
-  cell.reference_cell = ReferenceCells::get_hypercube<dim>();
-  cell.n_subdivisions = n;
-  // The last three rows are the points.
-  cell.points_are_available = true;
-  cell.data.reinit(n_fields + 3, Utilities::pow(n + 1, dim));
-  return cell;
-}
+  using Range = std::tuple<unsigned int,
+                           unsigned int,
+                           std::string,
+                           DataComponentInterpretation::DataComponentInterpretation>;
 
-/** Sets point @p v of a cell and the fields there; fields that are vectors or tensors are three or
- * nine numbers. */
-template <int dim, int spacedim>
-void set_vtu_point(VtuCell<dim> &cell,
-                   const unsigned int v,
-                   const Point<spacedim> &x,
-                   const std::vector<double> &fields)
-{
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    cell.data(i, v) = fields[i];
-  for (unsigned int d = 0; d < spacedim; ++d)
-    cell.data(fields.size() + d, v) = x[d];
-}
+  std::vector<DataOutBase::Patch<dim, 3>> cells;
+  /** The names of the numbers. */
+  std::vector<std::string> names;
 
-using VtuRange = std::tuple<unsigned int,
-                            unsigned int,
-                            std::string,
-                            DataComponentInterpretation::DataComponentInterpretation>;
-
-/** Returns which numbers are the components of a vector or tensor: those with the same name. */
-std::vector<VtuRange> vtu_ranges(const std::vector<std::string> &names);
+  /** Adds a cell that is divided into n^dim, with its points and the fields there. */
+  template <int spacedim>
+  void add(const unsigned int n,
+           const std::vector<Point<spacedim>> &points,
+           const std::vector<VtuFields> &fields)
+  {
+    if (names.empty())
+      for (const auto &[name, value] : fields[0])
+        names.emplace_back(name);
+    DataOutBase::Patch<dim, 3> &cell = cells.emplace_back();
+    cell.patch_index = cells.size() - 1;
+    cell.n_subdivisions = n;
+    // The last three rows are the points.
+    cell.points_are_available = true;
+    cell.data.reinit(names.size() + 3, points.size());
+    for (std::size_t v = 0; v < points.size(); ++v)
+    {
+      for (std::size_t i = 0; i < names.size(); ++i)
+        cell.data(i, v) = fields[v][i].second;
+      for (unsigned int d = 0; d < spacedim; ++d)
+        cell.data(names.size() + d, v) = points[v][d];
+    }
+  }
+  /** Returns which numbers are the components of a vector or tensor. */
+  std::vector<Range> ranges() const
+  {
+    std::vector<Range> ranges;
+    for (auto first = names.begin(), end = first; first != names.end(); first = end)
+    {
+      end = std::find_if(first, names.end(), [&](const auto &name) { return name != *first; });
+      if (end - first > 1)
+        ranges.emplace_back(first - names.begin(),
+                            end - names.begin() - 1,
+                            *first,
+                            end - first == 3
+                              ? DataComponentInterpretation::component_is_part_of_vector
+                              : DataComponentInterpretation::component_is_part_of_tensor);
+    }
+    return ranges;
+  }
+};
 
 /**
  * Writes for ParaView u_h, the patch interpolation that comes closest to u (best_interpolation()),

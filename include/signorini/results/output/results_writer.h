@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,9 +38,8 @@ public:
 
   /** Writes solution-case-NNNNNN.vtu and contact-case-NNNNNN.csv of a load case.
    * @param scene the scene of the case. */
-  template <int dim>
-  void write_case_fields(const Discretization<dim> &discretization,
-                         const Scene<dim> &scene,
+  void write_case_fields(const Discretization<2> &discretization,
+                         const Scene<2> &scene,
                          const Displacement &U,
                          const Pressure &P,
                          unsigned int number);
@@ -62,12 +62,6 @@ public:
   void abandon();
 
 private:
-  /** Writes the VTU files. @param traced the traced contact on the first rank; empty on others. */
-  template <int dim>
-  void write_vtu(const Discretization<dim> &discretization,
-                 const Scene<dim> &scene,
-                 const LevelSolution<dim> &solution,
-                 const TracedContact<dim> &traced);
   /** Writes the matrices and vectors of the dual problem. Collective. */
   template <int dim>
   void write_dual_problem(const Discretization<dim> &discretization,
@@ -88,6 +82,7 @@ private:
   MPI_Comm communicator_;
   /** Whether the results of this run have taken the place of earlier ones. */
   bool started_ = false;
-  std::vector<std::pair<double, std::string>> solution_files_, contact_files_;
+  /** The VTU files of the levels so far: those of the body and of contact, by these names. */
+  std::map<std::string, std::vector<std::pair<double, std::string>>> vtu_files_;
 };
 } // namespace Signorini

@@ -25,6 +25,9 @@ struct Residual
   Origin origin = Origin::equilibrium;
 };
 
+/** Returns the residuals, as far as their names tell; the last one is the balance of moments. */
+std::vector<Residual> residuals(const Certificate &certificate);
+
 /** Returns the largest of the residuals that must vanish; one that is not a number is the largest.
  */
 Residual max_residual(const Certificate &certificate);
@@ -108,33 +111,15 @@ struct Demands
 };
 
 /** Decides whether single levels and a study can be trusted. */
-class Judge
+struct Judge
 {
-public:
-  explicit Judge(const Demands &demands);
+  explicit Judge(const Demands &demands)
+    : demands(demands)
+  {
+  }
 
-  double tolerance() const
-  {
-    return demands_.tolerance;
-  }
-  /** Returns the largest relative error that is certified. */
-  double tolerated_error() const
-  {
-    return demands_.tolerated_error;
-  }
-  double target_error() const
-  {
-    return demands_.target_error;
-  }
-  /** Returns whether the target error has to be reached. */
-  bool requires_target() const
-  {
-    return demands_.target_error > 0. && demands_.target_is_given;
-  }
-  bool has_b_bar() const
-  {
-    return demands_.has_b_bar;
-  }
+  const Demands demands;
+
   /** Returns whether refinement may stop at this level because it reaches the target error. */
   bool reaches_target(const LevelRecord &level) const;
   /** Returns the bound on the certificate's residuals: a hundred times the tolerance, but at most
@@ -156,9 +141,7 @@ public:
   /** Returns the verdict on a study that an error has ended; @p reason is the error's message. */
   StudyVerdict failed(const std::vector<LevelRecord> &levels, const std::string &reason) const;
 
-private:
+  /** Returns the largest bound on the residuals of a level. */
   double max_residual_bound(const std::vector<LevelRecord> &levels) const;
-
-  Demands demands_;
 };
 } // namespace Signorini
