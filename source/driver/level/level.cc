@@ -166,12 +166,12 @@ LocatedBound bound_of(const Discretization<2> &discretization,
       "it is not computed for more than " + std::to_string(max_bounded_unknowns) + " unknowns";
     return none;
   }
-  return compute_located_bound({{discretization.space,
-                                 scene,
-                                 discretization.multipliers,
-                                 contact.U,
-                                 contact.P,
-                                 discretization.n_points},
+  return compute_located_bound({discretization.space,
+                                scene,
+                                discretization.multipliers,
+                                contact.U,
+                                contact.P,
+                                discretization.n_points,
                                 *contact.inverse,
                                 discretization.condensed_D,
                                 discretization.G,

@@ -62,8 +62,8 @@ double work_of_contact(const StressBound &stress,
                        const BoundData &data,
                        const ContactTrace::TractionChange &change)
 {
-  const MultiplierSpace<2> &multipliers = data.stress.multipliers;
-  const dealii::Vector<double> &P = data.stress.P;
+  const MultiplierSpace<2> &multipliers = data.multipliers;
+  const dealii::Vector<double> &P = data.P;
   dealii::Vector<double> gap(data.G);
   Tensor<1, 2> force = stress.support_force + change.force;
   for (const Piece<2> &piece : multipliers.surface().pieces())
@@ -94,18 +94,6 @@ std::vector<FaceField> fields_of(const EquilibratedStress &stress, const bool in
     for (std::size_t i = 0; i < fields.size(); ++i)
       fields[i].bubble = stress.normal_bubble(i);
   return fields;
-}
-
-ContactLift make_lift(const BoundData &data, const std::vector<FaceField> &fields)
-{
-  const StressData &given = data.stress;
-  return {given.space,
-          given.scene,
-          given.multipliers,
-          given.U,
-          given.P,
-          ContactLift::DualData{data.inverse, data.condensed_D},
-          fields};
 }
 
 double total(const double stress_square, const double lift, const ContactBound &contact)
@@ -181,7 +169,7 @@ bool add_guaranteed(const BoundData &data,
   if (stress_data.interpolated_part)
   {
     const double square = stress_data.interpolated_part->square;
-    const ContactLift interpolated_part = make_lift(data, fields_of(stress, true));
+    const ContactLift interpolated_part(data, fields_of(stress, true));
     if (interpolated_part.bound() && std::isfinite(square + interpolated_part.bound()->square()))
     {
       result.post_absolute =
@@ -192,9 +180,7 @@ bool add_guaranteed(const BoundData &data,
   }
   result.energy_lower = consequences.energy.lower;
   result.energy_upper = consequences.energy.upper;
-  const StressData &given = data.stress;
-  if (const auto unit_lift =
-        norm_of_unit_lift(given.space, given.scene, lift.trace(), data.inverse))
+  if (const auto unit_lift = norm_of_unit_lift(data, lift.trace()))
     result.force_error =
       contact_force_bound(consequences.stress_error, *unit_lift) + std::abs(change.normal_force);
   const double energy_norm = stress.energy_norm();
@@ -220,13 +206,12 @@ ImprovementOptions improvement_for(const Scene<2> &scene)
 
 LocatedBound compute_located_bound(const BoundData &data)
 {
-  const StressData &given = data.stress;
   LocatedBound located;
   ErrorBound &result = located.bound;
-  result.missing = EquilibratedStress::objection(given);
+  result.missing = EquilibratedStress::objection(data);
   if (!result.missing.empty())
     return located;
-  const EquilibratedStress stress(given, improvement_for(given.scene));
+  const EquilibratedStress stress(data, improvement_for(data.scene));
   const StressBound stress_data = stress.bound();
   if (stress_data.lift_misfit > 0.02)
   {
@@ -234,9 +219,9 @@ LocatedBound compute_located_bound(const BoundData &data)
       "the prescribed displacements jump, or vary too fast within the edge of a cell";
     return located;
   }
-  const ContactLift lift = make_lift(data, fields_of(stress, false));
+  const ContactLift lift(data, fields_of(stress, false));
   result.penetration = lift.trace().max_penetration();
-  result.place_of_penetration = name_of(lift.trace().place_of_largest(), given.scene);
+  result.place_of_penetration = name_of(lift.trace().place_of_largest(), data.scene);
   result.missing = lift.no_bound();
   if (!lift.bound())
     return located;
@@ -255,7 +240,7 @@ LocatedBound compute_located_bound(const BoundData &data)
   // The inequality holds for u_h + z with the prescribed displacement itself; z is zero on contact.
   result.absolute = total(stress_data.square, stress_data.lift, contact);
   const double scale =
-    energy_scale(stress.energy_norm(), *result.absolute, given.space, given.scene, given.U);
+    energy_scale(stress.energy_norm(), *result.absolute, data.space, data.scene, data.U);
   result.relative = ratio(*result.absolute, scale);
   result.guaranteed = stress.is_guaranteed();
   result.geometry = std::sqrt(stress_data.geometry_square);
@@ -267,12 +252,12 @@ LocatedBound compute_located_bound(const BoundData &data)
     located.bound.missing = "the bracket of the energy contradicts the energy of u_h, by rounding "
                             "or by data that vary between the points where they are sampled";
     located.bound.penetration = lift.trace().max_penetration();
-    located.bound.place_of_penetration = name_of(lift.trace().place_of_largest(), given.scene);
+    located.bound.place_of_penetration = name_of(lift.trace().place_of_largest(), data.scene);
     return located;
   }
-  result.largest_cell = name_of_worst_cell(stress_data, given.space);
-  if (!given.scene.contact_sides().empty())
-    result.worst_face = name_of(contact.dominant_part, given.scene);
+  result.largest_cell = name_of_worst_cell(stress_data, data.space);
+  if (!data.scene.contact_sides().empty())
+    result.worst_face = name_of(contact.dominant_part, data.scene);
   located.fields = {stress_data.misfit,
                     stress_data.oscillation,
                     roots(contact.cell_energies),

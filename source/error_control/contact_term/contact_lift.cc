@@ -66,14 +66,11 @@ std::string describe(const std::string &reason, const SidePlace &place, const Sc
   return text.str();
 }
 
-ContactBound evaluate(const DisplacementSpace<2> &space,
-                      const Scene<2> &scene,
-                      const ContactTrace &trace,
-                      const LiftField &lift)
+ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const LiftField &lift)
 {
   ContactBound bound;
   bound.cell_energies = lift.cell_energies();
-  const MPI_Comm communicator = space.mesh().communicator();
+  const MPI_Comm communicator = data.space.mesh().communicator();
   bound.lift_energy = Utilities::MPI::sum(bound.cell_energies.l1_norm(), communicator);
   double largest = 0.;
   for (unsigned int i = 0; i < trace.faces().size(); ++i)
@@ -98,31 +95,25 @@ ContactBound evaluate(const DisplacementSpace<2> &space,
     {
       largest = part;
       bound.dominant_part = {face.side,
-                             scene.geometry.sides[face.side].arc_length(face.point(0.5))};
+                             data.scene.geometry.sides[face.side].arc_length(face.point(0.5))};
     }
   }
   return bound;
 }
 } // namespace
 
-ContactLift::ContactLift(const DisplacementSpace<2> &space,
-                         const Scene<2> &scene,
-                         const MultiplierSpace<2> &multipliers,
-                         const Displacement &U,
-                         const Pressure &P,
-                         const std::optional<DualData> &dual,
-                         const std::vector<FaceField> &fields)
-  : trace_(space, scene, multipliers, U, P, fields)
+ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fields)
+  : trace_(data, fields)
 {
   if (trace_.obstacle())
   {
     no_bound_ = describe("u_n - g > 0 where the contact side meets a side that holds the body: no "
                          "displacement of finite energy removes the penetration",
                          *trace_.obstacle(),
-                         scene);
+                         data.scene);
     return;
   }
-  std::optional<Displacement> w_h = nodal_lift(space, scene, trace_, P, dual);
+  std::optional<Displacement> w_h = nodal_lift(data, trace_);
   if (!w_h)
   {
     no_bound_ = "contact sides meet in a corner that is too sharp";
@@ -131,8 +122,8 @@ ContactLift::ContactLift(const DisplacementSpace<2> &space,
   std::vector<EdgeFunction> remainders;
   for (const PenetrationFace &face : trace_.faces())
     remainders.push_back(remainder(face, face.trace(*w_h, face.normal)));
-  lift_.emplace(space, scene, trace_, std::move(*w_h), std::move(remainders));
-  bound_ = evaluate(space, scene, trace_, *lift_);
+  lift_.emplace(data, trace_, std::move(*w_h), std::move(remainders));
+  bound_ = evaluate(data, trace_, *lift_);
 }
 
 // The lift in the body.
@@ -146,13 +137,11 @@ double stretch_to_shear(const Scene<2> &scene, const PenetrationFace &face)
   return (nn * (C * nn)) / (nm * (C * nm));
 }
 
-LiftField::LiftField(const DisplacementSpace<2> &space,
-                     const Scene<2> &scene,
+LiftField::LiftField(const BoundData &data,
                      const ContactTrace &trace,
                      Displacement w_h,
                      std::vector<EdgeFunction> remainders)
-  : space_(space)
-  , scene_(scene)
+  : data_(data)
   , trace_(trace)
   , w_h_(std::move(w_h))
   , remainders_(std::move(remainders))
@@ -164,47 +153,10 @@ LiftField::LiftField(const DisplacementSpace<2> &space,
       const PenetrationFace &face = trace.faces()[i];
       const double height = cell->face(face_no)->center().distance(
         cell->face(GeometryInfo<2>::opposite_face[face_no])->center());
-      const double depth = face.length * std::sqrt(3. * stretch_to_shear(scene, face) *
+      const double depth = face.length * std::sqrt(3. * stretch_to_shear(data.scene, face) *
                                                    r.square_integral() / r.slope_integral());
       columns_.emplace(cell->active_cell_index(), Column{i, face_no, std::min(1., depth / height)});
     }
-}
-
-template <typename Visitor>
-void LiftField::visit_columns(const CellIterator &cell,
-                              const Point<2> &x,
-                              const Visitor &visit) const
-{
-  const auto [begin, end] = columns_.equal_range(cell->active_cell_index());
-  for (auto entry = begin; entry != end; ++entry)
-  {
-    const auto &[face, face_no, depth] = entry->second;
-    const unsigned int across = face_no / 2;
-    const bool from_above = face_no % 2 == 1;
-    const double psi = 1. - (from_above ? 1. - x[across] : x[across]) / depth;
-    if (psi <= 0.)
-      continue;
-    const EdgeFunction &r = remainders_[face];
-    Tensor<1, 2> gradient;
-    gradient[across] = (from_above ? 1. : -1.) / depth * r.value(x[1 - across]);
-    gradient[1 - across] = psi * r.slope(x[1 - across]);
-    visit(psi * r.value(x[1 - across]), gradient, trace_.faces()[face].normal);
-  }
-}
-
-Tensor<1, 2> LiftField::value(const CellIterator &cell, const Point<2> &reference) const
-{
-  const FiniteElement<2> &element = cell->get_fe();
-  const std::vector<types::global_dof_index> dofs = space_.cell_dofs(cell);
-  Tensor<1, 2> w;
-  for (unsigned int i = 0; i < dofs.size(); ++i)
-    w[element.system_to_component_index(i).first] +=
-      element.shape_value(i, reference) * w_h_[dofs[i]];
-  visit_columns(
-    cell,
-    reference,
-    [&w](const double r, const Tensor<1, 2> & /*gradient*/, const Tensor<1, 2> &n) { w += r * n; });
-  return w;
 }
 
 std::vector<double> LiftField::cuts(const CellIterator &cell,
@@ -221,12 +173,12 @@ std::vector<double> LiftField::cuts(const CellIterator &cell,
     else
       for (const EdgeFunction::Part &part : remainders_[face].parts())
         cuts.push_back(part.end);
-  if (!scene_.material->is_constant())
+  if (!data_.scene.material->is_constant())
     for (const unsigned int edge : {0, 1})
     {
       // Edges 2 and 3 run along x, edges 0 and 1 along y.
       const auto line = cell->face(2 * (1 - d) + edge);
-      const auto crossings = scene_.kinks.cut(line->vertex(0), line->vertex(1));
+      const auto crossings = data_.scene.kinks.cut(line->vertex(0), line->vertex(1));
       cuts.insert(cuts.end(), crossings.begin(), crossings.end());
     }
   std::sort(cuts.begin(), cuts.end());
@@ -239,21 +191,31 @@ std::vector<double> LiftField::cuts(const CellIterator &cell,
 
 double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) const
 {
-  const bool constant = scene_.material->is_constant();
-  SymmetricTensor<4, 2> E = scene_.material->hooke(values.quadrature_point(0));
+  const bool constant = data_.scene.material->is_constant();
+  SymmetricTensor<4, 2> E = data_.scene.material->hooke(values.quadrature_point(0));
   std::vector<Tensor<2, 2>> gradients(values.n_quadrature_points);
   values[FEValuesExtractors::Vector(0)].get_function_gradients(w_h_.entries(), gradients);
   double energy = 0.;
+  const auto [begin, end] = columns_.equal_range(cell->active_cell_index());
   for (const unsigned int q : values.quadrature_point_indices())
   {
-    visit_columns(cell,
-                  values.get_quadrature().point(q),
-                  [&](const double /*r*/, const Tensor<1, 2> &gradient, const Tensor<1, 2> &n) {
-                    gradients[q] +=
-                      outer_product(n, gradient * Tensor<2, 2>(values.inverse_jacobian(q)));
-                  });
+    const Point<2> &x = values.get_quadrature().point(q);
+    for (auto entry = begin; entry != end; ++entry)
+    {
+      const auto &[face, face_no, depth] = entry->second;
+      const unsigned int across = face_no / 2;
+      const bool from_above = face_no % 2 == 1;
+      const double psi = 1. - (from_above ? 1. - x[across] : x[across]) / depth;
+      const EdgeFunction &r = remainders_[face];
+      Tensor<1, 2> gradient;
+      gradient[across] = (from_above ? 1. : -1.) / depth * r.value(x[1 - across]);
+      gradient[1 - across] = psi * r.slope(x[1 - across]);
+      if (psi > 0.)
+        gradients[q] += outer_product(trace_.faces()[face].normal,
+                                      gradient * Tensor<2, 2>(values.inverse_jacobian(q)));
+    }
     if (!constant)
-      E = scene_.material->hooke(values.quadrature_point(q));
+      E = data_.scene.material->hooke(values.quadrature_point(q));
     const SymmetricTensor<2, 2> strain = symmetrize(gradients[q]);
     energy += strain * (E * strain) * values.JxW(q);
   }
@@ -262,9 +224,9 @@ double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) co
 
 dealii::Vector<double> LiftField::cell_energies() const
 {
-  const bool constant = scene_.material->is_constant();
-  const std::size_t n_cells = space_.mesh().triangulation().n_active_cells();
-  const LawSampling sampling(*scene_.material, n_cells);
+  const bool constant = data_.scene.material->is_constant();
+  const std::size_t n_cells = data_.space.mesh().triangulation().n_active_cells();
+  const LawSampling sampling(*data_.scene.material, n_cells);
   const auto n_equal_parts = [&](const CellIterator &cell) {
     return !constant && LawSampling::varies(sampling.scan(
                           {{cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}}))
@@ -273,15 +235,15 @@ dealii::Vector<double> LiftField::cell_energies() const
   };
   const QGauss<1> gauss(constant ? 3 : 4);
   const auto make_values = [&](const Quadrature<2> &rule) {
-    return std::make_unique<FEValues<2>>(space_.mesh().mapping(),
-                                         space_.element(),
+    return std::make_unique<FEValues<2>>(data_.space.mesh().mapping(),
+                                         data_.space.element(),
                                          rule,
                                          update_gradients | update_quadrature_points |
                                            update_inverse_jacobians | update_JxW_values);
   };
   const auto plain = make_values(QGauss<2>(constant ? 2 : 4));
-  dealii::Vector<double> energies(n_cells), nodal(space_.element().n_dofs_per_cell());
-  for (const auto &cell : space_.dofs().active_cell_iterators())
+  dealii::Vector<double> energies(n_cells), nodal(data_.space.element().n_dofs_per_cell());
+  for (const auto &cell : data_.space.dofs().active_cell_iterators())
   {
     if (!cell->is_locally_owned())
       continue;

@@ -60,19 +60,11 @@ void PenetrationFace::for_each_point(const EdgeFunction &function,
     }
 }
 
-ContactTrace::ContactTrace(const DisplacementSpace<2> &space,
-                           const Scene<2> &scene,
-                           const MultiplierSpace<2> &multipliers,
-                           const Displacement &U,
-                           const Pressure &P,
-                           const std::vector<FaceField> &fields)
-  : space_(space)
-  , scene_(scene)
-  , multipliers_(multipliers)
-  , U_(U)
-  , size_of_U_(U.linfty_norm())
+ContactTrace::ContactTrace(const BoundData &data, const std::vector<FaceField> &fields)
+  : data_(data)
+  , size_of_U_(data.U.linfty_norm())
 {
-  find_faces(P, fields);
+  find_faces(fields);
   find_conditions();
   sample();
   require();
@@ -81,24 +73,25 @@ ContactTrace::ContactTrace(const DisplacementSpace<2> &space,
 PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact, const FaceField &field) const
 {
   PenetrationFace face = {};
-  const auto cell = space_.dof_cell(contact.cell);
+  const auto cell = data_.space.dof_cell(contact.cell);
   const auto line = cell->face(contact.face_no);
   face.side = contact.side;
   face.start = line->vertex(0);
   face.end = line->vertex(1);
   face.length = face.start.distance(face.end);
-  if (space_.mesh().is_curved())
+  if (data_.space.mesh().is_curved())
   {
     Point<2> middle(0.5, 0.5);
     middle[contact.face_no / 2] = contact.face_no % 2;
     face.bulge =
-      space_.mesh().mapping().transform_unit_to_real_cell(cell, middle) - face.point(0.5);
+      data_.space.mesh().mapping().transform_unit_to_real_cell(cell, middle) - face.point(0.5);
   }
-  const Side<2> &side = scene_.geometry.sides[contact.side];
+  const Side<2> &side = data_.scene.geometry.sides[contact.side];
   face.normal = side.normal(side.arc_length(face.point(0.5)));
 
-  const FiniteElement<2> &element = space_.element(contact.cell), &base = element.base_element(0);
-  const std::vector<types::global_dof_index> dofs = space_.cell_dofs(contact.cell);
+  const FiniteElement<2> &element = data_.space.element(contact.cell),
+                         &base = element.base_element(0);
+  const std::vector<types::global_dof_index> dofs = data_.space.cell_dofs(contact.cell);
   const std::vector<Point<1>> &nodes = base.get_unit_face_support_points();
   face.basis = Polynomials::generate_complete_Lagrange_basis(nodes);
   for (unsigned int i = 0; i < nodes.size(); ++i)
@@ -114,23 +107,23 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact, const Fac
   for (unsigned int d = 0; d < 2; ++d)
   {
     const double height = 4. * bubble * face.normal[d];
-    face.u[d] = face.trace(U_, Point<2>::unit_vector(d));
+    face.u[d] = face.trace(data_.U, Point<2>::unit_vector(d));
     face.u[d] += PenetrationFace::Polynomial({0., height, -height});
   }
   face.free_traction = field.traction;
   return face;
 }
 
-void ContactTrace::find_faces(const Pressure &P, const std::vector<FaceField> &fields)
+void ContactTrace::find_faces(const std::vector<FaceField> &fields)
 {
-  const ContactSurface<2> &surface = multipliers_.surface();
+  const ContactSurface<2> &surface = data_.multipliers.surface();
   for (std::size_t i = 0; i < surface.faces().size(); ++i)
     faces_.push_back(make_face(surface.faces()[i], fields.empty() ? FaceField() : fields[i]));
-  const double threshold = pressing_threshold(P);
+  const double threshold = pressing_threshold(data_.P);
   for (const Piece<2> &piece : surface.pieces())
   {
     const auto [from, to] = std::minmax(piece.lower_on_face[0], piece.upper_on_face[0]);
-    const double p = multipliers_.value(P, piece.patch, piece.lower);
+    const double p = data_.multipliers.value(data_.P, piece.patch, piece.lower);
     faces_[piece.face].pressures.push_back({from, to, p, p < threshold});
   }
   for (PenetrationFace &face : faces_)
@@ -154,7 +147,7 @@ void ContactTrace::find_conditions()
       {
         found = known.insert(found, conditions_.size());
         const Point<2> x = face.point(face.nodes[i]);
-        const double s = scene_.geometry.sides[face.side].arc_length(x);
+        const double s = data_.scene.geometry.sides[face.side].arc_length(x);
         conditions_.push_back(
           {face.normal, x, {face.side, s}, -std::numeric_limits<double>::infinity(), false, {}});
         columns.emplace_back();
@@ -166,7 +159,7 @@ void ContactTrace::find_conditions()
       conditions_[*found].presses = conditions_[*found].presses || face.presses();
     }
   const Coupling condensed =
-    condense(Coupling(std::move(columns)), space_.constraints_without_pins());
+    condense(Coupling(std::move(columns)), data_.space.constraints_without_pins());
   for (std::size_t k = 0; k < conditions_.size(); ++k)
   {
     double square = 0.;
@@ -179,14 +172,14 @@ void ContactTrace::find_conditions()
 
 double ContactTrace::penetration(const PenetrationFace &face, const double t) const
 {
-  const Side<2> &side = scene_.geometry.sides[face.side];
+  const Side<2> &side = data_.scene.geometry.sides[face.side];
   const Point<2> x = face.point(t);
   // At a corner of the side, the gap is that of this face.
   constexpr double inside = 1e-9;
-  const double gap = scene_.boundary[face.side].data->value(
+  const double gap = data_.scene.boundary[face.side].data->value(
     side.corners().empty() ? x : face.point(std::clamp(t, inside, 1. - inside)));
   const Tensor<1, 2> normal =
-    space_.mesh().is_curved() ? side.normal_at(x, face.point(0.5)) : face.normal;
+    data_.space.mesh().is_curved() ? side.normal_at(x, face.point(0.5)) : face.normal;
   return normal[0] * face.u[0].value(t) + normal[1] * face.u[1].value(t) - gap;
 }
 
@@ -202,7 +195,7 @@ ContactTrace::TractionChange ContactTrace::traction_change(const Tensor<1, 2> &c
     if (face.free_traction)
       face.for_each_point(face.d, [&](const double t, const double weight) {
         const double force = (face.traction(t) - face.pressure(t)) * weight;
-        const double g = scene_.boundary[face.side].data->value(face.point(t));
+        const double g = data_.scene.boundary[face.side].data->value(face.point(t));
         change.normal_force += force;
         change.force += force * face.normal;
         change.work_of_gap += force * (g - c * face.normal);
@@ -229,7 +222,7 @@ void ContactTrace::sample()
     n_scanned *= 2;
   for (PenetrationFace &face : faces_)
   {
-    std::vector<double> breaks = scene_.kinks.cut(face.start, face.end);
+    std::vector<double> breaks = data_.scene.kinks.cut(face.start, face.end);
     for (const auto &pressed : face.pressures)
       for (const double t : {pressed.from, pressed.to})
         if (std::none_of(breaks.begin(), breaks.end(), [t](const double other) {
@@ -247,7 +240,7 @@ void ContactTrace::sample()
     {
       max_ = upper.largest;
       place_of_largest_ = {face.side,
-                           scene_.geometry.sides[face.side].arc_length(face.point(upper.at))};
+                           data_.scene.geometry.sides[face.side].arc_length(face.point(upper.at))};
     }
   }
 }
@@ -261,7 +254,7 @@ void ContactTrace::require()
       required = std::max(required, face.d.value(face.nodes[i]));
     }
   // What rounding makes of u_n - g = 0.
-  const double tolerance = 1e-12 * (size_of_U_ + scene_.geometry.diameter());
+  const double tolerance = 1e-12 * (size_of_U_ + data_.scene.geometry.diameter());
   for (const NodeCondition &condition : conditions_)
     if (!obstacle_ && condition.held() && condition.required > tolerance)
       obstacle_ = condition.place;

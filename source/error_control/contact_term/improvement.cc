@@ -87,10 +87,10 @@ EquilibratedStress::Residual EquilibratedStress::residual() const
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
     const CellIntegrals &cell = integrals_[c];
-    result.square += cell.misfit.value;
-    result.interpolated_square += cell.interpolated_part.value;
-    result.energy += cell.stress.value;
-    CellMoments force = cell.misfit.gradient;
+    result.square += cell.misfit;
+    result.interpolated_square += cell.interpolated_part;
+    result.energy += cell.stress;
+    CellMoments force = cell.gradient;
     for (double &value : force)
       value *= -1.;
     add_moments(mesh_.cells()[c], force, result.r);
@@ -100,12 +100,8 @@ EquilibratedStress::Residual EquilibratedStress::residual() const
   return result;
 }
 
-std::vector<double> EquilibratedStress::improve(const ImprovementOptions &options,
-                                                const CellEnergies &energies)
+void EquilibratedStress::improve(const ImprovementOptions &options, const CellEnergies &energies)
 {
-  std::vector<double> change(moments_.size(), 0.);
-  if (options.max_steps == 0)
-    return change;
   Residual at_start = residual();
   std::vector<unsigned int> free;
   if (bubbles_)
@@ -141,9 +137,6 @@ std::vector<double> EquilibratedStress::improve(const ImprovementOptions &option
   }
   for (const unsigned int edge : free)
     given_.normal_rest[edge] = 0.;
-  for (std::size_t i = 0; i < change.size(); ++i)
-    change[i] = moments_[i] - start[i];
-  return change;
 }
 
 std::vector<unsigned int> EquilibratedStress::iterate(Residual left,

@@ -36,11 +36,9 @@ bool is_cheap(const StiffnessInverse &inverse, const ContactTrace &trace)
 class NodalCompliance
 {
 public:
-  NodalCompliance(const DisplacementSpace<2> &space,
-                  const ContactTrace &trace,
-                  const StiffnessInverse &inverse)
-    : E_(select(space, trace))
-    , C_(numbers_.empty() ? nullptr : make_compliance(inverse, E_, seconds_))
+  NodalCompliance(const BoundData &data, const ContactTrace &trace)
+    : E_(select(data.space, trace))
+    , C_(numbers_.empty() ? nullptr : make_compliance(data.inverse, E_, seconds_))
   {
   }
   NodalCompliance(const NodalCompliance &) = delete;
@@ -171,39 +169,35 @@ private:
 };
 
 /** Returns the solution of the dual problem of nodal_lift(). */
-Displacement pressed_displacement(const DisplacementSpace<2> &space,
-                                  const ContactTrace &trace,
-                                  const Pressure &P,
-                                  const ContactLift::DualData &data)
+Displacement pressed_displacement(const BoundData &data, const ContactTrace &trace)
 {
-  DistributedVector forces = space.make_vector();
-  data.condensed_D.add_product(P, forces);
-  const NodalCompliance nodal(space, trace, data.inverse);
+  DistributedVector forces = data.space.make_vector();
+  data.condensed_D.add_product(data.P, forces);
+  const NodalCompliance nodal(data, trace);
   if (!nodal.numbers().empty())
   {
     DistributedVector pressure_forces = forces;
-    Vector F = nodal.E().transpose_product(solve_homogeneous(data.inverse, space, pressure_forces));
+    Vector F =
+      nodal.E().transpose_product(solve_homogeneous(data.inverse, data.space, pressure_forces));
     Vector start(F.size());
     for (unsigned int i = 0; i < F.size(); ++i)
     {
       const NodeCondition &condition = trace.conditions()[nodal.numbers()[i]];
       F[i] -= condition.required;
       if (condition.presses)
-        start[i] = -P.linfty_norm() * trace.faces()[0].length;
+        start[i] = -data.P.linfty_norm() * trace.faces()[0].length;
     }
     Vector minus_Q = solve_dual_problem(nodal.C(), F, start, {}).P;
     minus_Q *= -1.;
     nodal.E().add_product(minus_Q, forces);
   }
-  return solve_homogeneous(data.inverse, space, forces);
+  return solve_homogeneous(data.inverse, data.space, forces);
 }
 
 /** Returns A⁻¹ E Q with Eᵀ A⁻¹ E Q = 1. Where columns of C cost solves, its products cost fewer. */
-Displacement pushed_displacement(const DisplacementSpace<2> &space,
-                                 const StiffnessInverse &inverse,
-                                 const NodalCompliance &nodal)
+Displacement pushed_displacement(const BoundData &data, const NodalCompliance &nodal)
 {
-  const SolvedCompliance solved(inverse, nodal.E(), {});
+  const SolvedCompliance solved(data.inverse, nodal.E(), {});
   LinearOperator<Vector> C;
   C.vmult = [&](Vector &y, const Vector &x) {
     y = nodal.C()->is_explicit() ? nodal.C()->apply(x) : solved.apply(x);
@@ -213,17 +207,13 @@ Displacement pushed_displacement(const DisplacementSpace<2> &space,
   // Any Q would do: what is lacking is imposed.
   IterationNumberControl control(1000, 1e-12 * one.l2_norm());
   SolverCG<Vector>(control).solve(C, Q, one, PreconditionIdentity());
-  DistributedVector forces = space.make_vector();
+  DistributedVector forces = data.space.make_vector();
   nodal.E().add_product(Q, forces);
-  return solve_homogeneous(inverse, space, forces);
+  return solve_homogeneous(data.inverse, data.space, forces);
 }
 } // namespace
 
-std::optional<Displacement> nodal_lift(const DisplacementSpace<2> &space,
-                                       const Scene<2> &scene,
-                                       const ContactTrace &trace,
-                                       const Pressure &P,
-                                       const std::optional<ContactLift::DualData> &dual)
+std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace &trace)
 {
   const std::vector<NodeCondition> &conditions = trace.conditions();
   Vector required(conditions.size()), omega(conditions.size());
@@ -233,20 +223,17 @@ std::optional<Displacement> nodal_lift(const DisplacementSpace<2> &space,
     if (!conditions[k].held())
       omega[k] = conditions[k].presses ? required[k] : std::max(0., required[k]);
   }
-  Displacement w = dual && is_cheap(dual->inverse, trace)
-                     ? pressed_displacement(space, trace, P, *dual)
-                     : interpolate_at_nodes(space, Layers(scene, trace, omega));
+  Displacement w = is_cheap(data.inverse, trace)
+                     ? pressed_displacement(data, trace)
+                     : interpolate_at_nodes(data.space, Layers(data.scene, trace, omega));
   // This corrects the remainder of the solver's tolerance, and pins.
   if (!impose(trace, required, true, w))
     return {};
-  space.distribute_without_pins(w);
+  data.space.distribute_without_pins(w);
   return w;
 }
 
-std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
-                                        const Scene<2> &scene,
-                                        const ContactTrace &trace,
-                                        const StiffnessInverse &inverse)
+std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrace &trace)
 {
   const auto &conditions = trace.conditions();
   if (conditions.empty() ||
@@ -254,14 +241,14 @@ std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
     return {};
   Vector one(conditions.size());
   one = 1.;
-  const NodalCompliance nodal(space, trace, inverse);
-  Displacement z = nodal.C() != nullptr && is_cheap(inverse, trace)
-                     ? pushed_displacement(space, inverse, nodal)
-                     : interpolate_at_nodes(space, Layers(scene, trace, one));
+  const NodalCompliance nodal(data, trace);
+  Displacement z = nodal.C() != nullptr && is_cheap(data.inverse, trace)
+                     ? pushed_displacement(data, nodal)
+                     : interpolate_at_nodes(data.space, Layers(data.scene, trace, one));
   if (!impose(trace, one, false, z))
     return {};
-  space.distribute_without_pins(z);
-  const double local = LiftField(space, scene, trace, std::move(z)).cell_energies().l1_norm();
-  return std::sqrt(Utilities::MPI::sum(local, space.mesh().communicator()));
+  data.space.distribute_without_pins(z);
+  const double local = LiftField(data, trace, std::move(z)).cell_energies().l1_norm();
+  return std::sqrt(Utilities::MPI::sum(local, data.space.mesh().communicator()));
 }
 } // namespace Signorini

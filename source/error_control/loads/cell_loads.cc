@@ -204,30 +204,27 @@ cells_in_order(const DisplacementSpace<2> &space)
   return cells;
 }
 
-std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
-                                 const Scene<2> &scene,
-                                 const EdgeMesh &mesh,
-                                 const unsigned int n_points)
+std::vector<CellLoad> make_loads(const BoundData &data, const EdgeMesh &mesh)
 {
-  if (scene.body_force == nullptr)
+  if (data.scene.body_force == nullptr)
     return {};
-  const Function<2> &force = *scene.body_force;
-  const auto cells = cells_in_order(space);
+  const Function<2> &force = *data.scene.body_force;
+  const auto cells = cells_in_order(data.space);
   std::vector<CellLoad> loads(cells.size());
   // About 500000 points on the mesh, as long as these are more than the system has.
   const unsigned int n_fine = std::clamp<unsigned int>(std::sqrt(5e5 / cells.size()), 1, 96);
   // The rules of cells that are cut have that many points on each of up to hundreds of parts.
   constexpr unsigned int max_points_on_parts = 8;
-  const bool check = n_fine > n_points && !is_constant(force);
+  const bool check = n_fine > data.n_points && !is_constant(force);
   const auto work = [&](const std::size_t begin, const std::size_t end) {
     const auto make_values = [&](const unsigned int n) {
-      return CellValues<2>(space.mesh().mapping(),
-                           space,
-                           scene.kinks,
+      return CellValues<2>(data.space.mesh().mapping(),
+                           data.space,
+                           data.scene.kinks,
                            n,
                            update_values | update_quadrature_points | update_JxW_values);
     };
-    CellValues<2> values = make_values(n_points), finer = make_values(n_fine),
+    CellValues<2> values = make_values(data.n_points), finer = make_values(n_fine),
                   finer_on_parts = make_values(std::min(n_fine, max_points_on_parts));
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -235,13 +232,14 @@ std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
       loads[i] = make_load(shape, values.reinit(cells[i]), force);
       if (!check)
         continue;
-      CellValues<2> &fine_values = needs_cuts<2>(scene.kinks, cells[i]) ? finer_on_parts : finer;
+      CellValues<2> &fine_values =
+        needs_cuts<2>(data.scene.kinks, cells[i]) ? finer_on_parts : finer;
       const CellLoad fine = make_load(shape, fine_values.reinit(cells[i]), force);
       if (!agree(loads[i].nodal, fine.nodal, loads[i].rest, fine.rest, shape.area()))
         loads[i] = fine;
     }
   };
-  work_on_ranges(n_available_threads(space.mesh().communicator()), cells.size(), work);
+  work_on_ranges(n_available_threads(data.space.mesh().communicator()), cells.size(), work);
   return loads;
 }
 } // namespace Signorini

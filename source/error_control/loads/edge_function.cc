@@ -89,7 +89,7 @@ namespace
 {
 /** An interval with the values of f at equally spaced points, the ends and the quarters among them.
  */
-struct Interval
+struct SampledInterval
 {
   double start, end;
   std::vector<double> f;
@@ -134,12 +134,12 @@ struct Interval
 /** The number of intervals between two breaks, before any is halved. */
 constexpr unsigned int n_intervals = 4;
 
-Interval sample(const std::function<double(double)> &f,
-                const double start,
-                const double end,
-                const unsigned int n_scanned)
+SampledInterval sample(const std::function<double(double)> &f,
+                       const double start,
+                       const double end,
+                       const unsigned int n_scanned)
 {
-  Interval interval = {start, end, {}};
+  SampledInterval interval = {start, end, {}};
   const unsigned int n = n_scanned + 4;
   for (unsigned int i = 0; i <= n; ++i)
     interval.f.push_back(f(i == n ? end : start + (end - start) * i / n));
@@ -164,17 +164,17 @@ void take_limit(const std::function<double(double)> &f,
 void refine(const std::function<double(double)> &f,
             const double allowed,
             unsigned int n_scanned,
-            std::vector<Interval> &intervals)
+            std::vector<SampledInterval> &intervals)
 {
-  const auto is_rough = [allowed](const Interval &interval) {
+  const auto is_rough = [allowed](const SampledInterval &interval) {
     return interval.max_excess(true) > allowed;
   };
   for (unsigned int pass = 0; pass < 6; ++pass)
   {
     // The halves have the points of the whole, and not less than four each.
     n_scanned = n_scanned == 0 ? 0 : std::max(4U, n_scanned / 2);
-    std::vector<Interval> finer;
-    for (const Interval &whole : intervals)
+    std::vector<SampledInterval> finer;
+    for (const SampledInterval &whole : intervals)
       if (is_rough(whole))
       {
         const double middle = 0.5 * (whole.start + whole.end);
@@ -188,18 +188,18 @@ void refine(const std::function<double(double)> &f,
         finer.push_back(whole);
     intervals = std::move(finer);
   }
-  for (Interval &interval : intervals)
+  for (SampledInterval &interval : intervals)
     interval.rough = is_rough(interval);
 }
 
 /** Returns parabolas with what raises them above f. */
-EdgeFunction raised(const std::vector<Interval> &intervals, const Pinned &pinned)
+EdgeFunction raised(const std::vector<SampledInterval> &intervals, const Pinned &pinned)
 {
   const std::size_t n = intervals.size();
   std::vector<double> values(n + 1), lifts(n + 1);
   for (std::size_t i = 0; i < n; ++i)
   {
-    const Interval &interval = intervals[i];
+    const SampledInterval &interval = intervals[i];
     const double first = interval.f.front(), last = interval.f.back();
     // A linear function that vanishes at one end is a quarter of its value at the quarter.
     const bool starts_pinned = pinned.start && i == 0, ends_pinned = pinned.end && i + 1 == n;
@@ -227,7 +227,7 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
                                         const Pinned &pinned,
                                         const unsigned int n_scanned)
 {
-  std::vector<Interval> intervals;
+  std::vector<SampledInterval> intervals;
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
   {
     const double length = (breaks[k + 1] - breaks[k]) / n_intervals;
@@ -244,7 +244,7 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
   const auto chord = [&](const double t) { return (1. - t) * first + t * last; };
   // The largest distances from the chord and from parabolas.
   double range = 0., misfit = 0.;
-  for (const Interval &interval : intervals)
+  for (const SampledInterval &interval : intervals)
   {
     for (std::size_t i = 0; i <= interval.n(); ++i)
       range =
@@ -268,7 +268,7 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
   }
   upper.largest = first;
   upper.at = 0.;
-  for (const Interval &interval : intervals)
+  for (const SampledInterval &interval : intervals)
     for (std::size_t i = 0; i <= interval.n(); ++i)
       if (interval.f[i] > upper.largest)
       {

@@ -36,14 +36,14 @@ Tensor<1, 2> PrescribedLift::EdgeRest::evaluate(const double s, const bool deriv
   return sum;
 }
 
-PrescribedLift::PrescribedLift(const Scene<2> &scene, const EdgeMesh &mesh, const Displacement &U)
+PrescribedLift::PrescribedLift(const BoundData &data, const EdgeMesh &mesh)
   : cells_(mesh.cells().size(), false)
 {
   constexpr double allowed = 1e-3;
   constexpr unsigned int max_pieces = 32;
-  const double scale = U.linfty_norm();
+  const double scale = data.U.linfty_norm();
   const auto is_prescribed = [&](const Edge &edge) {
-    return edge.side != Edge::no_side && scene.boundary[edge.side].role == Role::displacement;
+    return edge.side != Edge::no_side && data.scene.boundary[edge.side].role == Role::displacement;
   };
   const std::size_t n_edges =
     std::count_if(mesh.edges().begin(), mesh.edges().end(), is_prescribed);
@@ -55,14 +55,14 @@ PrescribedLift::PrescribedLift(const Scene<2> &scene, const EdgeMesh &mesh, cons
       if (!is_prescribed(edge))
         continue;
       const unsigned int next = (k + 1) % 4;
-      const Function<2> &prescribed = *scene.boundary[edge.side].data;
+      const Function<2> &prescribed = *data.scene.boundary[edge.side].data;
       const auto r = [&](const double s) {
         dealii::Vector<double> u(2);
         prescribed.vector_value(cell.corners[k] + s * (cell.corners[next] - cell.corners[k]), u);
         Tensor<1, 2> rest;
         for (unsigned int d = 0; d < 2; ++d)
-          rest[d] = u[d] - (1. - s) * U[mesh.dofs()[cell.vertices[k]][d]] -
-                    s * U[mesh.dofs()[cell.vertices[next]][d]];
+          rest[d] = u[d] - (1. - s) * data.U[mesh.dofs()[cell.vertices[k]][d]] -
+                    s * data.U[mesh.dofs()[cell.vertices[next]][d]];
         return rest;
       };
       const std::size_t n_scanned =

@@ -14,71 +14,81 @@ namespace Signorini
 {
 namespace
 {
-/** The moments of t on one edge of a traction side, and the norms of what they leave. */
+/** A traction t at position s in [0,1] of an edge, with a weight (length). */
+struct TractionPoint
+{
+  double s, weight;
+  Tensor<1, 2> t;
+};
+
+/** The moments of a traction on an edge, and the norms of what they leave. */
 struct EdgeTraction
 {
-  /**
-   * Integrates t.
-   * @param second_end the corner of the cell that is the second end of the edge. Its hat function
-   * is the share of the length on straight edges.
-   */
-  EdgeTraction(const FEFaceValues<2> &values,
-               const Function<2> &traction,
-               const Edge &edge,
-               const unsigned int second_end)
+  EdgeTraction(const std::vector<TractionPoint> &points, const Edge &edge)
   {
-    const auto &points = values.get_quadrature_points();
-    std::vector<dealii::Vector<double>> t(points.size(), dealii::Vector<double>(2));
-    traction.vector_value_list(points, t);
-    std::array<double, 4> both{};
-    for (unsigned int i = 0; i < t.size(); ++i)
-      for (unsigned int c = 0; c < 2; ++c)
-      {
-        const double s = values.shape_value(2 * second_end, i);
-        both[c] += (1. - s) * t[i][c] * values.JxW(i);
-        both[2 + c] += s * t[i][c] * values.JxW(i);
-      }
-    double shear_square = 0., normal_square = 0.;
-    for (unsigned int i = 0; i < t.size(); ++i)
+    for (const auto &[s, weight, t] : points)
     {
-      const double s = values.shape_value(2 * second_end, i);
-      const Tensor<1, 2> rest =
-        Tensor<1, 2>({t[i][0], t[i][1]}) - linear_traction(both.data(), s) / edge.length;
-      const double normal_part = rest * edge.normal;
-      normal_square += normal_part * normal_part * values.JxW(i);
-      shear_square += (rest - normal_part * edge.normal).norm_square() * values.JxW(i);
+      moments[0] += (1. - s) * weight * t;
+      moments[1] += s * weight * t;
     }
-    moments = {{Tensor<1, 2>({both[0], both[1]}), Tensor<1, 2>({both[2], both[3]})}};
-    normal_rest = std::sqrt(normal_square);
-    shear_rest = std::sqrt(shear_square);
+    for (const auto &[s, weight, t] : points)
+    {
+      const Tensor<1, 2> rest = t - linear_traction(&moments[0][0], s) / edge.length;
+      const double normal_part = rest * edge.normal;
+      normal_rest += weight * normal_part * normal_part;
+      shear_rest += weight * (rest - normal_part * edge.normal).norm_square();
+    }
+    normal_rest = std::sqrt(normal_rest);
+    shear_rest = std::sqrt(shear_rest);
+  }
+  void give(const unsigned int edge, GivenTractions &given) const
+  {
+    for (unsigned int i = 0; i < 4; ++i)
+      given.moments[4 * edge + i] = moments[i / 2][i % 2];
+    given.normal_rest[edge] = normal_rest;
+    given.shear_rest[edge] = shear_rest;
   }
 
   std::array<Tensor<1, 2>, 2> moments;
-  double normal_rest, shear_rest;
+  double normal_rest = 0., shear_rest = 0.;
 };
 
-void add_traction_sides(const DisplacementSpace<2> &space,
-                        const Scene<2> &scene,
-                        const EdgeMesh &mesh,
-                        const unsigned int n_points,
-                        GivenTractions &given)
+/** Returns a traction at quadrature points; the hat function of vertex @p second_end of the cell,
+ * the second end of the edge, is the share of the length on straight edges. */
+std::vector<TractionPoint> sample(const FEFaceValues<2> &values,
+                                  const Function<2> &traction,
+                                  const unsigned int second_end)
+{
+  std::vector<TractionPoint> points;
+  dealii::Vector<double> t(2);
+  for (const unsigned int q : values.quadrature_point_indices())
+  {
+    traction.vector_value(values.quadrature_point(q), t);
+    points.push_back(
+      {values.shape_value(2 * second_end, q), values.JxW(q), Tensor<1, 2>({t[0], t[1]})});
+  }
+  return points;
+}
+
+void add_traction_sides(const BoundData &data, const EdgeMesh &mesh, GivenTractions &given)
 {
   const auto is_traction = [&](const Edge &edge) {
-    return edge.is_boundary() && scene.boundary[edge.side].role == Role::traction;
+    return edge.is_boundary() && data.scene.boundary[edge.side].role == Role::traction;
   };
   const std::size_t n_edges = std::count_if(mesh.edges().begin(), mesh.edges().end(), is_traction);
   if (n_edges == 0)
     return;
   const auto make_values = [&](const unsigned int n) {
-    return FaceValues<2>(space.mesh().mapping(),
-                         space,
-                         scene.kinks,
+    return FaceValues<2>(data.space.mesh().mapping(),
+                         data.space,
+                         data.scene.kinks,
                          n,
                          update_values | update_quadrature_points | update_JxW_values);
   };
   const unsigned int n_fine = std::min<std::size_t>(20000 / n_edges, 256);
-  FaceValues<2> values = make_values(n_points), finer = make_values(std::max(n_points, n_fine));
-  for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
+  FaceValues<2> values = make_values(data.n_points),
+                finer = make_values(std::max(data.n_points, n_fine));
+  for (const auto &cell : data.space.mesh().triangulation().active_cell_iterators())
     for (const unsigned int f : cell->face_indices())
     {
       const unsigned int number = mesh.edge_of_line(cell->face(f)->index());
@@ -87,11 +97,11 @@ void add_traction_sides(const DisplacementSpace<2> &space,
         continue;
       const bool reversed = edge.vertices[0] != cell->face(f)->vertex_index(0);
       const unsigned int second_end = GeometryInfo<2>::face_to_cell_vertices(f, reversed ? 0 : 1);
-      const Function<2> &t = *scene.boundary[edge.side].data;
-      EdgeTraction traction(values.reinit(cell, f), t, edge, second_end);
-      if (n_fine > n_points && !is_constant(t))
+      const Function<2> &t = *data.scene.boundary[edge.side].data;
+      EdgeTraction traction(sample(values.reinit(cell, f), t, second_end), edge);
+      if (n_fine > data.n_points && !is_constant(t))
       {
-        const EdgeTraction fine(finer.reinit(cell, f), t, edge, second_end);
+        const EdgeTraction fine(sample(finer.reinit(cell, f), t, second_end), edge);
         if (!agree(traction.moments,
                    fine.moments,
                    traction.normal_rest + traction.shear_rest,
@@ -99,89 +109,44 @@ void add_traction_sides(const DisplacementSpace<2> &space,
                    edge.length))
           traction = fine;
       }
-      for (unsigned int i = 0; i < 4; ++i)
-        given.moments[4 * number + i] = traction.moments[i / 2][i % 2];
-      given.normal_rest[number] = traction.normal_rest;
-      given.shear_rest[number] = traction.shear_rest;
+      traction.give(number, given);
     }
 }
 
-/** A part [from, to] of an edge, as shares of its length, with the constant pressure p. */
-struct PressedPart
+/** Adds p_H n, constant on the pieces face ∩ patch: two Gauss points on each are exact. */
+void add_contact_sides(const BoundData &data, const EdgeMesh &mesh, GivenTractions &given)
 {
-  double from, to, p;
-};
-
-/** Returns p_H on the pieces face ∩ patch of every contact edge, along Edge::vertices. */
-std::map<unsigned int, std::vector<PressedPart>>
-pressed_parts(const EdgeMesh &mesh, const MultiplierSpace<2> &multipliers, const Pressure &P)
-{
-  const ContactSurface<2> &surface = multipliers.surface();
-  std::map<unsigned int, std::vector<PressedPart>> parts;
+  const QGauss<1> gauss(2);
+  const ContactSurface<2> &surface = data.multipliers.surface();
+  std::map<unsigned int, std::vector<TractionPoint>> points;
   for (const Piece<2> &piece : surface.pieces())
   {
     const ContactFace<2> &face = surface.faces()[piece.face];
     const auto line = face.cell->face(face.face_no);
-    const unsigned int edge = mesh.edge_of_line(line->index());
-    double from = piece.lower_on_face[0], to = piece.upper_on_face[0];
-    if (mesh.edges()[edge].vertices[0] != line->vertex_index(0))
-    {
-      from = 1. - from;
-      to = 1. - to;
-    }
-    parts[edge].push_back(
-      {std::min(from, to), std::max(from, to), multipliers.value(P, piece.patch, piece.lower)});
-  }
-  return parts;
-}
-
-void add_contact_sides(const EdgeMesh &mesh,
-                       const MultiplierSpace<2> &multipliers,
-                       const Pressure &P,
-                       GivenTractions &given)
-{
-  for (const auto &[number, parts] : pressed_parts(mesh, multipliers, P))
-  {
+    const unsigned int number = mesh.edge_of_line(line->index());
     const Edge &edge = mesh.edges()[number];
-    double *const moments = &given.moments[4 * number];
-    for (const auto &[a, b, p] : parts)
+    const double from = piece.lower_on_face[0], length = piece.upper_on_face[0] - from;
+    for (unsigned int q = 0; q < gauss.size(); ++q)
     {
-      const double second = 0.5 * (b * b - a * a), first = (b - a) - second;
-      for (unsigned int c = 0; c < 2; ++c)
-      {
-        moments[c] += p * edge.length * first * edge.normal[c];
-        moments[2 + c] += p * edge.length * second * edge.normal[c];
-      }
+      const double s = from + length * gauss.point(q)[0];
+      points[number].push_back(
+        {edge.vertices[0] == line->vertex_index(0) ? s : 1. - s,
+         gauss.weight(q) * std::abs(length) * edge.length,
+         data.multipliers.value(data.P, piece.patch, piece.lower) * edge.normal});
     }
-    if (parts.size() == 1)
-      continue;
-    double square = 0.;
-    for (const PressedPart &part : parts)
-    {
-      const auto rest = [&](const double s) {
-        return part.p - linear_traction(moments, s) * edge.normal / edge.length;
-      };
-      // Simpson's rule is exact for squares of linear functions.
-      const double a = rest(part.from), b = rest(part.to);
-      square += edge.length * (part.to - part.from) * (a * a + (a + b) * (a + b) + b * b) / 6.;
-    }
-    given.normal_rest[number] = std::sqrt(square);
   }
+  for (const auto &[number, on_edge] : points)
+    EdgeTraction(on_edge, mesh.edges()[number]).give(number, given);
 }
 } // namespace
 
-GivenTractions given_tractions(const DisplacementSpace<2> &space,
-                               const Scene<2> &scene,
-                               const EdgeMesh &mesh,
-                               const MultiplierSpace<2> &multipliers,
-                               const Pressure &P,
-                               const unsigned int n_points)
+GivenTractions given_tractions(const BoundData &data, const EdgeMesh &mesh)
 {
   GivenTractions given = {std::vector<double>(mesh.n_moments(), 0.),
                           std::vector<double>(mesh.edges().size(), 0.),
                           std::vector<double>(mesh.edges().size(), 0.)};
-  add_traction_sides(space, scene, mesh, n_points, given);
-  add_contact_sides(mesh, multipliers, P, given);
+  add_traction_sides(data, mesh, given);
+  add_contact_sides(data, mesh, given);
   return given;
 }
 

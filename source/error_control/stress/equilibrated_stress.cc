@@ -20,7 +20,7 @@ namespace
 const std::array<Point<2>, 4> unit_corners = {{{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}}};
 } // namespace
 
-std::string EquilibratedStress::objection(const StressData &data)
+std::string EquilibratedStress::objection(const BoundData &data)
 {
   if (data.space.max_element_degree() > 1)
     return "the displacement has a degree above one, and the bound is for bilinear elements";
@@ -29,13 +29,13 @@ std::string EquilibratedStress::objection(const StressData &data)
   return find_contradiction(data.scene);
 }
 
-EquilibratedStress::EquilibratedStress(const StressData &data, const ImprovementOptions &options)
+EquilibratedStress::EquilibratedStress(const BoundData &data, const ImprovementOptions &options)
   : data_(data)
   , mesh_(data.space, data.scene)
-  , lift_(data.scene, mesh_, data.U)
+  , lift_(data, mesh_)
   , table_(mesh_, data.scene, lift_)
-  , loads_(make_loads(data.space, data.scene, mesh_, data.n_points))
-  , given_(given_tractions(data.space, data.scene, mesh_, data.multipliers, data.P, data.n_points))
+  , loads_(make_loads(data, mesh_))
+  , given_(given_tractions(data, mesh_))
 {
   if (data.space.mesh().has_parents() && !mesh_.is_curved())
     find_bubbles();
@@ -57,12 +57,9 @@ EquilibratedStress::EquilibratedStress(const StressData &data, const Improvement
   balanced_ = balance_cells(mesh_, start.rest, moments_);
   CellEnergies energies(table_, mesh_.cells().size());
   integrals_.resize(mesh_.cells().size());
-  work_on_ranges(
-    n_threads(), integrals_.size(), [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c)
-        integrals_[c] = integrate(c, false, &energies);
-    });
-  update(energies, improve(options, energies));
+  integrate_all(false, &energies);
+  improve(options, energies);
+  integrate_all(true);
 }
 
 void EquilibratedStress::balance_couples(const std::vector<CornerForces> &R)
@@ -247,18 +244,6 @@ CellVector EquilibratedStress::data_of(const unsigned int cell) const
   return data;
 }
 
-std::vector<Components> EquilibratedStress::stress(const unsigned int cell,
-                                                   const CellBasis &basis) const
-{
-  const CellVector data = data_of(cell);
-  std::vector<Components> values(basis.points.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    for (unsigned int c = 0; c < 3; ++c)
-      for (unsigned int j = CellColumns::moments; j < CellColumns::end; ++j)
-        values[i][c] -= basis.points[i].components[c][j] * data[j];
-  return values;
-}
-
 double EquilibratedStress::interpolated_lift(const unsigned int cell,
                                              const CellMatrix &A,
                                              const bool from_above) const
@@ -284,14 +269,10 @@ EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned i
   const CellMatrix &A = table_.matrix(cell, own);
   const CellVector data = data_of(cell);
   CellIntegrals result;
-  result.is_resolved = A.is_resolved();
   result.min_eigenvalue = A.min_eigenvalue();
-  const auto square = [&](const CellMatrix::Values &y) {
-    return Square{A.square(y, from_above), A.moments_of(y)};
-  };
   CellMatrix::Values y = A.zero();
   A.add(data, CellColumns::moments, CellColumns::end, y);
-  result.stress = square(y);
+  result.stress = A.square(y, from_above);
   A.add(data, 0, CellColumns::bubbles, y);
   if (lift_.cells()[cell])
   {
@@ -300,11 +281,12 @@ EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned i
     result.lift = A.square(lift, from_above);
     A.add(data, CellColumns::lift, CellColumns::moments, y);
   }
-  result.misfit = square(y);
+  result.misfit = A.square(y, from_above);
+  result.gradient = A.moments_of(y);
   if (bubbles_)
   {
     A.add(data, CellColumns::bubbles, CellColumns::lift, y);
-    result.interpolated_part = square(y);
+    result.interpolated_part = A.square(y, from_above);
     const auto &edges = mesh_.cells()[cell].edges;
     if (std::any_of(edges.begin(), edges.end(), [&](const unsigned int edge) {
           return mesh_.edges()[edge].is_held();
@@ -316,27 +298,12 @@ EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned i
   return result;
 }
 
-void EquilibratedStress::update(const CellEnergies &energies, const std::vector<double> &change)
+void EquilibratedStress::integrate_all(const bool from_above, CellEnergies *const energies)
 {
-  // Where more digits than that are lost, the cell is integrated again.
-  constexpr double min_share = 1e-3;
   work_on_ranges(
     n_threads(), integrals_.size(), [&](const std::size_t begin, const std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
-      {
-        CellIntegrals &here = integrals_[c];
-        const CellMoments b = moments_on(mesh_.cells()[c], change), Sb = multiply(energies(c), b);
-        bool digits_lost = !here.is_resolved;
-        for (Square *const square : {&here.misfit, &here.interpolated_part, &here.stress})
-        {
-          const double before = square->value;
-          for (unsigned int j = 0; j < b.size(); ++j)
-            square->value += b[j] * (Sb[j] + 2. * square->gradient[j]);
-          digits_lost = digits_lost || square->value < min_share * before;
-        }
-        if (digits_lost)
-          here = integrate(c, true);
-      }
+        integrals_[c] = integrate(c, from_above, energies);
     });
 }
 
@@ -387,7 +354,7 @@ StressBound EquilibratedStress::bound() const
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
     const CellIntegrals &cell = integrals_[c];
-    const double misfit = std::sqrt(cell.misfit.value), norm = std::sqrt(cell.stress.value);
+    const double misfit = std::sqrt(cell.misfit), norm = std::sqrt(cell.stress);
     const double rest = oscillation(c, cell.min_eigenvalue);
     const double geometry_part = geometry(c, cell.min_eigenvalue);
     result.misfit.push_back(misfit);
@@ -399,7 +366,7 @@ StressBound EquilibratedStress::bound() const
     result.complementary_energy.lower += 0.5 * std::pow(std::max(0., norm - rest), 2) - work;
     result.complementary_energy.upper += 0.5 * std::pow(norm + rest, 2) - work;
     lift_square += cell.lift;
-    patch_square += std::pow(std::sqrt(cell.interpolated_part.value) + rest, 2);
+    patch_square += std::pow(std::sqrt(cell.interpolated_part) + rest, 2);
     patch_lift_square += cell.interpolated_lift;
   }
   result.lift = std::sqrt(lift_square);

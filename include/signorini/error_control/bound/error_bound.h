@@ -94,24 +94,7 @@ struct LocatedBound
   BoundFields fields;
 };
 
-/** The data of the bound: those of the stress, and those that ContactLift needs. */
-struct BoundData
-{
-  StressData stress;
-  const StiffnessInverse &inverse;
-  const Coupling &condensed_D;
-  const dealii::Vector<double> &G;
-  /** The energy J(u_h) = a(u_h, u_h)/2 - f(u_h) (force x length per thickness). */
-  double energy;
-};
-
 /** Computes the bound of a 2-D body. It is guaranteed if the sides are straight, else an estimate.
  * ErrorBound::missing has the reason if there is none. Collective. */
 LocatedBound compute_located_bound(const BoundData &data);
-
-/** Computes the same bound without its parts by cell and face. Collective. */
-inline ErrorBound compute_error_bound(const BoundData &data)
-{
-  return compute_located_bound(data).bound;
-}
 } // namespace Signorini

@@ -33,11 +33,10 @@ public:
   using CellIterator = DoFHandler<2>::active_cell_iterator;
 
   /**
-   * Stores the functions. Space, scene and trace must outlive the object.
+   * Stores the functions. Data and trace must outlive the object.
    * @param remainders r_F in the order of trace.faces(), zero at 0 and 1; empty: all are zero.
    */
-  LiftField(const DisplacementSpace<2> &space,
-            const Scene<2> &scene,
+  LiftField(const BoundData &data,
             const ContactTrace &trace,
             Displacement w_h,
             std::vector<EdgeFunction> remainders = {});
@@ -50,9 +49,6 @@ public:
   {
     return remainders_;
   }
-  /** Returns w at a point of the reference cell. */
-  Tensor<1, 2> value(const CellIterator &cell, const Point<2> &reference) const;
-
   /**
    * Returns ∫_K ε(w):E:ε(w) for every active cell K (force x length per thickness), and zero
    * for cells of other ranks.
@@ -73,17 +69,13 @@ private:
     double depth;
   };
 
-  /** Calls visit(r_F ψ_F, its gradient in reference coordinates, n) for the faces of a cell. */
-  template <typename Visitor>
-  void visit_columns(const CellIterator &cell, const Point<2> &x, const Visitor &visit) const;
   /** Returns the positions at which pieces of w or of the material begin and end in reference
    * coordinate @p d, with those of @p n_equal parts. */
   std::vector<double> cuts(const CellIterator &cell, unsigned int d, unsigned int n_equal) const;
   /** Returns the energy on a cell. */
   double energy(const CellIterator &cell, const FEValues<2> &values) const;
 
-  const DisplacementSpace<2> &space_;
-  const Scene<2> &scene_;
+  const BoundData &data_;
   const ContactTrace &trace_;
   Displacement w_h_;
   std::vector<EdgeFunction> remainders_;
@@ -140,26 +132,12 @@ struct ContactBound
 class ContactLift
 {
 public:
-  /** The data of nodal_lift(): A⁻¹ and D. */
-  struct DualData
-  {
-    const StiffnessInverse &inverse;
-    const Coupling &condensed_D;
-  };
-
   /**
-   * Computes the bound. All arguments but @p dual must outlive the object. Collective.
-   * @param dual if it is empty, A⁻¹ is not used, see nodal_lift().
+   * Computes the bound. The data must outlive the object. Collective.
    * @param fields see ContactTrace.
    * @throws InputError where g has no value.
    */
-  ContactLift(const DisplacementSpace<2> &space,
-              const Scene<2> &scene,
-              const MultiplierSpace<2> &multipliers,
-              const Displacement &U,
-              const Pressure &P,
-              const std::optional<DualData> &dual,
-              const std::vector<FaceField> &fields = {});
+  explicit ContactLift(const BoundData &data, const std::vector<FaceField> &fields = {});
   ContactLift(const ContactLift &) = delete;
 
   /** Returns the bound; none where no w exists, see no_bound(). */
@@ -212,17 +190,10 @@ private:
  *
  * There is none where two contact sides meet in a very sharp corner. Collective.
  */
-std::optional<Displacement> nodal_lift(const DisplacementSpace<2> &space,
-                                       const Scene<2> &scene,
-                                       const ContactTrace &trace,
-                                       const Pressure &P,
-                                       const std::optional<ContactLift::DualData> &dual);
+std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace &trace);
 
 /** Returns |||z||| of a z in V^h that is zero on essential boundaries and has z_n = 1 on Γ_c;
  * none where contact meets a side that holds the body. contact_force_bound() bounds the error of
  * the contact force with it. Collective. */
-std::optional<double> norm_of_unit_lift(const DisplacementSpace<2> &space,
-                                        const Scene<2> &scene,
-                                        const ContactTrace &trace,
-                                        const StiffnessInverse &inverse);
+std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrace &trace);
 } // namespace Signorini

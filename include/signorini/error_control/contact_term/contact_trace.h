@@ -2,8 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/edge_function.h>
 
 #include <deal.II/base/polynomial.h>
@@ -125,16 +124,11 @@ class ContactTrace
 {
 public:
   /**
-   * Samples d. All arguments but @p fields must outlive the object.
+   * Samples d. The data must outlive the object.
    * @param fields in the order of ContactSurface::faces(); empty for u_h and p_H.
    * @throws InputError where g has no value.
    */
-  ContactTrace(const DisplacementSpace<2> &space,
-               const Scene<2> &scene,
-               const MultiplierSpace<2> &multipliers,
-               const Displacement &U,
-               const Pressure &P,
-               const std::vector<FaceField> &fields = {});
+  explicit ContactTrace(const BoundData &data, const std::vector<FaceField> &fields = {});
 
   const std::vector<PenetrationFace> &faces() const
   {
@@ -146,7 +140,7 @@ public:
   }
   const ContactSurface<2> &surface() const
   {
-    return multipliers_.surface();
+    return data_.multipliers.surface();
   }
   /** Returns d itself at t, up to the evaluation of g. */
   double penetration(const PenetrationFace &face, double t) const;
@@ -184,16 +178,13 @@ public:
   }
 
 private:
-  void find_faces(const Pressure &P, const std::vector<FaceField> &fields);
+  void find_faces(const std::vector<FaceField> &fields);
   PenetrationFace make_face(const ContactFace<2> &contact, const FaceField &field) const;
   void find_conditions();
   void sample();
   void require();
 
-  const DisplacementSpace<2> &space_;
-  const Scene<2> &scene_;
-  const MultiplierSpace<2> &multipliers_;
-  const Displacement &U_;
+  const BoundData &data_;
   const double size_of_U_;
   std::vector<PenetrationFace> faces_;
   std::vector<NodeCondition> conditions_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/composite_cell.h>
 
 #include <algorithm>
@@ -86,7 +87,7 @@ struct CellLoad
   double add_couple(const CellShape &shape, double moment);
 };
 
-/** Returns the loads of all cells, with @p n_points Gauss points per direction as in the system;
+/** Returns the loads of all cells, with Gauss points as in the system;
  * empty without a body force. On meshes below 500000/n_points² cells a rule of about 500000 points
  * checks them, with at most 96 per direction and 8 on the parts of cells that are cut, and takes
  * their place in cells where nodal forces differ by more than 10^-4. Then EdgeMoments leave a rest,
@@ -95,10 +96,7 @@ struct CellLoad
  * f_h is the L2-projection of f onto linear functions on parallelograms. On other cells it is
  * constant on each of the four triangles: the value of that projection at its centre, plus a
  * multiple of the rotation of centres, such that the moment of f_h is that of f. */
-std::vector<CellLoad> make_loads(const DisplacementSpace<2> &space,
-                                 const Scene<2> &scene,
-                                 const EdgeMesh &mesh,
-                                 unsigned int n_points);
+std::vector<CellLoad> make_loads(const BoundData &data, const EdgeMesh &mesh);
 
 /**
  * Returns whether finer quadrature gives the same forces up to 10^-4, and no larger rest.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/composite_cell.h>
 
 #include <map>
@@ -21,7 +22,7 @@ namespace Signorini
 class PrescribedLift
 {
 public:
-  PrescribedLift(const Scene<2> &scene, const EdgeMesh &mesh, const Displacement &U);
+  PrescribedLift(const BoundData &data, const EdgeMesh &mesh);
 
   /** Returns for every cell whether z is not zero on it. */
   const std::vector<bool> &cells() const

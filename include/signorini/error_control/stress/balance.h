@@ -11,12 +11,12 @@ namespace Signorini
 {
 /**
  * Brings cells into exact balance. Around a cell, @p moments balance R_K^i - rest(i) (EdgeMoments),
- * where rest is the residual of the linear solver in the Galerkin rows. Each cell passes the force
- * and the moment that it lacks through one edge to a neighbour, and so on to an edge that may carry
- * any traction; in a body on rollers, to two rollers with different normals. Then only rounding
- * remains.
+ * where rest is the residual of the linear solver in the Galerkin rows. The edges that hold the
+ * body take the resultant of all rests, with the least forces. Then each cell passes the force and
+ * the moment that it lacks through one edge to a neighbour, and so on to the first cell. Only
+ * rounding remains.
  *
- * @return whether such edges exist; if not, moments are not changed.
+ * @return whether the body is held; if not, moments are not changed.
  */
 bool balance_cells(const EdgeMesh &mesh,
                    const std::vector<Tensor<1, 2>> &rest,
@@ -24,17 +24,14 @@ bool balance_cells(const EdgeMesh &mesh,
 
 /**
  * Returns the change b of moments with the least 1/2 bᵀ S b - rᵀ b among all that disturb the
- * balance of no cell: with the force and moment of every cell as constraints B b = 0,
- *
- *     ( S  Bᵀ ) ( b )   ( r )
- *     ( B  0  ) ( l ) = ( 0 ),
- *
- * These are about eleven equations per cell, solved by sparse LU factors. b is the limit of
+ * balance of no cell, B b = 0 with the forces and the moment of every cell. b is the limit of
  * conjugate gradients with StarSolver, which need many steps where a body or its cells are long and
- * thin.
+ * thin. It is found by the augmented Lagrangian: with multipliers l, zero at first,
  *
- * Where edges that may carry tractions leave rigid motions to the body, Bᵀ vanishes on them: l is
- * taken without them in the first cell, which changes nothing of b.
+ *     (S + ρ Bᵀ B) b = r - Bᵀ l,   l += ρ B b,
+ *
+ * with one sparse factorisation, until only rounding is left of B b. Rigid motions that edges leave
+ * to the body need no care: l only enters as Bᵀ l.
  *
  * Returns nothing if the factorisation fails, or leaves more than rounding.
  */

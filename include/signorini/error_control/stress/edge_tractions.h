@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/edge_mesh.h>
 
 #include <vector>
@@ -20,15 +20,10 @@ struct GivenTractions
 };
 
 /** Returns the given tractions: t on traction sides, and p_H n on contact sides. t is integrated
- * with @p n_points Gauss points as in the system, or with up to 256 on edges where these give
+ * with Gauss points as in the system, or with up to 256 on edges where these give
  * moments that differ by more than 10^-4 (20000 on all edges at most). p_H n is exact, also where
  * patches end inside a face. */
-GivenTractions given_tractions(const DisplacementSpace<2> &space,
-                               const Scene<2> &scene,
-                               const EdgeMesh &mesh,
-                               const MultiplierSpace<2> &multipliers,
-                               const Pressure &P,
-                               unsigned int n_points);
+GivenTractions given_tractions(const BoundData &data, const EdgeMesh &mesh);
 
 /** The forces R_K^i at the corners of a cell. */
 using CornerForces = std::array<Tensor<1, 2>, 4>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/cell_loads.h>
 #include <signorini/error_control/loads/prescribed_lift.h>
 #include <signorini/error_control/stress/cell_table.h>
@@ -138,18 +139,6 @@ struct ImprovementOptions
   std::size_t max_cells_direct = 4096;
 };
 
-/** The data of a bound of the stress; everything must outlive it. */
-struct StressData
-{
-  const DisplacementSpace<2> &space;
-  const Scene<2> &scene;
-  const MultiplierSpace<2> &multipliers;
-  const Displacement &U;
-  const Pressure &P;
-  /** The number of Gauss points per direction for loads, as in the system. */
-  unsigned int n_points;
-};
-
 /**
  * A stress τ with div τ + f_h = 0 on every cell, continuous tractions, τ n = t_h on traction
  * sides, τ n = p_h n on contact sides and without shear on rollers, close to σ(u_h). The
@@ -173,9 +162,9 @@ class EquilibratedStress
 {
 public:
   /** Returns the reason why there is no such stress, one sentence; empty if there is one. */
-  static std::string objection(const StressData &data);
+  static std::string objection(const BoundData &data);
 
-  explicit EquilibratedStress(const StressData &data,
+  explicit EquilibratedStress(const BoundData &data,
                               const ImprovementOptions &options = ImprovementOptions());
 
   StressBound bound() const;
@@ -185,26 +174,10 @@ public:
   {
     return !mesh_.is_curved();
   }
-  const EdgeMesh &mesh() const
-  {
-    return mesh_;
-  }
-  /** Returns the moments of the tractions of τ on edges; see EdgeMesh. */
-  const std::vector<double> &moments() const
-  {
-    return moments_;
-  }
   /** Returns |||u_h|||. */
   double energy_norm() const
   {
     return std::sqrt(std::max(0., energy_));
-  }
-  /** Returns the components of τ at the points of a basis of the cell. */
-  std::vector<Components> stress(unsigned int cell, const CellBasis &basis) const;
-  /** Returns f_h of a cell; zero without a body force. */
-  CellLoad load(const unsigned int cell) const
-  {
-    return loads_.empty() ? CellLoad() : loads_[cell];
   }
   /** Returns τ_n at vertex 0 and vertex 1 for every face of the contact surface where τ_n is a
    * free linear function, none where it is p_h. */
@@ -232,35 +205,24 @@ private:
   void find_bubbles();
   /** Returns the numbers of a cell, see CellColumns. */
   CellVector data_of(unsigned int cell) const;
-  /** The square of a norm, and half of its gradient g with respect to the moments: after a change b
-   * it is value + 2 g.b + bᵀ S b. */
-  struct Square
-  {
-    double value = 0.;
-    CellMoments gradient{};
-  };
   /** The integrals over a cell: the squares of the misfits of u_h + z and of π^{2h} u_h + z', and
    * of the norm of τ, and the energies of z and z'. */
   struct CellIntegrals
   {
-    Square misfit, interpolated_part, stress;
-    double lift = 0., interpolated_lift = 0.;
+    double misfit = 0., interpolated_part = 0., stress = 0., lift = 0., interpolated_lift = 0.;
+    /** Half of the gradient of the first misfit with respect to the moments. */
+    CellMoments gradient{};
     double min_eigenvalue = 0.;
-    /** Whether the law is resolved. If it is not, squares are taken from above and have no
-     * gradients. */
-    bool is_resolved = true;
   };
   /**
    * Integrates over a cell.
+   * @param from_above whether squares are taken from above where the law is not resolved.
    * @param energies receives S, unless it is null.
    */
-  CellIntegrals integrate(unsigned int cell,
-                          bool from_above,
-                          CellEnergies *energies = nullptr) const;
+  CellIntegrals integrate(unsigned int cell, bool from_above, CellEnergies *energies) const;
+  void integrate_all(bool from_above, CellEnergies *energies = nullptr);
   /** Returns the energy of z'. */
   double interpolated_lift(unsigned int cell, const CellMatrix &A, bool from_above) const;
-  /** Sets the integrals after the change of the moments. */
-  void update(const CellEnergies &energies, const std::vector<double> &change);
   /** Adds the couple that makes the loads of curved cells balance the residuals: V^h of curved
    * cells holds rotations up to the bulges only. */
   void balance_couples(const std::vector<CornerForces> &R);
@@ -272,11 +234,8 @@ private:
   /** Returns ∫_{Γ_D} τ n.(u_D - c) on the edges of a cell; adds ∫_{Γ_D} τ n to @p
    * force. */
   double support_work(unsigned int cell, const Tensor<1, 2> &c, Tensor<1, 2> &force) const;
-  /**
-   * Brings the moments closer to those of the best stress.
-   * @return their change.
-   */
-  std::vector<double> improve(const ImprovementOptions &options, const CellEnergies &energies);
+  /** Brings the moments closer to those of the best stress. */
+  void improve(const ImprovementOptions &options, const CellEnergies &energies);
   /** The residual of the improvement: minus the gradient of half the square of the misfit. */
   struct Residual
   {
@@ -311,7 +270,7 @@ private:
                              const std::vector<unsigned int> &free,
                              const ImprovementOptions &options);
 
-  StressData data_;
+  BoundData data_;
   EdgeMesh mesh_;
   PrescribedLift lift_;
   CellTable table_;
