@@ -89,7 +89,7 @@ facts = draw("sphere")
 with open("sphere/answer.json", encoding="utf-8") as file:
     check("  the area of contact", abs(facts["area"]["bottom"] / json.load(file)["contact_area"] - 1) < 1e-5)
 check("  a zoomed view", len(facts["views"]["bottom"]) == 2)
-done = run("narrow.prm", "without", "Output/Pictures=true", environment={"PATH": os.getcwd()})
+done = run("narrow.prm", "without", "Output/Pictures=true", environment={**os.environ, "PATH": os.getcwd()})
 check("without Python a run succeeds", done.returncode == 0)
 check("  and says what to install", "\nPictures: not drawn, because Python's matplotlib is missing (the package python3-matplotlib" in
       done.stdout and "draw them later with" in done.stdout)
