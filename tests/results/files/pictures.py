@@ -84,7 +84,7 @@ check("  is seen whole, and between 1/3 and 2/3 of its view", len(views) == 2 an
       views[1][0] < zone[0] < zone[1] < views[1][1] and 1 / 3 < (zone[1] - zone[0]) / (views[1][1] - views[1][0]) < 2 / 3)
 check("  and so is the mesh, all its cells with their degrees", "mesh-" in "".join(facts["files"]) and
       sum(facts["degrees"].values()) == plot.read_csv("narrow/convergence.csv")["cells"][-1])
-check("a sphere in 3-D", run(f"{scenes}/space/sphere.prm", "sphere", "Discretization/Finest level=4").returncode in (0, 2))
+check("a sphere in 3-D", run(f"{scenes}/space/sphere.prm", "sphere", "Discretization/Finest level=3").returncode in (0, 2))
 facts = draw("sphere")
 with open("sphere/answer.json", encoding="utf-8") as file:
     check("  the area of contact", abs(facts["area"]["bottom"] / json.load(file)["contact_area"] - 1) < 1e-5)
