@@ -205,11 +205,13 @@ std::optional<GrowthPlace> growth_at(const Point<dim> &x,
 
 namespace
 {
+/** The relative difference of stresses that counts as none. */
+constexpr double rounding = 1e-9;
+
 /** Takes the larger stress; of equals (a symmetric body has some) the one further left, then
  * further down, so that neither ranks nor rounding choose. */
 void take_larger(const StressMaximum &other, StressMaximum &largest)
 {
-  constexpr double rounding = 1e-9;
   const bool equal = std::abs(other.value - largest.value) <= rounding * largest.value;
   if (equal ? other.point < largest.point : other.value > largest.value)
     largest = other;
@@ -317,11 +319,15 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field)
       try
       {
         const Point<dim> &x = values->quadrature_point(q);
-        const StressMaximum here = {
-          von_mises(stress_in_3d(field.material, x, strains[q])), x, mesh};
-        take_larger(here, results.all);
-        if (!any_contains(field.places, x))
-          take_larger(here, results.away);
+        const double value = von_mises(stress_in_3d(field.material, x, strains[q]));
+        // Most stresses are smaller, and nothing is stored for them.
+        const auto matters = [&](const StressMaximum &largest) {
+          return value >= (1. - rounding) * largest.value;
+        };
+        if (matters(results.all))
+          take_larger({value, x, mesh}, results.all);
+        if (matters(results.away) && !any_contains(field.places, x))
+          take_larger({value, x, mesh}, results.away);
       }
       catch (const InputError &)
       {

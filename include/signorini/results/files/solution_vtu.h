@@ -44,6 +44,7 @@ struct VtuCells
         names.emplace_back(name);
     DataOutBase::Patch<dim, 3> &cell = cells.emplace_back();
     cell.patch_index = cells.size() - 1;
+    cell.reference_cell = ReferenceCells::get_hypercube<dim>();
     cell.n_subdivisions = n;
     // The last three rows are the points.
     cell.points_are_available = true;
