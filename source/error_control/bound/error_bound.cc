@@ -13,16 +13,6 @@ namespace Signorini
 {
 namespace
 {
-/** Returns the name of a place, such as "bottom at (0.25, 0)". */
-std::string name_of(const SidePlace &place, const Scene<2> &scene)
-{
-  const Side<2> &side = scene.geometry.sides[place.side];
-  const Point<2> x = side.point(place.arc_length);
-  std::ostringstream name;
-  name << side.name() << " at (" << x[0] << ", " << x[1] << ")";
-  return name.str();
-}
-
 /** Returns the name of the cell with the largest part, such as "the cell at (0.5, 0.25)". */
 std::string name_of_worst_cell(const StressBound &bound, const DisplacementSpace<2> &space)
 {
@@ -84,18 +74,6 @@ double ratio(const double value, const double scale)
   return scale > 0. ? value / scale : std::numeric_limits<double>::infinity();
 }
 
-/** Returns τ_n on contact faces, with the bubbles of π^{2h} u_h if @p interpolated_part. */
-std::vector<FaceField> fields_of(const EquilibratedStress &stress, const bool interpolated_part)
-{
-  std::vector<FaceField> fields;
-  for (const auto &traction : stress.free_tractions())
-    fields.push_back({0., traction});
-  if (interpolated_part)
-    for (std::size_t i = 0; i < fields.size(); ++i)
-      fields[i].bubble = stress.normal_bubble(i);
-  return fields;
-}
-
 double total(const double stress_square, const double lift, const ContactBound &contact)
 {
   return lift + std::sqrt(stress_square + std::max(0., contact.square()));
@@ -140,8 +118,8 @@ bool contradicts(const Consequences &known,
                  const double strain_energy)
 {
   constexpr double tolerance = 1e-4;
-  const ContactBound &contact = *lift.bound();
-  const double rest = energy - lift.trace().work_of_penetration();
+  const ContactBound &contact = *lift.bound;
+  const double rest = energy - lift.trace.work_of_penetration();
   const double upper =
     rest + known.stress_error * std::sqrt(contact.lift_energy) + contact.contact_term;
   const double allowed = tolerance * strain_energy;
@@ -161,26 +139,26 @@ bool add_guaranteed(const BoundData &data,
                     const double scale,
                     ErrorBound &result)
 {
-  const auto change = lift.trace().traction_change(stress_data.translation);
+  const auto change = lift.trace.traction_change(stress_data.translation);
   const double work = work_of_contact(stress_data, data, change);
   const Bracket &complementary = stress_data.complementary_energy;
   Consequences consequences(
-    {complementary.lower - work, complementary.upper - work}, stress_data.square, *lift.bound());
+    {complementary.lower - work, complementary.upper - work}, stress_data.square, *lift.bound);
   if (stress_data.interpolated_part)
   {
     const double square = stress_data.interpolated_part->square;
-    const ContactLift interpolated_part(data, fields_of(stress, true));
-    if (interpolated_part.bound() && std::isfinite(square + interpolated_part.bound()->square()))
+    const ContactLift interpolated_part(data, stress.face_fields(true));
+    if (interpolated_part.bound && std::isfinite(square + interpolated_part.bound->square()))
     {
       result.post_absolute =
-        total(square, stress_data.interpolated_part->lift, *interpolated_part.bound());
+        total(square, stress_data.interpolated_part->lift, *interpolated_part.bound);
       result.post_relative = ratio(*result.post_absolute, scale);
-      consequences.consider(square, *interpolated_part.bound());
+      consequences.consider(square, *interpolated_part.bound);
     }
   }
   result.energy_lower = consequences.energy.lower;
   result.energy_upper = consequences.energy.upper;
-  if (const auto unit_lift = norm_of_unit_lift(data, lift.trace()))
+  if (const auto unit_lift = norm_of_unit_lift(data, lift.trace))
     result.force_error =
       contact_force_bound(consequences.stress_error, *unit_lift) + std::abs(change.normal_force);
   const double energy_norm = stress.energy_norm();
@@ -190,18 +168,6 @@ bool add_guaranteed(const BoundData &data,
          !contradicts(consequences, stress_data, lift, data.energy, scale * scale);
 }
 
-/** Returns the limits of the improvement. Where a force drives a plate, the stress carries that
- * force. Changes around single vertices do not alter it, but the best of all stresses may: it is
- * not computed. */
-ImprovementOptions improvement_for(const Scene<2> &scene)
-{
-  ImprovementOptions options;
-  if (std::any_of(scene.plates.begin(), scene.plates.end(), [](const Plate &plate) {
-        return plate.is_pushed || plate.turns;
-      }))
-    options.max_cells_always_direct = options.max_cells_direct = 0;
-  return options;
-}
 } // namespace
 
 LocatedBound compute_located_bound(const BoundData &data)
@@ -211,7 +177,7 @@ LocatedBound compute_located_bound(const BoundData &data)
   result.missing = EquilibratedStress::objection(data);
   if (!result.missing.empty())
     return located;
-  const EquilibratedStress stress(data, improvement_for(data.scene));
+  const EquilibratedStress stress(data);
   const StressBound stress_data = stress.bound();
   if (stress_data.lift_misfit > 0.02)
   {
@@ -219,13 +185,13 @@ LocatedBound compute_located_bound(const BoundData &data)
       "the prescribed displacements jump, or vary too fast within the edge of a cell";
     return located;
   }
-  const ContactLift lift(data, fields_of(stress, false));
-  result.penetration = lift.trace().max_penetration();
-  result.place_of_penetration = name_of(lift.trace().place_of_largest(), data.scene);
-  result.missing = lift.no_bound();
-  if (!lift.bound())
+  const ContactLift lift(data, stress.face_fields(false));
+  result.penetration = lift.trace.max_penetration();
+  result.place_of_penetration = name_of(lift.trace.place_of_largest(), data.scene);
+  result.missing = lift.no_bound;
+  if (!lift.bound)
     return located;
-  const ContactBound &contact = *lift.bound();
+  const ContactBound &contact = *lift.bound;
   if (!std::isfinite(stress_data.square) || !std::isfinite(contact.square()))
   {
     result.missing = "the sums of the bound are no finite numbers";
@@ -251,8 +217,8 @@ LocatedBound compute_located_bound(const BoundData &data)
     located.bound = {};
     located.bound.missing = "the bracket of the energy contradicts the energy of u_h, by rounding "
                             "or by data that vary between the points where they are sampled";
-    located.bound.penetration = lift.trace().max_penetration();
-    located.bound.place_of_penetration = name_of(lift.trace().place_of_largest(), data.scene);
+    located.bound.penetration = lift.trace.max_penetration();
+    located.bound.place_of_penetration = name_of(lift.trace.place_of_largest(), data.scene);
     return located;
   }
   result.largest_cell = name_of_worst_cell(stress_data, data.space);

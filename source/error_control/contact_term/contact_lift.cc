@@ -57,15 +57,6 @@ EdgeFunction remainder(const PenetrationFace &face, const PenetrationFace::Polyn
   return EdgeFunction(std::move(parts));
 }
 
-std::string describe(const std::string &reason, const SidePlace &place, const Scene<2> &scene)
-{
-  const Side<2> &side = scene.geometry.sides[place.side];
-  const Point<2> x = side.point(place.arc_length);
-  std::ostringstream text;
-  text << reason << ", on " << side.name() << " at (" << x[0] << ", " << x[1] << ")";
-  return text.str();
-}
-
 ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const LiftField &lift)
 {
   ContactBound bound;
@@ -103,27 +94,26 @@ ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const Li
 } // namespace
 
 ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fields)
-  : trace_(data, fields)
+  : trace(data, fields)
 {
-  if (trace_.obstacle())
+  if (trace.obstacle())
   {
-    no_bound_ = describe("u_n - g > 0 where the contact side meets a side that holds the body: no "
-                         "displacement of finite energy removes the penetration",
-                         *trace_.obstacle(),
-                         data.scene);
+    no_bound =
+      "u_n - g > 0 where the contact side meets a side that holds the body: no displacement "
+      "of finite energy removes the penetration, on " +
+      name_of(*trace.obstacle(), data.scene);
     return;
   }
-  std::optional<Displacement> w_h = nodal_lift(data, trace_);
+  std::optional<Displacement> w_h = nodal_lift(data, trace);
   if (!w_h)
   {
-    no_bound_ = "contact sides meet in a corner that is too sharp";
+    no_bound = "contact sides meet in a corner that is too sharp";
     return;
   }
   std::vector<EdgeFunction> remainders;
-  for (const PenetrationFace &face : trace_.faces())
+  for (const PenetrationFace &face : trace.faces())
     remainders.push_back(remainder(face, face.trace(*w_h, face.normal)));
-  lift_.emplace(data, trace_, std::move(*w_h), std::move(remainders));
-  bound_ = evaluate(data, trace_, *lift_);
+  bound = evaluate(data, trace, LiftField(data, trace, std::move(*w_h), std::move(remainders)));
 }
 
 // The lift in the body.

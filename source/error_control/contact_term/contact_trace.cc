@@ -12,9 +12,19 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <sstream>
 
 namespace Signorini
 {
+std::string name_of(const SidePlace &place, const Scene<2> &scene)
+{
+  const Side<2> &side = scene.geometry.sides[place.side];
+  const Point<2> x = side.point(place.arc_length);
+  std::ostringstream name;
+  name << side.name() << " at (" << x[0] << ", " << x[1] << ")";
+  return name.str();
+}
+
 double PenetrationFace::pressure(const double t) const
 {
   for (const Pressed &part : pressures)

@@ -28,6 +28,14 @@ void add(std::vector<double> &a, const double factor, const std::vector<double> 
     a[i] += factor * b[i];
 }
 
+constexpr unsigned int max_steps = 50;
+/** The improvement stops when a step takes less than this share of the square of the misfit of u_h,
+ * and of π^{2h} u_h where there is one. */
+constexpr double min_share = 0.01, min_interpolated_share = 0.03;
+/** The number of cells up to which the best stress is computed (optimal_change()), and the number
+ * up to which it is computed if the steps did not end. */
+constexpr std::size_t max_cells_always_direct = 1024, max_cells_direct = 4096;
+
 /** The share of the square of τ below which the misfit is rounding. */
 constexpr double rounding = 1e-20;
 
@@ -100,7 +108,7 @@ EquilibratedStress::Residual EquilibratedStress::residual() const
   return result;
 }
 
-void EquilibratedStress::improve(const ImprovementOptions &options, const CellEnergies &energies)
+void EquilibratedStress::improve(const CellEnergies &energies)
 {
   Residual at_start = residual();
   std::vector<unsigned int> free;
@@ -120,10 +128,9 @@ void EquilibratedStress::improve(const ImprovementOptions &options, const CellEn
     StarSolver solver(mesh_, energies, n_threads());
     for (;;)
     {
-      const auto edges = iterate(at_start, solver, energies, free, options);
+      const auto edges = iterate(at_start, solver, energies, free);
       if (edges.empty())
         break;
-      ++restarts_;
       moments_ = start;
       for (const unsigned int edge : edges)
       {
@@ -142,19 +149,22 @@ void EquilibratedStress::improve(const ImprovementOptions &options, const CellEn
 std::vector<unsigned int> EquilibratedStress::iterate(Residual left,
                                                       const StarSolver &solver,
                                                       const CellEnergies &energies,
-                                                      const std::vector<unsigned int> &free,
-                                                      const ImprovementOptions &options)
+                                                      const std::vector<unsigned int> &free)
 {
-  const Steps steps = improve_step_by_step(left, solver, free, options);
+  const Steps steps = improve_step_by_step(left, solver, free);
   const std::size_t n_cells = mesh_.cells().size();
-  if (!steps.pulling.empty() || left.square <= rounding * left.energy ||
-      n_cells > options.max_cells_direct ||
-      (steps.settled && n_cells > options.max_cells_always_direct))
+  // Where a force drives a plate, the stress carries that force. Changes around single vertices do
+  // not alter it, but the best of all stresses may.
+  const auto &plates = data_.scene.plates;
+  const bool is_driven = std::any_of(plates.begin(), plates.end(), [](const Plate &plate) {
+    return plate.is_pushed || plate.turns;
+  });
+  if (is_driven || !steps.pulling.empty() || left.square <= rounding * left.energy ||
+      n_cells > max_cells_direct || (steps.settled && n_cells > max_cells_always_direct))
     return steps.pulling;
   const std::vector<double> change = optimal_change(mesh_, energies, left.r);
   if (change.empty())
     return {};
-  ++steps_;
   add(moments_, 1., change);
   return pulling(mesh_, free, moments_);
 }
@@ -162,21 +172,19 @@ std::vector<unsigned int> EquilibratedStress::iterate(Residual left,
 EquilibratedStress::Steps
 EquilibratedStress::improve_step_by_step(Residual &left,
                                          const StarSolver &solver,
-                                         const std::vector<unsigned int> &free,
-                                         const ImprovementOptions &options)
+                                         const std::vector<unsigned int> &free)
 {
   std::vector<double> z(left.r.size(), 0.), q(left.r.size(), 0.);
   solver.apply(left.r, z);
   std::vector<double> p = z;
   double rz = product(left.r, z);
-  steps_ = 0;
-  while (rz > 0. && left.square > rounding * left.energy && steps_ < options.max_steps)
+  unsigned int step = 0;
+  while (rz > 0. && left.square > rounding * left.energy && step++ < max_steps)
   {
     solver.multiply(p, q);
     const double alpha = rz / product(p, q), decrease = alpha * rz;
     if (!(decrease > 0.))
       return {{}, true};
-    ++steps_;
     add(moments_, alpha, p);
     add(left.r, -alpha, q);
     if (const auto edges = pulling(mesh_, free, moments_); !edges.empty())
@@ -184,9 +192,8 @@ EquilibratedStress::improve_step_by_step(Residual &left,
     left.square -= decrease;
     left.interpolated_square -= decrease;
     // Rounding may make the square for π^{2h} u_h negative.
-    const double least =
-      std::min(options.min_share * left.square,
-               options.min_interpolated_share * std::max(0., left.interpolated_square));
+    const double least = std::min(min_share * left.square,
+                                  min_interpolated_share * std::max(0., left.interpolated_square));
     if (decrease < least || left.square < 0.)
       return {{}, true};
     solver.apply(left.r, z);
@@ -198,28 +205,23 @@ EquilibratedStress::improve_step_by_step(Residual &left,
   return {};
 }
 
-double EquilibratedStress::normal_bubble(const unsigned int contact_face) const
+std::vector<FaceField> EquilibratedStress::face_fields(const bool interpolated) const
 {
-  const auto &face = data_.multipliers.surface().faces()[contact_face];
-  const unsigned int edge = mesh_.edge_of_line(face.cell->face(face.face_no)->index());
-  return bubbles_->edges[edge] * mesh_.edges()[edge].normal;
-}
-
-std::vector<std::optional<std::array<double, 2>>> EquilibratedStress::free_tractions() const
-{
-  const auto &faces = data_.multipliers.surface().faces();
-  std::vector<std::optional<std::array<double, 2>>> tractions(faces.size());
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  std::vector<FaceField> fields;
+  for (const ContactFace<2> &face : data_.multipliers.surface().faces())
   {
-    const auto line = faces[i].cell->face(faces[i].face_no);
+    FaceField &field = fields.emplace_back();
+    const auto line = face.cell->face(face.face_no);
     const unsigned int number = mesh_.edge_of_line(line->index());
     const Edge &edge = mesh_.edges()[number];
+    if (interpolated)
+      field.bubble = bubbles_->edges[number] * edge.normal;
     if (edge.freedom != EdgeFreedom::normal)
       continue;
-    tractions[i] = normal_tractions(edge, number, moments_);
+    field.traction = normal_tractions(edge, number, moments_);
     if (edge.vertices[0] != line->vertex_index(0))
-      std::swap((*tractions[i])[0], (*tractions[i])[1]);
+      std::swap((*field.traction)[0], (*field.traction)[1]);
   }
-  return tractions;
+  return fields;
 }
 } // namespace Signorini

@@ -105,11 +105,32 @@ Tensor<2, 2> second_moments(const CellShape &shape, const unsigned int k)
   return sum;
 }
 
-/** Returns the load of a cell, with the forces and f at the points of @p values. */
-CellLoad make_load(const CellShape &shape, const FEValues<2> &values, const Function<2> &force)
+/** A rule on cells, with f at its points. */
+struct LoadRule
 {
+  LoadRule(const BoundData &data, const unsigned int n_points)
+    : values(data.space.mesh().mapping(),
+             data.space,
+             data.scene.kinks,
+             n_points,
+             update_values | update_quadrature_points | update_JxW_values)
+  {
+  }
+
+  CellValues<2> values;
+  std::vector<dealii::Vector<double>> f;
+};
+
+/** Returns the load of a cell by a rule. */
+CellLoad make_load(const CellShape &shape,
+                   const Triangulation<2>::active_cell_iterator &cell,
+                   const Function<2> &force,
+                   LoadRule &rule)
+{
+  const FEValues<2> &values = rule.values.reinit(cell);
   const auto &points = values.get_quadrature_points();
-  std::vector<dealii::Vector<double>> f(points.size(), dealii::Vector<double>(2));
+  auto &f = rule.f;
+  f.resize(points.size(), dealii::Vector<double>(2));
   force.vector_value_list(points, f);
   CellLoad load;
   // Corners counter-clockwise; the shape functions of a vertex follow each other.
@@ -217,24 +238,16 @@ std::vector<CellLoad> make_loads(const BoundData &data, const EdgeMesh &mesh)
   constexpr unsigned int max_points_on_parts = 8;
   const bool check = n_fine > data.n_points && !is_constant(force);
   const auto work = [&](const std::size_t begin, const std::size_t end) {
-    const auto make_values = [&](const unsigned int n) {
-      return CellValues<2>(data.space.mesh().mapping(),
-                           data.space,
-                           data.scene.kinks,
-                           n,
-                           update_values | update_quadrature_points | update_JxW_values);
-    };
-    CellValues<2> values = make_values(data.n_points), finer = make_values(n_fine),
-                  finer_on_parts = make_values(std::min(n_fine, max_points_on_parts));
+    LoadRule rule(data, data.n_points), finer(data, n_fine),
+      finer_on_parts(data, std::min(n_fine, max_points_on_parts));
     for (std::size_t i = begin; i < end; ++i)
     {
       const CellShape shape(mesh.cells()[i].corners);
-      loads[i] = make_load(shape, values.reinit(cells[i]), force);
+      loads[i] = make_load(shape, cells[i], force, rule);
       if (!check)
         continue;
-      CellValues<2> &fine_values =
-        needs_cuts<2>(data.scene.kinks, cells[i]) ? finer_on_parts : finer;
-      const CellLoad fine = make_load(shape, fine_values.reinit(cells[i]), force);
+      const bool is_cut = needs_cuts<2>(data.scene.kinks, cells[i]);
+      const CellLoad fine = make_load(shape, cells[i], force, is_cut ? finer_on_parts : finer);
       if (!agree(loads[i].nodal, fine.nodal, loads[i].rest, fine.rest, shape.area()))
         loads[i] = fine;
     }

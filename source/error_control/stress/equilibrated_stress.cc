@@ -29,7 +29,7 @@ std::string EquilibratedStress::objection(const BoundData &data)
   return find_contradiction(data.scene);
 }
 
-EquilibratedStress::EquilibratedStress(const BoundData &data, const ImprovementOptions &options)
+EquilibratedStress::EquilibratedStress(const BoundData &data)
   : data_(data)
   , mesh_(data.space, data.scene)
   , lift_(data, mesh_)
@@ -54,11 +54,11 @@ EquilibratedStress::EquilibratedStress(const BoundData &data, const ImprovementO
       largest = std::max(largest, force.norm());
   for (std::size_t v = 0; v < start.rest.size() && largest > 0.; ++v)
     algebra_ = std::max(algebra_, start.rest[v].norm() * mesh_.stars()[v].cells.size() / largest);
-  balanced_ = balance_cells(mesh_, start.rest, moments_);
+  balance_cells(mesh_, start.rest, moments_);
   CellEnergies energies(table_, mesh_.cells().size());
   integrals_.resize(mesh_.cells().size());
   integrate_all(false, &energies);
-  improve(options, energies);
+  improve(energies);
   integrate_all(true);
 }
 
@@ -346,9 +346,6 @@ StressBound EquilibratedStress::bound() const
   StressBound result;
   result.lift_misfit = lift_.max_misfit();
   result.algebra = algebra_;
-  result.balanced = balanced_;
-  result.steps = steps_;
-  result.restarts = restarts_;
   result.translation = displacement(mesh_.cells()[0])[0];
   double lift_square = 0., patch_square = 0., patch_lift_square = 0.;
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)

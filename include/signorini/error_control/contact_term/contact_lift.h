@@ -129,44 +129,21 @@ struct ContactBound
  * or is pushed into the foundation there. A gap that jumps costs energy but does no harm, since w_n
  * ≥ d may be smooth.
  */
-class ContactLift
+struct ContactLift
 {
-public:
   /**
    * Computes the bound. The data must outlive the object. Collective.
    * @param fields see ContactTrace.
    * @throws InputError where g has no value.
    */
   explicit ContactLift(const BoundData &data, const std::vector<FaceField> &fields = {});
-  ContactLift(const ContactLift &) = delete;
 
-  /** Returns the bound; none where no w exists, see no_bound(). */
-  const std::optional<ContactBound> &bound() const
-  {
-    return bound_;
-  }
-  /** Returns the reason why there is no bound, one sentence with the place; empty if there is one.
-   */
-  const std::string &no_bound() const
-  {
-    return no_bound_;
-  }
-  /** Returns d along Γ_c, with its largest value and its place. */
-  const ContactTrace &trace() const
-  {
-    return trace_;
-  }
-  /** Returns w. Needs bound(). */
-  const LiftField &lift() const
-  {
-    return *lift_;
-  }
-
-private:
-  ContactTrace trace_;
-  std::optional<LiftField> lift_;
-  std::optional<ContactBound> bound_;
-  std::string no_bound_;
+  /** The penetration d along Γ_c, with its largest value and its place. */
+  ContactTrace trace;
+  /** The bound; none where no w exists. */
+  std::optional<ContactBound> bound;
+  /** The reason why there is no bound, one sentence with the place; empty if there is one. */
+  std::string no_bound;
 };
 
 /**

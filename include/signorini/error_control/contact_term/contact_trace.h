@@ -25,15 +25,8 @@ struct SidePlace
   double arc_length = 0.;
 };
 
-/** The fields ũ and τ on a contact face, as far as they differ from u_h and p_H. */
-struct FaceField
-{
-  /** The coefficient in ũ_n = u_{h,n} + 4 t (1 - t) bubble. */
-  double bubble = 0.;
-  /** The traction τ_n at vertex 0 and vertex 1, linear between them. If it is empty, τ_n = p_H.
-   */
-  std::optional<std::array<double, 2>> traction;
-};
+/** Returns the name of a place, such as "bottom at (0.25, 0)". */
+std::string name_of(const SidePlace &place, const Scene<2> &scene);
 
 /** A contact face with d = ũ_n - g on it, as a function of t in [0,1] from vertex 0 to vertex 1 of
  * the face. */

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace Signorini
@@ -96,4 +98,14 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
                                         double rounding,
                                         const Pinned &pinned = {},
                                         unsigned int n_scanned = 0);
+
+/** The fields ũ and τ on a contact face, as far as they differ from u_h and p_H. */
+struct FaceField
+{
+  /** The coefficient in ũ_n = u_{h,n} + 4 t (1 - t) bubble. */
+  double bubble = 0.;
+  /** The traction τ_n at vertex 0 and vertex 1, linear between them. If it is empty, τ_n = p_H.
+   */
+  std::optional<std::array<double, 2>> traction;
+};
 } // namespace Signorini

@@ -4,6 +4,7 @@
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/cell_loads.h>
+#include <signorini/error_control/loads/edge_function.h>
 #include <signorini/error_control/loads/prescribed_lift.h>
 #include <signorini/error_control/stress/cell_table.h>
 #include <signorini/error_control/stress/edge_tractions.h>
@@ -118,25 +119,6 @@ struct StressBound
   /** The largest force at a vertex that the linear solver left unbalanced, relative to the largest
    * force that a cell exerts on a vertex. */
   double algebra = 0.;
-  /** Whether the stress balances these forces, too (balance_cells()): then they are part of the
-   * misfit, and only rounding is left. */
-  bool balanced = false;
-  /** The number of steps of the improvement, and the number of restarts because a contact edge
-   * pulled. */
-  unsigned int steps = 0, restarts = 0;
-};
-
-/** The limits of the improvement of the stress. */
-struct ImprovementOptions
-{
-  unsigned int max_steps = 50;
-  /** The improvement stops when a step takes less than this share of the square of the misfit of
-   * u_h, and of π^{2h} u_h where there is one. */
-  double min_share = 0.01, min_interpolated_share = 0.03;
-  /** The number of cells up to which the best stress is computed (optimal_change()), and the number
-   * up to which it is computed if the steps did not end. */
-  std::size_t max_cells_always_direct = 1024;
-  std::size_t max_cells_direct = 4096;
 };
 
 /**
@@ -164,8 +146,7 @@ public:
   /** Returns the reason why there is no such stress, one sentence; empty if there is one. */
   static std::string objection(const BoundData &data);
 
-  explicit EquilibratedStress(const BoundData &data,
-                              const ImprovementOptions &options = ImprovementOptions());
+  explicit EquilibratedStress(const BoundData &data);
 
   StressBound bound() const;
 
@@ -179,12 +160,9 @@ public:
   {
     return std::sqrt(std::max(0., energy_));
   }
-  /** Returns τ_n at vertex 0 and vertex 1 for every face of the contact surface where τ_n is a
-   * free linear function, none where it is p_h. */
-  std::vector<std::optional<std::array<double, 2>>> free_tractions() const;
-  /** Returns the normal component of π^{2h} u_h - u_h in the middle of a face of the contact
-   * surface. Needs StressBound::interpolated_part. */
-  double normal_bubble(unsigned int contact_face) const;
+  /** Returns what ũ, which is π^{2h} u_h if @p interpolated, and τ are on the faces of the contact
+   * surface. */
+  std::vector<FaceField> face_fields(bool interpolated) const;
 
 private:
   using CornerValues = std::array<Tensor<1, 2>, 4>;
@@ -235,7 +213,7 @@ private:
    * force. */
   double support_work(unsigned int cell, const Tensor<1, 2> &c, Tensor<1, 2> &force) const;
   /** Brings the moments closer to those of the best stress. */
-  void improve(const ImprovementOptions &options, const CellEnergies &energies);
+  void improve(const CellEnergies &energies);
   /** The residual of the improvement: minus the gradient of half the square of the misfit. */
   struct Residual
   {
@@ -262,13 +240,11 @@ private:
   std::vector<unsigned int> iterate(Residual left,
                                     const StarSolver &solver,
                                     const CellEnergies &energies,
-                                    const std::vector<unsigned int> &free,
-                                    const ImprovementOptions &options);
+                                    const std::vector<unsigned int> &free);
   /** Takes steps of conjugate gradients; keeps @p left up to date. */
   Steps improve_step_by_step(Residual &left,
                              const StarSolver &solver,
-                             const std::vector<unsigned int> &free,
-                             const ImprovementOptions &options);
+                             const std::vector<unsigned int> &free);
 
   BoundData data_;
   EdgeMesh mesh_;
@@ -290,7 +266,5 @@ private:
   std::vector<CellIntegrals> integrals_;
   double energy_ = 0.;
   double algebra_ = 0.;
-  bool balanced_ = false;
-  unsigned int steps_ = 0, restarts_ = 0;
 };
 } // namespace Signorini
