@@ -2,6 +2,7 @@
 // Rows and columns of patches.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -78,8 +79,7 @@ std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches)
   return grids;
 }
 
-template std::vector<PatchGrid> patch_grids(const std::vector<Patch<2>> &);
-template std::vector<PatchGrid> patch_grids(const std::vector<Patch<3>> &);
+INSTANTIATE_FUNCTION(patch_grids);
 
 template <int dim>
 std::vector<Neighbours<dim>> ContactSurface<dim>::neighbours() const

@@ -2,6 +2,7 @@
 // Q^H, and G of (22).
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 
@@ -203,6 +204,5 @@ Coupling condense(const Coupling &D, const AffineConstraints<double> &constraint
   return Coupling(std::move(columns));
 }
 
-template Coupling assemble_coupling(const DisplacementSpace<2> &, const MultiplierSpace<2> &);
-template Coupling assemble_coupling(const DisplacementSpace<3> &, const MultiplierSpace<3> &);
+INSTANTIATE_FUNCTION(assemble_coupling);
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // Nested levels from the coarsest to the finest. Each starts from the solution on the one before.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/estimate/certificate.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
@@ -157,6 +158,5 @@ std::unique_ptr<Sequence<dim>> make_nested_sequence(const StudyContext<dim> &con
   return std::make_unique<NestedSequence<dim>>(context);
 }
 
-template std::unique_ptr<Sequence<2>> make_nested_sequence(const StudyContext<2> &);
-template std::unique_ptr<Sequence<3>> make_nested_sequence(const StudyContext<3> &);
+INSTANTIATE_FUNCTION(make_nested_sequence);
 } // namespace Signorini

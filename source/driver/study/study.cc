@@ -2,6 +2,7 @@
 // The loop over the levels, until the sequence ends.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/base/parallel.h>
 #include <signorini/base/text.h>
 #include <signorini/driver/sequence/sequence.h>
@@ -187,10 +188,7 @@ StudyResult<dim> run_study(const Parameters &parameters,
   return Study<dim>(parameters, scene, communicator, report).run();
 }
 
-template StudyResult<2>
-run_study(const Parameters &, const Scene<2> &, MPI_Comm, const StudyReport &);
-template StudyResult<3>
-run_study(const Parameters &, const Scene<3> &, MPI_Comm, const StudyReport &);
+INSTANTIATE_FUNCTION(run_study);
 
 // Contradictions between parameters, scene and number of ranks, found before the first level.
 

@@ -95,10 +95,10 @@ EquilibratedStress::Residual EquilibratedStress::residual() const
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
     const CellIntegrals &cell = integrals_[c];
-    result.square += cell.misfit;
-    result.interpolated_square += cell.interpolated_part;
-    result.energy += cell.stress;
-    CellMoments force = cell.gradient;
+    result.square += cell.misfit.value;
+    result.interpolated_square += cell.interpolated_part.value;
+    result.energy += cell.stress.value;
+    CellMoments force = cell.misfit.gradient;
     for (double &value : force)
       value *= -1.;
     add_moments(mesh_.cells()[c], force, result.r);
@@ -108,7 +108,7 @@ EquilibratedStress::Residual EquilibratedStress::residual() const
   return result;
 }
 
-void EquilibratedStress::improve(const CellEnergies &energies)
+std::vector<double> EquilibratedStress::improve(const CellEnergies &energies)
 {
   Residual at_start = residual();
   std::vector<unsigned int> free;
@@ -144,6 +144,9 @@ void EquilibratedStress::improve(const CellEnergies &energies)
   }
   for (const unsigned int edge : free)
     given_.normal_rest[edge] = 0.;
+  std::vector<double> change = moments_;
+  add(change, -1., start);
+  return change;
 }
 
 std::vector<unsigned int> EquilibratedStress::iterate(Residual left,

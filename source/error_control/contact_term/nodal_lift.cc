@@ -117,12 +117,11 @@ bool impose(const ContactTrace &trace,
 
 /** The sum over the contact sides of ω (1 - y/D)_+ n, with ω and n of the nearest contact node of
  * the side at the distance y. */
-class Layers : public Function<2>
+class Layers
 {
 public:
   Layers(const Scene<2> &scene, const ContactTrace &trace, const Vector &omega)
-    : Function<2>(2)
-    , trace_(trace)
+    : trace_(trace)
     , omega_(omega)
   {
     for (const unsigned int side : scene.contact_sides())
@@ -139,20 +138,33 @@ public:
             nodes.emplace_back(trace.conditions()[k].point, k);
         }
       const double extent = scene.geometry.shortest_extent();
-      layers_.push_back(
-        {slopes > 0. ? std::min(extent, std::sqrt(squares / slopes)) : extent, pack_rtree(nodes)});
+      Layer &layer = layers_.emplace_back(
+        Layer{slopes > 0. ? std::min(extent, std::sqrt(squares / slopes)) : extent,
+              pack_rtree(nodes),
+              {}});
+      std::vector<Point<2>> points;
+      for (const Node &node : nodes)
+        points.push_back(node.first);
+      layer.box = BoundingBox<2>(points);
+      layer.box.extend(layer.depth);
     }
   }
 
-  void vector_value(const Point<2> &x, Vector &value) const override
+  /** Returns the function at the nodes. */
+  Displacement interpolate(const DisplacementSpace<2> &space) const
   {
-    namespace index = boost::geometry::index;
-    value = 0.;
-    for (const Layer &layer : layers_)
-      for (const auto &[node, k] : layer.nodes | index::adaptors::queried(index::nearest(x, 1)))
-        for (unsigned int d = 0; d < 2; ++d)
-          value[d] += omega_[k] * std::max(0., 1. - x.distance(node) / layer.depth) *
-                      trace_.conditions()[k].normal[d];
+    Displacement w = space.zero();
+    std::vector<bool> is_done(space.mesh().triangulation().n_vertices(), false);
+    for (const auto &cell : space.dofs().active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        if (!is_done[cell->vertex_index(v)])
+        {
+          is_done[cell->vertex_index(v)] = true;
+          const Tensor<1, 2> value = at(cell->vertex(v));
+          for (unsigned int d = 0; d < 2; ++d)
+            w[cell->vertex_dof_index(v, d)] = value[d];
+        }
+    return w;
   }
 
 private:
@@ -161,7 +173,21 @@ private:
   {
     double depth;
     RTree<Node> nodes;
+    /** The function vanishes outside of it. */
+    BoundingBox<2> box;
   };
+
+  Tensor<1, 2> at(const Point<2> &x) const
+  {
+    namespace index = boost::geometry::index;
+    Tensor<1, 2> value;
+    for (const Layer &layer : layers_)
+      if (layer.box.point_inside(x))
+        for (const auto &[node, k] : layer.nodes | index::adaptors::queried(index::nearest(x, 1)))
+          value += omega_[k] * std::max(0., 1. - x.distance(node) / layer.depth) *
+                   trace_.conditions()[k].normal;
+    return value;
+  }
 
   const ContactTrace &trace_;
   const Vector &omega_;
@@ -225,7 +251,7 @@ std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace
   }
   Displacement w = is_cheap(data.inverse, trace)
                      ? pressed_displacement(data, trace)
-                     : interpolate_at_nodes(data.space, Layers(data.scene, trace, omega));
+                     : Layers(data.scene, trace, omega).interpolate(data.space);
   // This corrects the remainder of the solver's tolerance, and pins.
   if (!impose(trace, required, true, w))
     return {};
@@ -244,7 +270,7 @@ std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrac
   const NodalCompliance nodal(data, trace);
   Displacement z = nodal.C() != nullptr && is_cheap(data.inverse, trace)
                      ? pushed_displacement(data, nodal)
-                     : interpolate_at_nodes(data.space, Layers(data.scene, trace, one));
+                     : Layers(data.scene, trace, one).interpolate(data.space);
   if (!impose(trace, one, false, z))
     return {};
   data.space.distribute_without_pins(z);

@@ -136,7 +136,13 @@ void add_contact_sides(const BoundData &data, const EdgeMesh &mesh, GivenTractio
     }
   }
   for (const auto &[number, on_edge] : points)
-    EdgeTraction(on_edge, mesh.edges()[number]).give(number, given);
+  {
+    EdgeTraction traction(on_edge, mesh.edges()[number]);
+    // A constant leaves rounding only.
+    if (on_edge.size() == gauss.size())
+      traction.normal_rest = traction.shear_rest = 0.;
+    traction.give(number, given);
+  }
 }
 } // namespace
 

@@ -57,9 +57,10 @@ EquilibratedStress::EquilibratedStress(const BoundData &data)
   balance_cells(mesh_, start.rest, moments_);
   CellEnergies energies(table_, mesh_.cells().size());
   integrals_.resize(mesh_.cells().size());
-  integrate_all(false, &energies);
-  improve(energies);
-  integrate_all(true);
+  for_each_cell(
+    [&](const std::size_t cell) { integrals_[cell] = integrate(cell, false, &energies); });
+  const std::vector<double> change = improve(energies);
+  for_each_cell([&](const std::size_t cell) { update(energies, cell, change); });
 }
 
 void EquilibratedStress::balance_couples(const std::vector<CornerForces> &R)
@@ -270,9 +271,11 @@ EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned i
   const CellVector data = data_of(cell);
   CellIntegrals result;
   result.min_eigenvalue = A.min_eigenvalue();
+  result.is_resolved = A.is_resolved();
   CellMatrix::Values y = A.zero();
   A.add(data, CellColumns::moments, CellColumns::end, y);
-  result.stress = A.square(y, from_above);
+  const auto square = [&]() { return Square{A.square(y, from_above), A.moments_of(y)}; };
+  result.stress = square();
   A.add(data, 0, CellColumns::bubbles, y);
   if (lift_.cells()[cell])
   {
@@ -281,12 +284,11 @@ EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned i
     result.lift = A.square(lift, from_above);
     A.add(data, CellColumns::lift, CellColumns::moments, y);
   }
-  result.misfit = A.square(y, from_above);
-  result.gradient = A.moments_of(y);
+  result.misfit = square();
   if (bubbles_)
   {
     A.add(data, CellColumns::bubbles, CellColumns::lift, y);
-    result.interpolated_part = A.square(y, from_above);
+    result.interpolated_part = square();
     const auto &edges = mesh_.cells()[cell].edges;
     if (std::any_of(edges.begin(), edges.end(), [&](const unsigned int edge) {
           return mesh_.edges()[edge].is_held();
@@ -298,13 +300,33 @@ EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned i
   return result;
 }
 
-void EquilibratedStress::integrate_all(const bool from_above, CellEnergies *const energies)
+void EquilibratedStress::for_each_cell(const std::function<void(std::size_t)> &visit) const
 {
   work_on_ranges(
-    n_threads(), integrals_.size(), [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c)
-        integrals_[c] = integrate(c, from_above, energies);
+    n_threads(), mesh_.cells().size(), [&](const std::size_t begin, const std::size_t end) {
+      for (std::size_t cell = begin; cell < end; ++cell)
+        visit(cell);
     });
+}
+
+void EquilibratedStress::update(const CellEnergies &energies,
+                                const std::size_t cell,
+                                const std::vector<double> &change)
+{
+  // Where more digits than that are lost, the cell is integrated again.
+  constexpr double min_share = 1e-3;
+  CellIntegrals &here = integrals_[cell];
+  const CellMoments b = moments_on(mesh_.cells()[cell], change), Sb = multiply(energies(cell), b);
+  bool digits_lost = !here.is_resolved;
+  for (Square *const square : {&here.misfit, &here.interpolated_part, &here.stress})
+  {
+    const double before = square->value;
+    for (unsigned int j = 0; j < b.size(); ++j)
+      square->value += b[j] * (Sb[j] + 2. * square->gradient[j]);
+    digits_lost = digits_lost || square->value < min_share * before;
+  }
+  if (digits_lost)
+    here = integrate(cell, true, nullptr);
 }
 
 double EquilibratedStress::oscillation(const unsigned int cell, const double min_eigenvalue) const
@@ -351,7 +373,7 @@ StressBound EquilibratedStress::bound() const
   for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
   {
     const CellIntegrals &cell = integrals_[c];
-    const double misfit = std::sqrt(cell.misfit), norm = std::sqrt(cell.stress);
+    const double misfit = std::sqrt(cell.misfit.value), norm = std::sqrt(cell.stress.value);
     const double rest = oscillation(c, cell.min_eigenvalue);
     const double geometry_part = geometry(c, cell.min_eigenvalue);
     result.misfit.push_back(misfit);
@@ -363,7 +385,7 @@ StressBound EquilibratedStress::bound() const
     result.complementary_energy.lower += 0.5 * std::pow(std::max(0., norm - rest), 2) - work;
     result.complementary_energy.upper += 0.5 * std::pow(norm + rest, 2) - work;
     lift_square += cell.lift;
-    patch_square += std::pow(std::sqrt(cell.interpolated_part) + rest, 2);
+    patch_square += std::pow(std::sqrt(cell.interpolated_part.value) + rest, 2);
     patch_lift_square += cell.interpolated_lift;
   }
   result.lift = std::sqrt(lift_square);

@@ -2,6 +2,7 @@
 // Scene/Name = described: every piece of problem (1) from the expressions of the parameter file.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/entry_error.h>
@@ -283,6 +284,5 @@ Scene<dim> make_described_scene(const Parameters &parameters)
   return scene;
 }
 
-template Scene<2> make_described_scene(const Parameters &);
-template Scene<3> make_described_scene(const Parameters &);
+INSTANTIATE_FUNCTION(make_described_scene);
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // Coordinates, and the sizes of bodies that can be computed with.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/geometry/geometry.h>
@@ -97,10 +98,8 @@ void check_size(const Geometry<dim> &geometry, const std::string &where)
                       " of the size.");
 }
 
-template Point<2> read_point(const std::string &, const Entry &);
-template Point<3> read_point(const std::string &, const Entry &);
-template void check_size(const Geometry<2> &, const std::string &);
-template void check_size(const Geometry<3> &, const std::string &);
+INSTANTIATE_FUNCTION(read_point);
+INSTANTIATE_FUNCTION(check_size);
 
 // Entries that exist in 2-D or for one shape or law only.
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Values of expressions, checked at points that the integrals will use or come close to.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/functions.h>
@@ -249,8 +250,6 @@ void check_described_scene(const ExactSolutionParameters &exact, const Scene<dim
   }
 }
 
-template void check_moduli(const std::vector<Expression<2>> &, const Geometry<2> &);
-template void check_moduli(const std::vector<Expression<3>> &, const Geometry<3> &);
-template void check_described_scene(const ExactSolutionParameters &, const Scene<2> &);
-template void check_described_scene(const ExactSolutionParameters &, const Scene<3> &);
+INSTANTIATE_FUNCTION(check_moduli);
+INSTANTIATE_FUNCTION(check_described_scene);
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The leading exponent of plane elasticity at a corner: roots of entire functions.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/scene/corners.h>
 
@@ -374,6 +375,5 @@ std::string find_contradiction(const Scene<dim> &scene)
   return contradiction;
 }
 
-template std::string find_contradiction(const Scene<2> &);
-template std::string find_contradiction(const Scene<3> &);
+INSTANTIATE_FUNCTION(find_contradiction);
 } // namespace Signorini

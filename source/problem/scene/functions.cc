@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Expressions as deal.II functions.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/problem/scene/functions.h>
 #include <signorini/problem/scene/scene.h>
 
@@ -164,6 +165,5 @@ template class ExpressionFunction<2>;
 template class ExpressionFunction<3>;
 template bool is_constant(const Function<2> &);
 template bool is_constant(const Function<3> &);
-template void check_magnitude(double, unsigned int, const Point<2> &, const std::string &);
-template void check_magnitude(double, unsigned int, const Point<3> &, const std::string &);
+INSTANTIATE_FUNCTION(check_magnitude);
 } // namespace Signorini

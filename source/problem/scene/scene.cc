@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Sides that move as rigid plates.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/problem/scene/functions.h>
 #include <signorini/problem/scene/scene.h>
 
@@ -59,10 +60,8 @@ Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotio
   return with_plates_moved(std::move(scene), motions);
 }
 
-template Scene<2> with_only_plates_moved(Scene<2>, const std::vector<PlateMotion> &);
-template Scene<3> with_only_plates_moved(Scene<3>, const std::vector<PlateMotion> &);
-template Scene<2> with_plates_moved(Scene<2>, const std::vector<PlateMotion> &);
-template Scene<3> with_plates_moved(Scene<3>, const std::vector<PlateMotion> &);
+INSTANTIATE_FUNCTION(with_only_plates_moved);
+INSTANTIATE_FUNCTION(with_plates_moved);
 template struct Scene<2>;
 template struct Scene<3>;
 

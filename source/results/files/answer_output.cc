@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstring>
 #include <iomanip>
 #include <sstream>
 
@@ -66,20 +67,28 @@ public:
         scale_ = std::max(scale_, force.resultant.force.norm());
   }
 
-  /** Prints a line "label  text", broken at blanks outside of parentheses where it is full. */
+  /** Prints a line "label  text", broken where it is full: at commas and semicolons, or at blanks
+   * of a phrase that is longer than a line, outside of parentheses. */
   void add(const std::string &label, const std::string &text)
   {
     std::string line = "  " + label;
     line.resize(std::max(label_width, line.size() + 1), ' ');
     const std::size_t indent = line.size();
+    std::vector<std::string> phrases;
     for (const std::string &word : split_list(text, ' '))
+      if (!phrases.empty() && std::strchr(",;", phrases.back().back()) == nullptr &&
+          indent + phrases.back().size() + 1 + word.size() <= line_width)
+        phrases.back() += " " + word;
+      else
+        phrases.push_back(word);
+    for (const std::string &phrase : phrases)
     {
-      if (line.size() > indent && line.size() + 1 + word.size() > line_width)
+      if (line.size() > indent && line.size() + 1 + phrase.size() > line_width)
       {
         stream_ << line << "\n";
         line = std::string(indent, ' ');
       }
-      line += (line.size() > indent ? " " : "") + word;
+      line += (line.size() > indent ? " " : "") + phrase;
     }
     stream_ << line << "\n";
   }
@@ -89,7 +98,7 @@ public:
     const Json &total = answer["contact_force"];
     const bool is_uncertain = total["error"].is_number() && rounded(total["error"], scale_) > 0.;
     add("Contact force",
-        force_text(total) + (is_uncertain ? " error at most " + digits(total["error"]) : ""));
+        force_text(total) + (is_uncertain ? ", error at most " + digits(total["error"]) : ""));
     if (answer["contact_by_side"].size() > 1)
       for (const Json &force : answer["contact_by_side"])
         add("  on " + std::string(force["side"]), force_text(force));

@@ -2,6 +2,7 @@
 // The common functions of every Ĉ: entries, and solves on sets of multipliers.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/solvers/cycles/boundary_model.h>
 #include <signorini/solvers/cycles/kernel_models.h>
 
@@ -278,8 +279,7 @@ std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim>
   return std::make_shared<const KernelModel>(std::move(C));
 }
 
-template std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<2> &);
-template std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<3> &);
+INSTANTIATE_FUNCTION(make_boundary_model);
 template std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<2> &);
 template std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<3> &);
 template std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<2> &,

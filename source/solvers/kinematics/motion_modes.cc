@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Z = k - A⁻¹ A k for the lifts k of free motions.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/problem/scene/functions.h>
@@ -192,12 +193,7 @@ MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
 
 template struct MotionModes<2>;
 template struct MotionModes<3>;
-template MotionModes<2> make_motion_modes(const DisplacementSpace<2> &,
-                                          const Scene<2> &,
-                                          const StiffnessInverse &);
-template MotionModes<3> make_motion_modes(const DisplacementSpace<3> &,
-                                          const Scene<3> &,
-                                          const StiffnessInverse &);
+INSTANTIATE_FUNCTION(make_motion_modes);
 
 // The motion of a body that neither supports nor contact stop.
 

@@ -2,6 +2,7 @@
 // The choice of the method that finds contact, and the memory that it needs.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
 #include <signorini/solvers/methods/contact_method.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
@@ -89,16 +90,8 @@ std::unique_ptr<ContactMethod<dim>> make_contact_method(const Parameters &parame
   return make_dual_method(parameters, scene, choice);
 }
 
-template SolverChoice
-choose_solvers(const Parameters &, const Scene<2> &, unsigned int, unsigned int);
-template SolverChoice
-choose_solvers(const Parameters &, const Scene<3> &, unsigned int, unsigned int);
-template std::unique_ptr<ContactMethod<2>> make_contact_method(const Parameters &,
-                                                               const Scene<2> &,
-                                                               const SolverChoice &);
-template std::unique_ptr<ContactMethod<3>> make_contact_method(const Parameters &,
-                                                               const Scene<3> &,
-                                                               const SolverChoice &);
+INSTANTIATE_FUNCTION(choose_solvers);
+INSTANTIATE_FUNCTION(make_contact_method);
 
 // The memory that a level needs.
 

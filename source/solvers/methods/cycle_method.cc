@@ -2,6 +2,7 @@
 // Contact by V-cycles, each followed by a problem on the boundary: no A, no factors, no C.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/solvers/cycles/contact_iteration.h>
 #include <signorini/solvers/multigrid/stiffness_multigrid.h>
 
@@ -177,6 +178,5 @@ void refuse_solver_for_free_motions(const SolverParameters &solver)
                    "' for a body or a plate that moves freely, allowed there: psor, active set.");
 }
 
-template std::unique_ptr<ContactMethod<2>> make_cycle_method(const Parameters &, const Scene<2> &);
-template std::unique_ptr<ContactMethod<3>> make_cycle_method(const Parameters &, const Scene<3> &);
+INSTANTIATE_FUNCTION(make_cycle_method);
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // The V-cycle, and conjugate gradients with it.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/solvers/multigrid/stiffness_multigrid.h>
 
@@ -440,10 +441,5 @@ std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace
   return std::make_unique<MultigridInverse>(A, diagonal, goal);
 }
 
-template std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace<2> &,
-                                                                  const Scene<2> &,
-                                                                  double);
-template std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace<3> &,
-                                                                  const Scene<3> &,
-                                                                  double);
+INSTANTIATE_FUNCTION(make_multigrid_inverse);
 } // namespace Signorini

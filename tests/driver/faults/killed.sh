@@ -14,9 +14,11 @@ run() { "$program" scene.prm --set "Discretization/Finest level=$1" --output "$2
 kill_run() {
   local signal=$1 file=$2 seconds=$3 process
   shift 3
-  # A shell lets what runs in its background ignore SIGINT.
+  # A shell lets what runs in its background ignore SIGINT, and until the program begins, its copy would tidy up when killed.
+  trap - EXIT
   env --default-signal "$@" >stdout 2>stderr &
   process=$!
+  trap 'rm -rf "$directory"' EXIT
   until [ -e "$file" ] || ! kill -0 "$process" 2>/dev/null; do sleep 0.02; done
   sleep "$seconds"
   kill -s "$signal" "$process"

@@ -61,10 +61,10 @@ void check_catalogue(Checks &checks)
   }
 }
 
-/** Scenes by expressions; nu = 0.499999 does not lock. */
+/** Scenes by expressions; nu = 0.4999 does not lock. */
 void check_files(Checks &checks)
 {
-  for (const auto &[name, setting] : {std::pair("nearly_incompressible", "Constants/nu=0.499999"),
+  for (const auto &[name, setting] : {std::pair("nearly_incompressible", "Constants/nu=0.4999"),
                                       std::pair("two_contact_sides", "Output/VTU=none")})
   {
     checks.about(name);

@@ -108,6 +108,10 @@ public:
   /** Returns |y|². With @p from_above, where the law is not resolved, the largest value in a part
    * counts for all of the part. */
   double square(const Values &y, bool from_above) const;
+  bool is_resolved() const
+  {
+    return unresolved_.empty();
+  }
   /** Returns the smallest Law::min_eigenvalue of all points. */
   double min_eigenvalue() const
   {

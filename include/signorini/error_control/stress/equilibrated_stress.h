@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -183,22 +184,30 @@ private:
   void find_bubbles();
   /** Returns the numbers of a cell, see CellColumns. */
   CellVector data_of(unsigned int cell) const;
+  /** The square of a norm, and half of its gradient g with respect to the moments: after a change b
+   * it is value + 2 g.b + bᵀ S b. */
+  struct Square
+  {
+    double value = 0.;
+    CellMoments gradient{};
+  };
   /** The integrals over a cell: the squares of the misfits of u_h + z and of π^{2h} u_h + z', and
    * of the norm of τ, and the energies of z and z'. */
   struct CellIntegrals
   {
-    double misfit = 0., interpolated_part = 0., stress = 0., lift = 0., interpolated_lift = 0.;
-    /** Half of the gradient of the first misfit with respect to the moments. */
-    CellMoments gradient{};
-    double min_eigenvalue = 0.;
+    Square misfit, interpolated_part, stress;
+    double lift = 0., interpolated_lift = 0., min_eigenvalue = 0.;
+    /** Whether the law is resolved. If it is not, squares are taken from above at the end. */
+    bool is_resolved = true;
   };
   /**
    * Integrates over a cell.
-   * @param from_above whether squares are taken from above where the law is not resolved.
    * @param energies receives S, unless it is null.
    */
   CellIntegrals integrate(unsigned int cell, bool from_above, CellEnergies *energies) const;
-  void integrate_all(bool from_above, CellEnergies *energies = nullptr);
+  /** Updates the integrals of a cell after a change of the moments. */
+  void update(const CellEnergies &energies, std::size_t cell, const std::vector<double> &change);
+  void for_each_cell(const std::function<void(std::size_t)> &visit) const;
   /** Returns the energy of z'. */
   double interpolated_lift(unsigned int cell, const CellMatrix &A, bool from_above) const;
   /** Adds the couple that makes the loads of curved cells balance the residuals: V^h of curved
@@ -212,8 +221,11 @@ private:
   /** Returns ∫_{Γ_D} τ n.(u_D - c) on the edges of a cell; adds ∫_{Γ_D} τ n to @p
    * force. */
   double support_work(unsigned int cell, const Tensor<1, 2> &c, Tensor<1, 2> &force) const;
-  /** Brings the moments closer to those of the best stress. */
-  void improve(const CellEnergies &energies);
+  /**
+   * Brings the moments closer to those of the best stress.
+   * @return their change.
+   */
+  std::vector<double> improve(const CellEnergies &energies);
   /** The residual of the improvement: minus the gradient of half the square of the misfit. */
   struct Residual
   {
