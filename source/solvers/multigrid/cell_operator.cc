@@ -69,10 +69,8 @@ SIGNORINI_INLINE inline void add_batch(LevelVector<dim, Number> &y,
     }
 }
 
-/**
- * Computes y = K x with one K for all lanes.
- * @tparam n_sums the number of sums that registers hold.
- */
+/** Computes y = K x with one K for all lanes.
+ * @tparam n_sums the number of sums that registers hold. */
 template <int dim, typename V, int n_sums, typename Number>
 SIGNORINI_INLINE inline void multiply_shared(BatchValues<dim, Number> &y,
                                              const Number *const K,
@@ -394,8 +392,7 @@ NodeBlocks<dim> diagonal_blocks(const CellOperator<dim, float> &K)
 
 namespace
 {
-/** Returns the largest eigenvalue of n_lanes cells by the power method, see max_cell_eigenvalue().
- * @param K their matrices, [entry][lane]. */
+/** Returns the largest eigenvalue of n_lanes cells, [entry][lane], see max_cell_eigenvalue(). */
 template <int dim>
 double max_eigenvalue(const float *const K)
 {
